@@ -174,9 +174,9 @@ impl Check {
     ///
     /// # Errors
     /// If a result differs.
-    fn judge_prepared(&self, listing: &Module) -> Result<(), Errors> {
+    fn judge_prepared(&self, module: &Module) -> Result<(), Errors> {
         let mut errors = self.source.errors();
-        let Some(prepared) = &listing.prepared else {
+        let Some(prepared) = &module.prepared else {
             return Ok(());
         };
         for dense in &self.states {
@@ -186,7 +186,7 @@ impl Check {
                 Input::Parameter(_, value) => values[usize::from(value)],
                 Input::Variable(..) => state(input),
             };
-            for (whole, left) in listing.functions.iter().zip(&prepared.functions) {
+            for (whole, left) in module.functions.iter().zip(&prepared.functions) {
                 let bits = |results: Vec<f64>| -> Vec<u64> {
                     results.into_iter().map(f64::to_bits).collect()
                 };

@@ -51,7 +51,7 @@ fn bare(line: &str) -> bool {
 fn numbers_of_items_have_types_of_their_own() {
     let mut found = Vec::new();
     for (within, lines) in code() {
-        if WRITERS.iter().any(|room| within.starts_with(room)) {
+        if WRITERS.iter().any(|folder| within.starts_with(folder)) {
             continue;
         }
         let lines = lines.iter().filter(|(_, line)| bare(line));

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Each folder with those it may name besides itself: first the shared types, then the stages in the order of `expand`,
 /// then the front ends.
-const ROOMS: [(&str, &[&str]); 35] = [
+const FOLDERS: [(&str, &[&str]); 35] = [
     ("wording", &[]),
     ("list", &[]),
     ("template", &[]),
@@ -296,18 +296,18 @@ const UP: [(&str, &str); 3] = [
 ];
 
 /// The files at or below a path, each with its folder.
-fn files(path: &Path, room: &str) -> Vec<(String, PathBuf)> {
+fn files(path: &Path, folder: &str) -> Vec<(String, PathBuf)> {
     let entries = fs::read_dir(path).expect("the folder is there");
     let paths = entries.map(|entry| entry.expect("readable").path());
     paths
         .flat_map(|path| {
             let stem = path.file_stem().and_then(|stem| stem.to_str());
             let stem = stem.expect("a name").to_owned();
-            let room = if room.is_empty() { &stem } else { room };
+            let folder = if folder.is_empty() { &stem } else { folder };
             if path.is_dir() {
-                files(&path, room)
+                files(&path, folder)
             } else {
-                vec![(room.to_owned(), path)]
+                vec![(folder.to_owned(), path)]
             }
         })
         .filter(|(_, path)| path.extension().is_some_and(|extension| extension == "rs"))
@@ -350,21 +350,21 @@ fn a_folder_names_only_those_before_it() {
     let files = files(&source, "");
     let of_rooms = files
         .iter()
-        .filter(|(room, _)| !["lib", "main"].contains(&&**room));
+        .filter(|(folder, _)| !["lib", "main"].contains(&&**folder));
     let inside = |path: &Path| path.strip_prefix(&source).expect("inside").to_owned();
     let mut used = vec![0; UP.len()];
-    for (room, path) in of_rooms.filter(|(_, path)| !is_of_tests(&inside(path))) {
-        let known = ROOMS.iter().find(|(name, _)| name == room);
+    for (folder, path) in of_rooms.filter(|(_, path)| !is_of_tests(&inside(path))) {
+        let known = FOLDERS.iter().find(|(name, _)| name == folder);
         let (_, before) = known.unwrap_or_else(|| panic!("{} is in no room", path.display()));
         let text = fs::read_to_string(path).expect("readable");
         for named in named(&text) {
-            if let Some(up) = UP.iter().position(|up| *up == (room, named)) {
+            if let Some(up) = UP.iter().position(|up| *up == (folder, named)) {
                 used[up] += 1;
                 continue;
             }
-            let is_room = ROOMS.iter().any(|(name, _)| *name == named);
+            let is_room = FOLDERS.iter().any(|(name, _)| *name == named);
             assert!(
-                named == room || before.contains(&named) || !is_room,
+                named == folder || before.contains(&named) || !is_room,
                 "{} names `{named}`",
                 path.display()
             );
@@ -378,10 +378,13 @@ fn a_folder_names_only_those_before_it() {
 
 #[test]
 fn the_list_is_in_order() {
-    for (k, (room, before)) in ROOMS.iter().enumerate() {
+    for (k, (folder, before)) in FOLDERS.iter().enumerate() {
         for other in *before {
-            let place = ROOMS.iter().position(|(name, _)| name == other);
-            assert!(place.is_some_and(|place| place < k), "{room} names {other}");
+            let place = FOLDERS.iter().position(|(name, _)| name == other);
+            assert!(
+                place.is_some_and(|place| place < k),
+                "{folder} names {other}"
+            );
         }
     }
 }

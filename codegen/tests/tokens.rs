@@ -9,7 +9,7 @@ mod sources;
 use sources::code;
 
 /// Files and folders that may use them.
-const ROOMS: [&str; 7] = [
+const FOLDERS: [&str; 7] = [
     "builder",
     "description",
     "door",
@@ -21,19 +21,19 @@ const ROOMS: [&str; 7] = [
 
 #[test]
 fn stages_between_description_and_print_use_no_tokens() {
-    let mut rooms = ROOMS.to_vec();
+    let mut folders = FOLDERS.to_vec();
     for (within, lines) in code() {
         let mut tokens = ["proc_macro2", "quote", "syn"].iter();
         if !tokens.any(|token| lines.iter().any(|(_, line)| names(line, token))) {
             continue;
         }
-        let room = ROOMS
+        let folder = FOLDERS
             .iter()
-            .find(|room| within.with_extension("").starts_with(room));
-        let room = room.unwrap_or_else(|| panic!("{} knows tokens", within.display()));
-        rooms.retain(|other| other != room);
+            .find(|folder| within.with_extension("").starts_with(folder));
+        let folder = folder.unwrap_or_else(|| panic!("{} knows tokens", within.display()));
+        folders.retain(|other| other != folder);
     }
-    assert!(rooms.is_empty(), "{rooms:?} know no tokens any more");
+    assert!(folders.is_empty(), "{folders:?} know no tokens any more");
 }
 
 /// True if a line of code uses a crate.

@@ -20,7 +20,7 @@ use self::inertias::{FROBENIUS, Outboard, TRUST, errors};
 use self::recursion::{Steps, values};
 use self::sizes::Pair;
 use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed};
-use super::solved::{DOUBTFUL, caused, largest, stays, tried, underflow, widened};
+use super::solved::{UNCERTAIN, caused, largest, stays, tried, underflow, widened};
 use crate::chain::BodyId;
 use crate::list::List;
 use crate::model::ARTICULATED_MOTION;
@@ -87,7 +87,7 @@ impl Steps<'_, '_> {
         if stays(&self.bodies.range, margin, &off) {
             underflows.map(|_| errors)
         } else {
-            Err(DOUBTFUL)
+            Err(UNCERTAIN)
         }
     }
 

@@ -15,37 +15,37 @@ use crate::plan::{Plan, keeps_half};
 use crate::real::Real;
 
 /// Reason why solutions have no bound in `f32`.
-const UNDONE: &str = "less than half of the digits may be left";
+const LESS_THAN_HALF: &str = "less than half of the digits may be left";
 
 /// Bounds the results of a plan.
 #[must_use]
 pub fn of_plan(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
     let evaluated = of(plan.chain, &plan.functions, &plan.program, means);
-    let promised = evaluated.into_iter().chain(solved(plan, means));
+    let bounds = evaluated.into_iter().chain(solved(plan, means));
     // Programs that the check would refuse in f32, for the same loss in units of u, have no bound there.
     if means.scalar != Real::Generic || keeps_half(plan.off.worst, Real::F32) {
-        return promised.collect();
+        return bounds.collect();
     }
-    let promised = promised.map(|accuracy| match accuracy {
+    let bounds = bounds.map(|accuracy| match accuracy {
         solved @ (Accuracy::Backward(..) | Accuracy::BesideDiagonal(_)) => {
-            solved.without_single(UNDONE)
+            solved.without_single(LESS_THAN_HALF)
         }
         other => other,
     });
-    promised.collect()
+    bounds.collect()
 }
 
 /// Bounds each function that solves an equation; a bound that several share is listed once.
 fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
     let has_residual = has_residual(plan.way.forward);
-    let promises = Promises::of(plan, means);
+    let solutions = Solutions::of(plan, means);
     let mut listed = Vec::new();
-    let mut promised = Vec::new();
+    let mut bounds = Vec::new();
     for function in &plan.functions {
         let Truth::Solution(given) = function.truth() else {
             if function.is_constrained() {
                 let reason = "none is derived where loops are held together";
-                promised.push(Accuracy::Unknown(reason));
+                bounds.push(Accuracy::Unknown(reason));
             }
             continue;
         };
@@ -60,11 +60,11 @@ fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
         for &given in givens {
             if !listed.contains(&given) {
                 listed.push(given);
-                promised.push(promises.solution(given));
+                bounds.push(solutions.solution(given));
             }
         }
     }
-    promised
+    bounds
 }
 
 const fn has_residual(forward: Forward) -> bool {
@@ -72,13 +72,13 @@ const fn has_residual(forward: Forward) -> bool {
 }
 
 /// Data that bounds of solutions need.
-struct Promises<'p> {
+struct Solutions<'p> {
     plan: &'p Plan<'p>,
     means: Means,
     bodies: OnceCell<Result<Articulated<'p>, &'static str>>,
 }
 
-impl<'p> Promises<'p> {
+impl<'p> Solutions<'p> {
     const fn of(plan: &'p Plan<'p>, means: Means) -> Self {
         Self {
             plan,
@@ -129,7 +129,7 @@ impl<'p> Promises<'p> {
         }
     }
 
-    fn of_bodies(&self, promised: impl Fn(&Articulated<'_>) -> Accuracy) -> Accuracy {
+    fn of_bodies(&self, bounds: impl Fn(&Articulated<'_>) -> Accuracy) -> Accuracy {
         let Plan {
             programs,
             layout,
@@ -140,7 +140,7 @@ impl<'p> Promises<'p> {
             .bodies
             .get_or_init(|| Articulated::of(programs, *layout, *way));
         match bodies {
-            Ok(bodies) => promised(bodies),
+            Ok(bodies) => bounds(bodies),
             Err(reason) => Accuracy::Unknown(reason),
         }
     }

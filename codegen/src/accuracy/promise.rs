@@ -130,11 +130,11 @@ pub(super) fn promise(
             (Some(double), Some(single))
         }
     };
-    let (found, lacking): (Vec<_>, Vec<_>) = [&double, &single]
+    let (found, unbounded): (Vec<_>, Vec<_>) = [&double, &single]
         .into_iter()
         .flatten()
         .partition(|worst| worst.is_ok());
-    let lacks = lacking
+    let lacks = unbounded
         .first()
         .and_then(|worst| worst.as_ref().err().copied());
     if let (true, Some(reason)) = (found.is_empty(), lacks) {

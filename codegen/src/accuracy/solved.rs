@@ -26,7 +26,7 @@ use crate::schedule::bound::{Reason, Value};
 use crate::space::Variable;
 
 /// Reason why a solution has no bound if rounding may make its data wrong.
-pub(super) const DOUBTFUL: &str = "rounding may outweigh the least inertia, as far as ranges tell";
+pub(super) const UNCERTAIN: &str = "rounding may outweigh the least inertia, as far as ranges tell";
 
 /// The share of what keeps M positive definite that rounding may take: half, so that pivots whose sign is
 /// uncertain are covered as well.
@@ -81,7 +81,7 @@ pub fn of_refined_inverse(
             let mut worst = vec![0.0; joints.len()];
             for (range, left) in columns.iter().zip(left) {
                 if !stays(range, margin, &caused(joints, &left)) {
-                    return Err(DOUBTFUL);
+                    return Err(UNCERTAIN);
                 }
                 for (worst, left) in worst.iter_mut().zip(left) {
                     *worst = f64::max(*worst, left);
@@ -125,7 +125,7 @@ pub fn of_derivatives(
             let wider = widened(range, margin);
             let off = narrow.over(&wider).unrefined();
             if !stays(range, margin, &caused(joints, &off)) {
-                return Err(DOUBTFUL);
+                return Err(UNCERTAIN);
             }
             let found = computed(derivatives, &wider, means, scalar).into_iter();
             let found = found.map(|found| error(found).map(|_| found.value));
@@ -202,7 +202,7 @@ fn solved(
             left = parts.refined(mobility, &caused(mobility, &left), margin)?;
         }
         let stays = stays(range, margin, &caused(mobility, &left));
-        if stays { Ok(left) } else { Err(DOUBTFUL) }
+        if stays { Ok(left) } else { Err(UNCERTAIN) }
     };
     tried(0.0, attempt)
 }
@@ -211,9 +211,9 @@ fn solved(
 pub(super) fn tried(least: f64, attempt: impl Fn(f64) -> Worst) -> Worst {
     let margins = MARGINS.into_iter().filter(|&margin| margin >= least);
     let attempts = margins.map(attempt);
-    let mut refused = Err(DOUBTFUL);
+    let mut refused = Err(UNCERTAIN);
     for found in attempts {
-        if found.is_ok() || found != Err(DOUBTFUL) {
+        if found.is_ok() || found != Err(UNCERTAIN) {
             return found;
         }
         refused = found;
@@ -336,7 +336,7 @@ impl Parts {
         if spoilt <= SPOILT {
             Ok(())
         } else {
-            Err(DOUBTFUL)
+            Err(UNCERTAIN)
         }
     }
 
@@ -404,7 +404,7 @@ impl Parts {
         let mut all = correction.iter().zip(again).zip(most);
         // NaN is refused as well.
         if !all.all(|((&c, again), most)| again <= c / 2.0 && c <= most) {
-            return Err(DOUBTFUL);
+            return Err(UNCERTAIN);
         }
         let sums = self.roundings_of_sums();
         let left = rounded.into_iter().zip(spoilt).zip(sums);

@@ -26,7 +26,7 @@ use crate::space::{ParameterId, VelocityId};
 use energies::Energies;
 use links::{Links, Together};
 use numbers::{MOMENTS, Numbers};
-use span::{Combination, Left, Span};
+use span::{Combination, Residuals, Span};
 
 /// The combinations of a robot's inertial parameters that torques determine.
 #[derive(Clone, Debug, Default)]
@@ -36,7 +36,7 @@ pub struct BaseParameters {
     /// Blocks of links, outermost first.
     pub blocks: Vec<Block>,
     /// Residuals of the columns that were taken for combinations of others, and of those that were not.
-    left: Left,
+    left: Residuals,
 }
 
 /// Links whose columns may depend on each other.
@@ -118,7 +118,7 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
         numbers: &numbers,
         energies: &energies,
         forms: described.ids().map(unit).collect(),
-        left: Left::default(),
+        left: Residuals::default(),
     };
     let blocks = together.iter().map(|together| found.block(together));
     let blocks = blocks.collect();
@@ -166,7 +166,7 @@ struct Found<'f> {
     /// For each parameter the combination that it leads: itself, and the parameters of outboard links that depend on
     /// it.
     forms: List<ParameterId, Form>,
-    left: Left,
+    left: Residuals,
 }
 
 impl Found<'_> {

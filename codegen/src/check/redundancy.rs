@@ -15,7 +15,7 @@ use crate::wording::{list, quoted};
 const STATES: usize = 2;
 
 /// Largest number of configurations that are tried for it: a linkage may also close where nothing can move.
-const LOOKS: usize = 5;
+const ATTEMPTS: usize = 5;
 
 /// The residual [m, 1] of a configuration that did not close.
 const OPEN: f64 = 1e-2;
@@ -47,8 +47,8 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     };
     let scalar = chain.request.scalar;
     let (vanishing, roundoff) = (scalar.vanishing(), scalar.roundoff());
-    let mut looks: Vec<Look> = Vec::new();
-    for number in 0..LOOKS {
+    let mut samples: Vec<Sample> = Vec::new();
+    for number in 0..ATTEMPTS {
         // A robot that contradicts its chain is refused by the check.
         let Ok(Some(state)) = states::closed(chain, number, at) else {
             return Redundancy::default();
@@ -56,18 +56,23 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
         let Ok(dense) = at(&state) else {
             return Redundancy::default();
         };
-        looks.push(Look::of(dense, vanishing, roundoff));
-        if looks.iter().filter(|look| look.is_useful()).count() == STATES {
+        samples.push(Sample::of(dense, vanishing, roundoff));
+        if samples.iter().filter(|sample| sample.is_useful()).count() == STATES {
             break;
         }
     }
-    if looks.iter().any(Look::is_useful) {
-        looks.retain(Look::is_useful);
+    if samples.iter().any(Sample::is_useful) {
+        samples.retain(Sample::is_useful);
     }
-    let moves = looks.iter().any(|look| look.moves);
-    let is_certain = looks.iter().any(|look| look.is_certain);
-    let most = |k: usize| looks.iter().map(|look| look.pivots[k]).fold(0.0, f64::max);
-    let count = looks.first().map_or(0, |look| look.pivots.len());
+    let moves = samples.iter().any(|sample| sample.moves);
+    let is_certain = samples.iter().any(|sample| sample.is_certain);
+    let most = |k: usize| {
+        samples
+            .iter()
+            .map(|sample| sample.pivots[k])
+            .fold(0.0, f64::max)
+    };
+    let count = samples.first().map_or(0, |sample| sample.pivots.len());
     let most: Vec<f64> = (0..count).map(most).collect();
     let named = |is: &dyn Fn(f64) -> bool| -> Vec<String> {
         let names = chain.spaces().names(Space::Constraints).zip(&most);
@@ -76,12 +81,12 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     };
     let dependent = named(&|pivot| pivot < 1.0);
     let uncertain = named(&|pivot| (EXACT..CLEAR).contains(&pivot));
-    let in_doubt = named(&|pivot| (CLEAR.recip()..CLEAR).contains(&pivot));
+    let borderline = named(&|pivot| (CLEAR.recip()..CLEAR).contains(&pivot));
     let mut warnings = Vec::new();
     if !moves {
-        let held = looks.iter().map(|look| look.held).max().unwrap_or(0);
+        let held = samples.iter().map(|sample| sample.held).max().unwrap_or(0);
         warnings.push(no_motion(chain, held));
-    } else if !(uncertain.is_empty() || is_certain && in_doubt.is_empty()) {
+    } else if !(uncertain.is_empty() || is_certain && borderline.is_empty()) {
         warnings.push(nearly_dependent(chain, &uncertain));
     }
     Redundancy {
@@ -91,7 +96,7 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
 }
 
 /// The residuals in one configuration.
-struct Look {
+struct Sample {
     is_closed: bool,
     /// For each residual its independent part, after those before it, divided by ε.
     pivots: Vec<f64>,
@@ -103,7 +108,7 @@ struct Look {
     is_certain: bool,
 }
 
-impl Look {
+impl Sample {
     fn of(mut dense: Dense, vanishing: f64, roundoff: f64) -> Self {
         let pivots = dense.independence(vanishing).into_iter();
         let pivots: Vec<f64> = pivots.map(|pivot| pivot / vanishing).collect();

@@ -407,14 +407,14 @@ mod tests {
             ("quadruped", "hr_foot"),
         ] {
             let builder = Builder::from_urdf(format!("../robots/{file}.urdf")).tip(tip);
-            let listings = [Real::F64, Real::F32].map(|real| {
+            let modules = [Real::F64, Real::F32].map(|real| {
                 builder
                     .clone()
                     .scalar(real)
                     .file_module()
                     .expect("a robot that ships")
             });
-            let [double, single] = &listings;
+            let [double, single] = &modules;
             let functions = double.functions.len();
             let tested = |k: usize| {
                 let vectors = &double.review.as_ref().expect("it becomes a file").vectors;

@@ -15,7 +15,7 @@ use crate::space::{Variable, VelocityId};
 type Scalar = Approximate;
 
 /// The equations of the loops: each row of J times a matrix, and the products with the rows of J.
-struct Weighed {
+struct Equations {
     moved: Vec<Vec<Scalar>>,
     matrix: Vec<Vec<Scalar>>,
 }
@@ -103,7 +103,7 @@ impl Dense {
         let forces = held.zip(self.state.of_velocities(Variable::Tau));
         let forces: Vec<Scalar> = forces.map(|(held, tau)| tau - held).collect();
         let mut accelerations = self.free(&forces);
-        let Weighed { moved, matrix } = self.by_mass_matrix(&rows);
+        let Equations { moved, matrix } = self.by_mass_matrix(&rows);
         let mut multipliers: Vec<Scalar> = (rows.iter().zip(&bias))
             .map(|(row, bias)| -(dot(row, &accelerations) + *bias))
             .collect();
@@ -123,22 +123,22 @@ impl Dense {
     }
 
     /// J M⁻¹ Jᵗ.
-    fn by_mass_matrix(&self, rows: &[List<VelocityId, Scalar>]) -> Weighed {
+    fn by_mass_matrix(&self, rows: &[List<VelocityId, Scalar>]) -> Equations {
         let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.free(row)).collect();
         let matrix = rows
             .iter()
             .map(|row| moved.iter().map(|moved| dot(row, moved)).collect());
-        Weighed {
+        Equations {
             matrix: matrix.collect(),
             moved,
         }
     }
 
     /// J Jᵗ of the velocities without an actuator.
-    fn by_passive(&self, rows: &[List<VelocityId, Scalar>]) -> Weighed {
+    fn by_passive(&self, rows: &[List<VelocityId, Scalar>]) -> Equations {
         let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.passive(row)).collect();
         let row = |row: &Vec<Scalar>| moved.iter().map(|other| dot(row, other)).collect();
-        Weighed {
+        Equations {
             matrix: moved.iter().map(row).collect(),
             moved,
         }
@@ -154,7 +154,7 @@ impl Dense {
     pub(crate) fn driven(&self, vanishing: f64) -> Vec<Scalar> {
         let needed = self.torques(Motion::Driven);
         let rows = self.residual_rates();
-        let Weighed { moved, matrix } = self.by_passive(&rows);
+        let Equations { moved, matrix } = self.by_passive(&rows);
         let passive = self.passive(&needed);
         let mut multipliers: Vec<Scalar> = moved.iter().map(|row| dot(row, &passive)).collect();
         self.eliminate(matrix, &mut multipliers, vanishing);
@@ -181,7 +181,7 @@ impl Dense {
     /// it, far above ε otherwise.
     pub(crate) fn independence(&self, vanishing: f64) -> Vec<f64> {
         let rows = self.residual_rates();
-        let Weighed { matrix, .. } = self.by_mass_matrix(&rows);
+        let Equations { matrix, .. } = self.by_mass_matrix(&rows);
         let mut nothing = vec![Scalar::exact(0.0); rows.len()];
         self.eliminate(matrix, &mut nothing, vanishing)
     }

@@ -50,10 +50,10 @@ pub(super) fn report(
 }
 
 /// The missing batches, grouped by reason; `acted` if external wrenches are an argument.
-fn missing(functions: &[GeneratedFunction], acted: bool) -> Vec<LeftOut> {
+fn missing(functions: &[GeneratedFunction], has_external: bool) -> Vec<LeftOut> {
     let mut missing: Vec<LeftOut> = Vec::new();
     for generated in functions {
-        let Some((reason, hint)) = reason(generated, acted) else {
+        let Some((reason, hint)) = reason(generated, has_external) else {
             continue;
         };
         let name = format!("{}_batch", generated.name());
@@ -73,11 +73,11 @@ fn missing(functions: &[GeneratedFunction], acted: bool) -> Vec<LeftOut> {
 /// The reason why a function has no batch, and a hint; `None` if it has one.
 fn reason(
     generated: &GeneratedFunction,
-    acted: bool,
+    has_external: bool,
 ) -> Option<(&'static str, Option<&'static str>)> {
     match *generated.functions {
         [function] if generated.frame.is_none() => match function {
-            _ if function.has_batches(acted) => None,
+            _ if function.has_batches(has_external) => None,
             _ if Function::ALL.contains(&function) => Some((
                 "functions that actions from outside enter have no batches",
                 None,
@@ -174,7 +174,7 @@ mod tests {
         let about = module(&all).about;
         assert!(about.warnings.is_empty(), "{:?}", about.warnings);
         let mut missing = about.left_out.iter();
-        let acted = missing
+        let has_external = missing
             .find(|missing| missing.reason.contains("actions"))
             .expect("there are some");
         let expected = [
@@ -183,7 +183,7 @@ mod tests {
             "inverse_dynamics_derivatives_batch",
             "forward_dynamics_derivatives_batch",
         ];
-        assert_eq!(acted.functions, expected);
+        assert_eq!(has_external.functions, expected);
     }
 
     #[test]

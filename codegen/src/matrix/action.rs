@@ -63,7 +63,7 @@ impl<'g> Action<Term<'g>> {
 
     /// L Φ + Φ Lᵗ: the derivative of a wrench that moves along a screw.
     #[must_use]
-    pub fn turned(self, screw: Screw<Term<'g>>) -> Self {
+    pub fn moved_along(self, screw: Screw<Term<'g>>) -> Self {
         Self {
             c: screw.u.cross(self.c) + screw.b.cross(self.f),
             f: screw.u.cross(self.f),

@@ -18,7 +18,7 @@ pub struct Flow<E> {
 impl<'g> Flow<Term<'g>> {
     /// W J of a rotation about the origin of the frame.
     #[must_use]
-    pub fn of_turn(omega: Vector<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
+    pub fn of_rotation(omega: Vector<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let columns = j.second.rows().map(|column| omega.cross(Vector(column)));
         Self {
             n: Rotation::from_columns(columns),
@@ -79,7 +79,7 @@ impl<'g> Flow<Term<'g>> {
 
     /// skew\[X Y\] for X = u̲, b; 0, 0, which does not depend on b.
     #[must_use]
-    pub fn turned_by(self, u: Vector<Term<'g>>) -> Action<Term<'g>> {
+    pub fn rotated_by(self, u: Vector<Term<'g>>) -> Action<Term<'g>> {
         // u̲ N + Nᵗ u̲ is the cross matrix of (Tr(N) 1 − N) u.
         Action {
             c: without_trace(self.n) * u,

@@ -28,18 +28,18 @@ pub fn alike<'g>(
         others * columns[k].len().pow(2) >= WORTH
     };
     // All are marked before the first result is computed, so that changes of signs precede all of them.
-    let taken = columns.iter().zip(0_u16..).enumerate();
-    let taken = taken.map(|(k, (column, number))| {
+    let marked = columns.iter().zip(0_u16..).enumerate();
+    let marked = marked.map(|(k, (column, number))| {
         is_worth(k).then(|| column.map(|entry| entry.taken_by(number)))
     });
-    let taken: Vec<Option<Column<'g>>> = taken.collect();
+    let marked: Vec<Option<Column<'g>>> = marked.collect();
     let mut made: Vec<Option<Column<'g>>> = vec![None; columns.len()];
     for first in 0..columns.len() {
-        if taken[first].is_none() {
+        if marked[first].is_none() {
             made[first] = Some(of(&columns[first]));
         }
         for k in first..columns.len() {
-            if let (Some(column), None, true) = (&taken[k], &made[k], zeros[k] == zeros[first]) {
+            if let (Some(column), None, true) = (&marked[k], &made[k], zeros[k] == zeros[first]) {
                 made[k] = Some(of(column));
             }
         }

@@ -30,34 +30,34 @@ pub fn forward_dynamics<'g>(
     }
     let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
 
-    let mut yields = Vec::with_capacity(joints.len());
+    let mut eliminated = Vec::with_capacity(joints.len());
     for (k, joint) in joints.numbered().rev() {
         let action = actions[k];
-        let given = articulated[k].yielding(joint);
+        let own = articulated[k].eliminate(joint);
         let friction = joint.drive.resistance(state.qd(k));
-        let lacking = state.tau(k) - friction - action.along(joint.screw);
+        let unbalanced = state.tau(k) - friction - action.along(joint.screw);
         if let Some(parent) = joint.parent {
-            let left = given.left;
-            let push = lacking * given.inverse;
-            let moved = left.times(drifts[k].omega_dot, drifts[k].a);
+            let reduced = own.reduced;
+            let by_pivot = unbalanced * own.inverse;
+            let moved = reduced.times(drifts[k].omega_dot, drifts[k].a);
             let carried = Action {
-                c: action.c + moved.c + given.action.c * push,
-                f: action.f + moved.f + given.action.f * push,
+                c: action.c + moved.c + own.action.c * by_pivot,
+                f: action.f + moved.f + own.action.f * by_pivot,
             };
-            let (left, carried) = passed_on(joint, &left, carried);
-            articulated[parent] = articulated[parent] + left;
+            let (reduced, carried) = passed_on(joint, &reduced, carried);
+            articulated[parent] = articulated[parent] + reduced;
             actions[parent] = actions[parent] + carried;
         }
-        yields.push((lacking, given));
+        eliminated.push((unbalanced, own));
     }
-    yields.reverse();
-    let yields: List<BodyId, _> = yields.into();
+    eliminated.reverse();
+    let eliminated: List<BodyId, _> = eliminated.into();
 
     let mut found = List::new();
     outwards(joints, gravity, state, &velocities, |k, carried| {
-        let (lacking, given) = &yields[k];
-        let opposed = carried.omega_dot.dot(given.action.c) + carried.a.dot(given.action.f);
-        let acceleration = (*lacking - opposed) * given.inverse;
+        let (unbalanced, own) = &eliminated[k];
+        let opposed = carried.omega_dot.dot(own.action.c) + carried.a.dot(own.action.f);
+        let acceleration = (*unbalanced - opposed) * own.inverse;
         found.push(acceleration);
         acceleration
     });
@@ -72,13 +72,13 @@ pub fn pivots<'g>(joints: &Joints<'g>) -> List<BodyId, [Term<'g>; 2]> {
     let mut pivots = Vec::with_capacity(joints.len());
     for (k, joint) in joints.numbered().rev() {
         let whole = Action::of_screw(joint.screw, composites[k]).along(joint.screw);
-        let given = articulated[k].yielding(joint);
+        let own = articulated[k].eliminate(joint);
         if let Some(parent) = joint.parent {
             composites[parent] = composites[parent] + joint.inertia_inboard(composites[k]);
-            articulated[parent] = articulated[parent] + given.left.passed_on(joint);
+            articulated[parent] = articulated[parent] + own.reduced.passed_on(joint);
         }
-        let share = given.action.along(joint.screw);
-        pivots.push([whole, share].map(|felt| felt + joint.drive.armature));
+        let share = own.action.along(joint.screw);
+        pivots.push([whole, share].map(|inertia| inertia + joint.drive.armature));
     }
     pivots.reverse();
     pivots.into()
@@ -89,43 +89,43 @@ pub fn pivots<'g>(joints: &Joints<'g>) -> List<BodyId, [Term<'g>; 2]> {
 /// Jain and Kreutz-Delgado, "A spatial operator algebra for manipulator modeling and control", 1991).
 pub fn mass_matrix_inverse<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId, Term<'g>> {
     let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
-    let mut yields = Vec::with_capacity(joints.len());
+    let mut eliminated = Vec::with_capacity(joints.len());
     for (k, joint) in joints.numbered().rev() {
-        let given = articulated[k].yielding(joint);
+        let own = articulated[k].eliminate(joint);
         if let Some(parent) = joint.parent {
-            articulated[parent] = articulated[parent] + given.left.passed_on(joint);
+            articulated[parent] = articulated[parent] + own.reduced.passed_on(joint);
         }
-        yields.push(given);
+        eliminated.push(own);
     }
-    yields.reverse();
-    let yields: List<BodyId, _> = yields.into();
+    eliminated.reverse();
+    let eliminated: List<BodyId, _> = eliminated.into();
 
     // For each joint, the joints inboard of it and itself, with Y, from itself inwards.
     let one = state.graph.constant(1.0);
-    let lacks = joints.ids().map(|column| {
+    let unbalanced_rows = joints.ids().map(|column| {
         let mut rows = vec![(column, one)];
-        let mut action = yields[column].pushed(one, None, &joints[column]);
+        let mut action = eliminated[column].passed(one, None, &joints[column]);
         let mut at = column;
         while let Some(parent) = joints[at].parent {
             action = carried(&joints[at], action);
             let joint = &joints[parent];
-            let lacking = -action.along(joint.screw);
-            rows.push((parent, lacking));
-            action = yields[parent].pushed(lacking, Some(action), joint);
+            let unbalanced = -action.along(joint.screw);
+            rows.push((parent, unbalanced));
+            action = eliminated[parent].passed(unbalanced, Some(action), joint);
             at = parent;
         }
         rows.reverse();
         rows
     });
-    let lacks: List<BodyId, Vec<(BodyId, Term<'g>)>> = lacks.collect();
+    let unbalanced_rows: List<BodyId, Vec<(BodyId, Term<'g>)>> = unbalanced_rows.collect();
     let mut entries = Square::filled(state.zero(), joints.len());
     for column in joints.ids() {
         for row in joints.ids().take(column.number()) {
             // The joints inboard of both are the common beginning of their rows, which go from the base outwards.
-            let both = lacks[row].iter().zip(&lacks[column]);
+            let both = unbalanced_rows[row].iter().zip(&unbalanced_rows[column]);
             let both = both.take_while(|((k, _), (l, _))| k == l);
-            let products =
-                both.map(|((k, of_row), (_, of_column))| *of_column * yields[*k].inverse * *of_row);
+            let products = both
+                .map(|((k, of_row), (_, of_column))| *of_column * eliminated[*k].inverse * *of_row);
             let entry = products.reduce(|sum, product| sum + product);
             let entry = entry.unwrap_or_else(|| state.zero());
             entries.set_both((row, column), entry);
@@ -149,8 +149,8 @@ pub fn motion<'g>(
     for &(body, action) in external {
         drift.actions[body] = drift.actions[body] - action;
     }
-    let given = |k: BodyId, _: Acceleration<Term<'g>>| state.qdd(k);
-    let accelerations = outwards(joints, gravity, state, &drift.velocities, given);
+    let own = |k: BodyId, _: Acceleration<Term<'g>>| state.qdd(k);
+    let accelerations = outwards(joints, gravity, state, &drift.velocities, own);
     let all = drift.actions.iter().zip(&drift.drifts).zip(accelerations);
     all.flat_map(|((action, drift), acceleration)| {
         [
@@ -180,21 +180,21 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
     let m = std::array::from_fn(|k| entries[15 + k]);
     let [c, f] =
         [INERTIA, INERTIA + 3].map(|first| Vector(std::array::from_fn(|k| entries[first + k])));
-    let mut left = Articulated {
+    let mut reduced = Articulated {
         a: Symmetric(a),
         b: Rotation(b),
         m: Symmetric(m),
     };
     if joint.drive.armature.is_zero() {
-        left.clear(joint);
+        reduced.clear(joint);
     }
-    let (left, action) = passed_on(joint, &left, Action { c, f });
-    let inertia = left
+    let (reduced, action) = passed_on(joint, &reduced, Action { c, f });
+    let inertia = reduced
         .a
         .0
         .into_iter()
-        .chain(left.b.0.concat())
-        .chain(left.m.0);
+        .chain(reduced.b.0.concat())
+        .chain(reduced.m.0);
     inertia.chain(action.c.0).chain(action.f.0).collect()
 }
 
@@ -266,10 +266,10 @@ fn outwards<'g>(
 /// An articulated inertia and a wrench of a body, in the frame of the parent body.
 fn passed_on<'g>(
     joint: &Joint<'g>,
-    left: &Articulated<'g>,
+    reduced: &Articulated<'g>,
     action: Action<Term<'g>>,
 ) -> (Articulated<'g>, Action<Term<'g>>) {
-    (left.passed_on(joint), carried(joint, action))
+    (reduced.passed_on(joint), carried(joint, action))
 }
 
 /// A wrench on a body, in the frame of the parent body.
@@ -289,28 +289,28 @@ struct Articulated<'g> {
 }
 
 /// The articulated inertia of a body with its joint: U = Iᴬ S, 1/D and Iᴬ − U Uᵗ/D.
-struct Yielding<'g> {
+struct Eliminated<'g> {
     /// U, the wrench of a unit acceleration of the joint.
     action: Action<Term<'g>>,
     /// 1/D.
     inverse: Term<'g>,
     /// Iᴬ − U Uᵗ/D, which is passed on to the parent.
-    left: Articulated<'g>,
+    reduced: Articulated<'g>,
 }
 
-impl<'g> Yielding<'g> {
+impl<'g> Eliminated<'g> {
     /// The wrench p + U u/D that the joint passes on, for its unbalanced force u and a wrench p, if there is one. Its
-    /// component along the joint is that of p without u: zero, or u if there is no p. That is exact without an
-    /// armature; with one, part of the force remains.
-    fn pushed(
+    /// component along the joint is zero, since u = −Sᵀ p, or u if there is no p. That is exact without an armature;
+    /// with one, part of the force remains.
+    fn passed(
         &self,
-        lacking: Term<'g>,
+        unbalanced: Term<'g>,
         action: Option<Action<Term<'g>>>,
         joint: &Joint<'g>,
     ) -> Action<Term<'g>> {
-        let push = lacking * self.inverse;
-        let (mut c, mut f) = (self.action.c * push, self.action.f * push);
-        let mut along = lacking;
+        let by_pivot = unbalanced * self.inverse;
+        let (mut c, mut f) = (self.action.c * by_pivot, self.action.f * by_pivot);
+        let mut along = unbalanced;
         if let Some(action) = action {
             (c, f) = (c + action.c, f + action.f);
             along = along.graph().constant(0.0);
@@ -347,7 +347,7 @@ impl<'g> Articulated<'g> {
 
     /// U, 1/D and Iᴬ − U Uᵗ/D of a joint. The joint's own row and column of the last are zero without an armature,
     /// which is part of D.
-    fn yielding(&self, joint: &Joint<'g>) -> Yielding<'g> {
+    fn eliminate(&self, joint: &Joint<'g>) -> Eliminated<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
         let share = action.along(joint.screw) + joint.drive.armature;
         share.label(
@@ -358,7 +358,7 @@ impl<'g> Articulated<'g> {
         let inverse = share.graph().constant(1.0) / share;
         let (c, f) = (action.c, action.f);
         let (over_c, over_f) = (c * inverse, f * inverse);
-        let mut left = Self {
+        let mut reduced = Self {
             a: self.a - Symmetric::half_product(c, over_c),
             b: Rotation(std::array::from_fn(|i| {
                 std::array::from_fn(|j| self.b.0[i][j] - over_c.0[i] * f.0[j])
@@ -366,12 +366,12 @@ impl<'g> Articulated<'g> {
             m: self.m - Symmetric::half_product(f, over_f),
         };
         if joint.drive.armature.is_zero() {
-            left.clear(joint);
+            reduced.clear(joint);
         }
-        Yielding {
+        Eliminated {
             action,
             inverse,
-            left,
+            reduced,
         }
     }
 

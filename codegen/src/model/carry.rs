@@ -234,13 +234,13 @@ impl<'g> Joint<'g> {
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
         let moved = match self.posture {
             Some(posture) => inertia.change_frame(posture),
-            None => self.turned(inertia).translate(self.offset()),
+            None => self.rotated(inertia).translate(self.offset()),
         };
         moved.change_frame(self.placement)
     }
 
     /// J of the body before the rotation of its joint, but after the translation.
-    pub fn turned(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
+    pub fn rotated(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
         match self.congruence {
             Congruence::Sparing => inertia.rotate_about_z(self.angle),
             Congruence::Full => inertia.rotate_in_full_about_z(self.angle),

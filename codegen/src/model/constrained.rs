@@ -37,12 +37,12 @@ pub fn accelerations<'g>(
     let halves: Vec<List<VelocityId, Term<'g>>> = (loops.jacobian.iter())
         .map(|row| factors.half(row))
         .collect();
-    let weighed: Vec<List<VelocityId, Term<'g>>> =
-        halves.iter().map(|half| factors.weighed(half)).collect();
-    let wanted: Vec<Term<'g>> = (weighed.iter().zip(&loops.bias))
+    let by_pivots: Vec<List<VelocityId, Term<'g>>> =
+        halves.iter().map(|half| factors.by_pivots(half)).collect();
+    let wanted: Vec<Term<'g>> = (by_pivots.iter().zip(&loops.bias))
         .map(|(row, &bias)| -(dot(row, &free) + bias))
         .collect();
-    let multipliers = multipliers(&halves, &weighed, &wanted, loops);
+    let multipliers = multipliers(&halves, &by_pivots, &wanted, loops);
     let mut forced = free;
     for (half, &multiplier) in halves.iter().zip(&multipliers) {
         for (entry, &half) in forced.iter_mut().zip(half) {
@@ -50,7 +50,7 @@ pub fn accelerations<'g>(
         }
     }
     [
-        factors.other_half(&factors.weighed(&forced)).into(),
+        factors.other_half(&factors.by_pivots(&forced)).into(),
         multipliers,
     ]
 }
@@ -89,12 +89,12 @@ pub fn driven<'g>(
 /// λ of S λ = y, where S is the product of the halves of its rows: S = L D Lᵗ, row after row.
 fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
     halves: &[R],
-    weighed: &[R],
+    by_pivots: &[R],
     wanted: &[Term<'g>],
     loops: &Loops<'g>,
 ) -> Vec<Term<'g>> {
     let count = halves.len();
-    let diagonal: Vec<Term<'g>> = (0..count).map(|k| dot(&halves[k], &weighed[k])).collect();
+    let diagonal: Vec<Term<'g>> = (0..count).map(|k| dot(&halves[k], &by_pivots[k])).collect();
     let whole = |k: usize| {
         let same = (0..count).filter(|&other| loops.alike[other] == loops.alike[k]);
         let sum = same
@@ -116,7 +116,7 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
         let pivot = entry(j, diagonal[j]);
         inverse.push(guarded(pivot, whole(j), loops.vanishing));
         let below: Vec<Term<'g>> = (j + 1..count)
-            .map(|i| entry(i, dot(&halves[i], &weighed[j])))
+            .map(|i| entry(i, dot(&halves[i], &by_pivots[j])))
             .collect();
         let own = below.iter().map(|&entry| entry * inverse[j]).collect();
         ld.push(below);

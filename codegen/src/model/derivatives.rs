@@ -39,12 +39,12 @@ pub fn inverse_dynamics<'g>(
     let by_coordinate = rates.iter().zip(joints).zip(&motion.actions);
     let by_coordinate = by_coordinate.map(|((rates, joint), action)| Change {
         x: rates.second,
-        turn: rates.carried.u,
-        turned: Some(action.turned(joint.screw)),
+        rotation: rates.carried.u,
+        turned: Some(action.moved_along(joint.screw)),
     });
     let by_rate = rates.iter().zip(joints).map(|(rates, joint)| Change {
         x: rates.own + rates.carried,
-        turn: joint.screw.u,
+        rotation: joint.screw.u,
         turned: None,
     });
     // Each velocity enters doubled.
@@ -80,7 +80,7 @@ pub fn add_constant_wrenches<'g>(
             displaced.change_frame(joint.placement)
         };
         // (Lₘ Lᵢ − Lᵢ Lₘ) ⊗ Φ = Lₘ ⊗ (Lᵢ Φ + Φ Lᵢᵗ), which changes its sign if both are exchanged.
-        let (mut turned, mut at) = (action.turned(joint.screw), k);
+        let (mut turned, mut at) = (action.moved_along(joint.screw), k);
         while let Some(parent) = joints[at].parent {
             (turned, at) = (inboard(turned, &joints[at]), parent);
             let power = turned.along(joints[at].screw);
@@ -106,7 +106,7 @@ pub fn coriolis_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<Bod
     let changes = rates.iter().zip(joints).map(|(rates, joint)| {
         [Change {
             x: rates.own,
-            turn: joint.screw.u,
+            rotation: joint.screw.u,
             turned: None,
         }]
     });
@@ -180,7 +180,7 @@ fn rates<'g>(
 struct Change<'g> {
     /// X and x of X + 2 x̲ W, which is added to H of all bodies that its joint carries.
     x: Screw<Term<'g>>,
-    turn: Vector<Term<'g>>,
+    rotation: Vector<Term<'g>>,
     /// L Φ + Φ Lᵗ, if it rotates the bodies that its joint carries.
     turned: Option<Action<Term<'g>>>,
 }
@@ -205,38 +205,40 @@ impl<'g> Whole<'g> {
             let Joint { placement, .. } = joint;
             let at_rest = Vector::zero(state.graph);
             let omega = joint.parent.map_or(at_rest, |k| motions[k].h.omega);
-            let sliding = joint.turn() * joint.screw.b * state.qd(joint.body);
+            let linear = joint.turn() * joint.screw.b * state.qd(joint.body);
             let turned = placement.rotation.transposed() * omega;
             [
-                multiple(turned.cross(joint.offset()) + sliding),
+                multiple(turned.cross(joint.offset()) + linear),
                 multiple(omega.cross(placement.translation)),
             ]
         });
         let mut inertias = joints.map(|joint| joint.inertia);
         let flows = joints.iter().zip(motions);
         let mut flows: List<BodyId, _> = flows
-            .map(|(joint, own)| Flow::of_turn(multiple(own.h.omega), joint.inertia))
+            .map(|(joint, own)| Flow::of_rotation(multiple(own.h.omega), joint.inertia))
             .collect();
         for (k, joint) in joints.numbered().rev() {
             let (index, frame) = joint.numbers();
             inertias[k].label(index, frame);
             if let Some(parent) = joint.parent {
-                let [displacing, placing] = gains[k];
+                let [by_displacement, by_placement] = gains[k];
                 let (inertia, flow) = match joint.posture {
                     Some(Pose { rotation, .. }) => {
                         (inertias[k].rotate(rotation), flows[k].rotate(rotation))
                     }
                     None => (
-                        joint.turned(inertias[k]),
+                        joint.rotated(inertias[k]),
                         flows[k].rotate_about_z(joint.angle),
                     ),
                 };
-                let flow = flow.faster(displacing, inertia).translate(joint.offset());
+                let flow = flow
+                    .faster(by_displacement, inertia)
+                    .translate(joint.offset());
                 let inertia = inertia
                     .translate(joint.offset())
                     .rotate(joint.placement.rotation);
                 let flow = flow.rotate(joint.placement.rotation);
-                let flow = flow.faster(placing, inertia);
+                let flow = flow.faster(by_placement, inertia);
                 flows[parent] = flows[parent] + flow.translate(joint.placement.translation);
                 inertias[parent] =
                     inertias[parent] + inertia.translate(joint.placement.translation);
@@ -262,9 +264,9 @@ impl<'g> Whole<'g> {
             // skew[L J] and skew[L Yᵗ] give the torque of a change by a scalar product with it.
             let mut own = Action::of_screw(joint.screw, inertia);
             let mut against = flow.against(joint.screw);
-            let mut wrenches = changes[k]
-                .each_ref()
-                .map(|change| Action::of_screw(change.x, inertia) + flow.turned_by(change.turn));
+            let mut wrenches = changes[k].each_ref().map(|change| {
+                Action::of_screw(change.x, inertia) + flow.rotated_by(change.rotation)
+            });
             let mut at = k;
             loop {
                 for (matrix, wrench) in matrices.iter_mut().zip(wrenches) {
@@ -272,7 +274,7 @@ impl<'g> Whole<'g> {
                 }
                 if at != k {
                     for (matrix, change) in matrices.iter_mut().zip(&changes[at]) {
-                        matrix[(k, at)] = own.along(change.x) + against.dot(change.turn);
+                        matrix[(k, at)] = own.along(change.x) + against.dot(change.rotation);
                     }
                 }
                 let Some(parent) = joints[at].parent else {
@@ -283,10 +285,10 @@ impl<'g> Whole<'g> {
                         *wrench = change.turned.map_or(*wrench, |turned| *wrench + turned);
                     }
                 }
-                let [displacing, placing] = self.gains[at];
+                let [by_displacement, by_placement] = self.gains[at];
                 let steps = [
-                    (joints[at].displacement(), displacing),
-                    (joints[at].placement, placing),
+                    (joints[at].displacement(), by_displacement),
+                    (joints[at].placement, by_placement),
                 ];
                 for (pose, faster) in steps {
                     own = own.change_frame(pose);

@@ -82,7 +82,7 @@ impl<'g> Factors<'g> {
     }
 
     /// D⁻¹ x.
-    pub fn weighed(&self, x: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
+    pub fn by_pivots(&self, x: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         let entries = x.iter().zip(&self.inverse);
         entries.map(|(&entry, &inverse)| entry * inverse).collect()
     }

@@ -19,9 +19,9 @@ const FAR: f64 = 16.0;
 /// If no form leaves half of the digits.
 pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Errors> {
     let mut trial = Trial::of(search, worst);
-    for forms in forward::rounds(search.chain, search.functions, search.formulation) {
+    for forms in forward::groups(search.chain, search.functions, search.formulation) {
         for form in forms {
-            trial.look_at(form);
+            trial.measure(form);
         }
         if trial.best.is_some() {
             break;
@@ -50,13 +50,13 @@ struct Trial<'s> {
     /// Programs that are not, in the order in which they were measured.
     tried: Vec<Tried>,
     /// The same forms in more expensive layouts, with their costs; not measured yet.
-    heavier: Vec<(usize, Found)>,
+    costlier: Vec<(usize, Found)>,
 }
 
 /// A program that is not accurate enough.
 struct Tried {
     /// Its cost, if all layouts have been compared.
-    weight: Option<usize>,
+    cost: Option<usize>,
     found: Found,
 }
 
@@ -67,7 +67,7 @@ impl<'s> Trial<'s> {
             measure: Measure::of(search.chain, search.functions, worst.loss, search.scalar),
             best: None,
             tried: Vec::new(),
-            heavier: Vec::new(),
+            costlier: Vec::new(),
         }
     }
 
@@ -77,43 +77,43 @@ impl<'s> Trial<'s> {
     }
 
     /// Measures a form in its cheapest layout, if it can still be the cheapest.
-    fn look_at(&mut self, form: Form) {
+    fn measure(&mut self, form: Form) {
         // A form that is far from accurate in one layout is not tried in others.
         if let Some(before) = self.tried.first() {
             let (layout, way) = (before.found.layout, before.found.way);
-            let (_, glimpse) = self.search.within(form, &[layout], &[way]);
-            let found = self.measured(glimpse);
+            let (_, first) = self.search.within(form, &[layout], &[way]);
+            let found = self.measured(first);
             if found.off.worst > FAR * ENOUGH {
-                let weight = None;
-                return self.tried.push(Tried { weight, found });
+                let cost = None;
+                return self.tried.push(Tried { cost, found });
             }
         }
-        let mut layouts = self.search.by_weight(form).into_iter();
-        let (weight, found) = layouts.next().expect("there is at least one layout");
-        if (self.best.as_ref()).is_some_and(|(least, _)| *least <= weight) {
+        let mut layouts = self.search.by_cost(form).into_iter();
+        let (cost, found) = layouts.next().expect("there is at least one layout");
+        if (self.best.as_ref()).is_some_and(|(least, _)| *least <= cost) {
             return;
         }
         let found = self.measured(found);
         if found.off.worst <= ENOUGH {
-            self.best = Some((weight, found));
+            self.best = Some((cost, found));
         } else {
-            let weight = Some(weight);
-            self.tried.push(Tried { weight, found });
-            self.heavier.extend(layouts);
+            let cost = Some(cost);
+            self.tried.push(Tried { cost, found });
+            self.costlier.extend(layouts);
         }
     }
 
     /// The cheapest that is accurate enough. Frames far from their bodies may cause the loss of a form, so other
     /// layouts are tried before a more expensive form is taken.
     fn accurate(&mut self) -> Option<Found> {
-        let mut heavier = std::mem::take(&mut self.heavier);
+        let mut costlier = std::mem::take(&mut self.costlier);
         if let Some((least, _)) = &self.best {
-            heavier.retain(|(weight, _)| weight < least);
+            costlier.retain(|(cost, _)| cost < least);
         }
-        heavier.sort_by_key(|(weight, _)| *weight);
-        let mut heavier = heavier.into_iter().map(|(_, found)| self.measured(found));
-        let lighter = heavier.find(|found| found.off.worst <= ENOUGH);
-        lighter.or_else(|| Some(self.best.take()?.1))
+        costlier.sort_by_key(|(cost, _)| *cost);
+        let mut costlier = costlier.into_iter().map(|(_, found)| self.measured(found));
+        let cheaper = costlier.find(|found| found.off.worst <= ENOUGH);
+        cheaper.or_else(|| Some(self.best.take()?.1))
     }
 
     /// The cheapest of those that lose little more than the best, if none is accurate enough. All forms lose digits
@@ -127,14 +127,14 @@ impl<'s> Trial<'s> {
         let worst = good.iter().map(|tried| tried.found.off.worst);
         let least = worst.fold(f64::INFINITY, f64::min);
         good.retain(|tried| tried.found.off.worst <= 2.0 * least);
-        let weighed = good.into_iter().map(|Tried { weight, found }| {
-            if let Some(weight) = weight {
-                return (weight, found);
+        let weighed = good.into_iter().map(|Tried { cost, found }| {
+            if let Some(cost) = cost {
+                return (cost, found);
             }
-            let (weight, found) = self.search.best(Form::of(found.way));
-            (weight, self.measured(found))
+            let (cost, found) = self.search.best(Form::of(found.way));
+            (cost, self.measured(found))
         });
-        let best = weighed.min_by_key(|(weight, _)| *weight);
+        let best = weighed.min_by_key(|(cost, _)| *cost);
         best.expect("the least is among them").1
     }
 }

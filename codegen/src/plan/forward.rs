@@ -70,7 +70,7 @@ impl Form {
 /// The cost of factors grows with each further joint: with skew axes they cost more than articulated bodies from 11
 /// joints on, with right angles from 13. In a plane they do from 4 on, but there the factors stay, which have the
 /// closer error bound and are expanded in half of the time. A [long](Chain::is_long) chain has articulated bodies only.
-pub(super) fn rounds(
+pub(super) fn groups(
     chain: &Chain,
     functions: &[Function],
     formulation: Formulation,
@@ -226,7 +226,7 @@ fn warning(
             Frame::Link => Way::PLAIN,
             Frame::Base => Way::IN_FRAME_0,
         };
-        let forms = rounds(chain, functions, request.formulation).into_iter();
+        let forms = groups(chain, functions, request.formulation).into_iter();
         let ways = forms.flatten().map(|form| form.along(plain));
         let off = least_error(chain, worst, functions, scalar, ways);
         // If every form is unusable, the functions are refused one by one.

@@ -71,12 +71,12 @@ impl<'a> Search<'a> {
     }
 
     /// The cheapest program of each layout, the cheapest layout first.
-    pub(super) fn by_weight(&self, form: Form) -> Vec<(usize, Found)> {
+    pub(super) fn by_cost(&self, form: Form) -> Vec<(usize, Found)> {
         let layouts = self.layouts.chunks(1);
         let mut found: Vec<_> = layouts
             .map(|layout| self.within(form, layout, &self.ways))
             .collect();
-        found.sort_by_key(|(weight, _)| *weight);
+        found.sort_by_key(|(cost, _)| *cost);
         found
     }
 
@@ -103,15 +103,15 @@ impl<'a> Search<'a> {
                 let (chain, functions) = (self.chain, self.functions);
                 let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
                 let program = schedule(&graph, &results);
-                let weight = Price::of(&program).weight(self.processor, self.scalar);
-                if best.as_ref().is_none_or(|(least, _)| weight < *least) {
+                let cost = Price::of(&program).weight(self.processor, self.scalar);
+                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     let found = Found {
                         program,
                         layout,
                         way,
                         off: Off::NONE,
                     };
-                    best = Some((weight, found));
+                    best = Some((cost, found));
                 }
             }
         }

@@ -9,7 +9,7 @@ use std::{cmp, ops};
 
 use super::sizes::{Link, Pair};
 use crate::accuracy::mobility::Mobility;
-use crate::accuracy::solved::DOUBTFUL;
+use crate::accuracy::solved::UNCERTAIN;
 use crate::chain::BodyId;
 use crate::list::List;
 use crate::model::ARTICULATED_INERTIA;
@@ -68,11 +68,11 @@ impl Blocks {
     }
 
     /// κ: the largest ratio to the blocks that γ and s allow.
-    fn share(self, Pair { turning, sliding }: Pair) -> f64 {
+    fn share(self, Pair { angular, linear }: Pair) -> f64 {
         let shares = [
-            self.a / (turning * turning),
-            self.b / (turning * sliding),
-            self.m / (sliding * sliding),
+            self.a / (angular * angular),
+            self.b / (angular * linear),
+            self.m / (linear * linear),
         ];
         // NaN counts as infinite.
         shares.into_iter().fold(0.0, |most, share| {
@@ -133,21 +133,21 @@ pub(super) fn outboard(
     }
     // NaN is refused as well.
     if spoilt.partial_cmp(&SPOILT).is_none_or(cmp::Ordering::is_gt) {
-        return Err(DOUBTFUL);
+        return Err(UNCERTAIN);
     }
     Ok((all, spoilt))
 }
 
 /// The articulated inertia of sizes γ and s after its joint's part has been subtracted, with four roundings.
-fn left(Pair { turning, sliding }: Pair, scalar: Real) -> [Value; ARTICULATED_INERTIA] {
+fn left(Pair { angular, linear }: Pair, scalar: Real) -> [Value; ARTICULATED_INERTIA] {
     let within = |size: f64| {
         let lost = 4.0 * (scalar.roundoff() * size + scalar.smallest());
         around_zero(size, lost)
     };
     std::array::from_fn(|entry| match entry {
-        0..6 => within(turning * turning),
-        6..15 => within(turning * sliding),
-        _ => within(sliding * sliding),
+        0..6 => within(angular * angular),
+        6..15 => within(angular * linear),
+        _ => within(linear * linear),
     })
 }
 

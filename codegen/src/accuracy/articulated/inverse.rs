@@ -10,7 +10,7 @@ use super::inertias::{SPOILT, TRUST, errors};
 use super::recursion::Steps;
 use super::sizes::Pair;
 use crate::accuracy::promise::{Accuracy, Means, Worst, beside_diagonal};
-use crate::accuracy::solved::{DOUBTFUL, underflow};
+use crate::accuracy::solved::{UNCERTAIN, underflow};
 use crate::list::List;
 
 impl Articulated<'_> {
@@ -53,10 +53,9 @@ impl Steps<'_, '_> {
             shares[k] = own.dot(Pair::new(turns, slides));
             let arrived = lost[k].at_distance(link.reach).plus(own);
             let most = self.outboard[parent].whole.times(SPOILT);
-            if !(is_within(arrived.turning, most.turning)
-                && is_within(arrived.sliding, most.sliding))
+            if !(is_within(arrived.angular, most.angular) && is_within(arrived.linear, most.linear))
             {
-                return Err(DOUBTFUL);
+                return Err(UNCERTAIN);
             }
             lost[parent] = lost[parent].most(arrived);
         }
@@ -68,7 +67,7 @@ impl Steps<'_, '_> {
         }
         let longest = ways.iter().copied().fold(0.0, f64::max);
         if !is_within(longest, SPOILT) {
-            return Err(DOUBTFUL);
+            return Err(UNCERTAIN);
         }
         let count: f64 = links.iter().map(|_| 1.0).sum();
         let products = (2.0 * count + 6.0) * roundoff + vanishes;

@@ -112,8 +112,8 @@ impl<'a, 'c> Steps<'a, 'c> {
         lost: Pair,
     ) -> Result<Vec<Value>, &'static str> {
         let action: [Value; 6] = std::array::from_fn(|entry| match entry {
-            0..3 => around_zero(size.turning, lost.turning),
-            _ => around_zero(size.sliding, lost.sliding),
+            0..3 => around_zero(size.angular, lost.angular),
+            _ => around_zero(size.linear, lost.linear),
         });
         let step = &self.bodies.programs.actions[k];
         let first = ARTICULATED_INERTIA;

@@ -72,9 +72,9 @@ impl Link {
     /// The part of a moment and force, or of γ and s, along the joint's axis.
     pub(super) const fn along(&self, pair: Pair) -> f64 {
         if self.slides {
-            pair.sliding
+            pair.linear
         } else {
-            pair.turning
+            pair.angular
         }
     }
 }
@@ -82,25 +82,25 @@ impl Link {
 /// An angular and a linear part: moment and force, ω̇ and a, γ and s.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Pair {
-    pub(super) turning: f64,
-    pub(super) sliding: f64,
+    pub(super) angular: f64,
+    pub(super) linear: f64,
 }
 
 impl Pair {
-    pub(super) fn new(turning: f64, sliding: f64) -> Self {
-        Self { turning, sliding }
+    pub(super) fn new(angular: f64, linear: f64) -> Self {
+        Self { angular, linear }
     }
 
     pub(super) fn plus(self, other: Self) -> Self {
-        Self::new(self.turning + other.turning, self.sliding + other.sliding)
+        Self::new(self.angular + other.angular, self.linear + other.linear)
     }
 
     pub(super) fn times(self, factor: f64) -> Self {
-        Self::new(self.turning * factor, self.sliding * factor)
+        Self::new(self.angular * factor, self.linear * factor)
     }
 
     pub(super) fn dot(self, other: Self) -> f64 {
-        self.turning * other.turning + self.sliding * other.sliding
+        self.angular * other.angular + self.linear * other.linear
     }
 
     pub(super) fn both(size: f64) -> Self {
@@ -108,27 +108,27 @@ impl Pair {
     }
 
     pub(super) fn squares(self) -> Self {
-        Self::new(self.turning * self.turning, self.sliding * self.sliding)
+        Self::new(self.angular * self.angular, self.linear * self.linear)
     }
 
     pub(super) fn roots(self) -> Self {
-        Self::new(self.turning.sqrt(), self.sliding.sqrt())
+        Self::new(self.angular.sqrt(), self.linear.sqrt())
     }
 
     pub(super) fn largest(self) -> f64 {
-        self.turning.max(self.sliding)
+        self.angular.max(self.linear)
     }
 
     /// The larger one of each part.
     pub(super) fn most(self, other: Self) -> Self {
         Self::new(
-            self.turning.max(other.turning),
-            self.sliding.max(other.sliding),
+            self.angular.max(other.angular),
+            self.linear.max(other.linear),
         )
     }
 
     /// A moment and force, or γ and s, about a reference point at a distance.
     pub(super) fn at_distance(self, distance: f64) -> Self {
-        Self::new(self.turning + distance * self.sliding, self.sliding)
+        Self::new(self.angular + distance * self.linear, self.linear)
     }
 }

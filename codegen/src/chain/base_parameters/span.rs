@@ -33,12 +33,12 @@ const ASKEW: f64 = 1e-13;
 #[derive(Default)]
 pub(super) struct Span {
     kept: Vec<Kept>,
-    pub(super) left: Left,
+    pub(super) left: Residuals,
 }
 
 /// Residuals of columns.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Left {
+pub(super) struct Residuals {
     /// The largest of those that were taken for combinations of others, relative to its rounding error.
     most: f64,
     /// The smallest of those that were not, relative to its rounding error.
@@ -47,7 +47,7 @@ pub(super) struct Left {
     smallest: f64,
 }
 
-impl Default for Left {
+impl Default for Residuals {
     fn default() -> Self {
         Self {
             most: 0.0,
@@ -57,7 +57,7 @@ impl Default for Left {
     }
 }
 
-impl Left {
+impl Residuals {
     /// The residuals of both.
     pub(super) const fn and(self, other: Self) -> Self {
         Self {

@@ -37,19 +37,19 @@ fn undeterminable_base_parameters_are_refused_by_name() {
     };
     let alone = asked(vec![vec![Function::BaseRegressor]]);
     let refusal = expand(&askew, &alone).expect_err("106 bits do not tell");
-    let said = refusal.to_string();
+    let found = refusal.to_string();
     assert!(
-        said.contains("base parameters cannot be told apart"),
-        "{said}"
+        found.contains("base parameters cannot be told apart"),
+        "{found}"
     );
-    assert!(!said.contains("fault"), "{said}");
+    assert!(!found.contains("fault"), "{found}");
     // A request of all functions leaves that one out.
-    let listing = expand(&askew, &asked(Vec::new())).unwrap_or_else(|errors| panic!("{errors}"));
+    let module = expand(&askew, &asked(Vec::new())).unwrap_or_else(|errors| panic!("{errors}"));
     let of = |generated: &crate::module::GeneratedFunction| {
         generated.functions.contains(&Function::BaseRegressor)
     };
-    assert!(!listing.functions.iter().any(of) && listing.functions.len() > 20);
-    let left_out = listing.about.left_out.iter();
+    assert!(!module.functions.iter().any(of) && module.functions.len() > 20);
+    let left_out = module.about.left_out.iter();
     let left_out = left_out.filter(|left_out| left_out.functions == ["base_regressor"]);
     assert_eq!(
         left_out.map(|one| one.is_fault).collect::<Vec<_>>(),
@@ -190,8 +190,8 @@ fn wrong_base_parameters_are_a_fault() {
     };
     assert_eq!(refused(&|_| {}), None);
     let expect = |change: &dyn Fn(&mut BaseParameters), what: &str| {
-        let (fault, said) = refused(change).expect("it is wrong");
-        assert!(fault && said.contains(what), "{said}");
+        let (fault, found) = refused(change).expect("it is wrong");
+        assert!(fault && found.contains(what), "{found}");
     };
     let off = "by base parameters would be off by";
     // One too few, and a factor with an error of a millionth.
@@ -229,8 +229,8 @@ fn wrong_base_parameters_are_a_fault() {
         });
         block.expect("its link has others").leaders.push(member);
     };
-    let (fault, said) = refused(&split).expect("it is wrong");
-    assert!(fault, "{said}");
+    let (fault, found) = refused(&split).expect("it is wrong");
+    assert!(fault, "{found}");
 }
 
 #[test]

@@ -243,9 +243,9 @@ fn the_faster_form_is_a_key_away_and_its_warning_states_the_loss() {
         forward: Some(Forward::UNREFINED),
         ..Formulation::default()
     };
-    let told = warnings(&heavy, faster, false).expect("doubted only");
-    let [of_dynamics, of_inverse] = &told[..] else {
-        panic!("{told:?}");
+    let reported = warnings(&heavy, faster, false).expect("doubted only");
+    let [of_dynamics, of_inverse] = &reported[..] else {
+        panic!("{reported:?}");
     };
     for (warning, function) in [
         (of_dynamics, "forward_dynamics"),
@@ -347,10 +347,10 @@ fn a_multiplier_that_loses_the_digits_is_named_instead_of_a_mass() {
     let chain = chain::build(&geared, &Request::default()).expect("a chain");
     let of = (Real::F32, Frame::Link);
     let worst = solvable(&chain).expect("a mass matrix that can be inverted");
-    let said = hopeless(&chain, worst, 1e6, &[ForwardDynamics], of).to_string();
+    let found = hopeless(&chain, worst, 1e6, &[ForwardDynamics], of).to_string();
     assert!(
-        said.contains("joint \"spin\" mimics joint \"lift\" with a multiplier of 20000"),
-        "{said}"
+        found.contains("joint \"spin\" mimics joint \"lift\" with a multiplier of 20000"),
+        "{found}"
     );
 }
 

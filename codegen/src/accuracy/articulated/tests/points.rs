@@ -111,11 +111,11 @@ impl Chain {
                 plus(&sum, |i, j| mass * dot(&speeds[i], &speeds[j]))
             });
             outboard.extend(own);
-            let (mut turning, mut sliding) = (0.0, 0.0);
+            let (mut angular, mut linear) = (0.0, 0.0);
             for (point, mass) in &outboard {
                 let arm: [f64; 3] = std::array::from_fn(|k| point[k] - origin[k]);
-                turning += mass * dot(&arm, &arm);
-                sliding += mass;
+                angular += mass * dot(&arm, &arm);
+                linear += mass;
             }
             let screw = if slides {
                 twist([0.0; 3], axis)
@@ -125,7 +125,7 @@ impl Chain {
             bodies.push(Body {
                 screw,
                 origin,
-                sizes: [turning.sqrt(), sliding.sqrt()],
+                sizes: [angular.sqrt(), linear.sqrt()],
                 inertia,
             });
         }
@@ -190,11 +190,11 @@ impl Chain {
                     .map(|i| at(self.bodies[i].screw, body.origin))
                     .collect();
                 let mut sums = [0.0; 2];
-                for (i, (turn, slide)) in moved.iter().enumerate() {
-                    for (j, (other_turn, other_slide)) in moved.iter().enumerate() {
+                for (i, (rotation, translation)) in moved.iter().enumerate() {
+                    for (j, (other_rotation, other_translation)) in moved.iter().enumerate() {
                         let share = inverse[i][j];
-                        sums[0] += share * dot(turn, other_turn);
-                        sums[1] += share * dot(slide, other_slide);
+                        sums[0] += share * dot(rotation, other_rotation);
+                        sums[1] += share * dot(translation, other_translation);
                     }
                 }
                 sums

@@ -28,9 +28,9 @@ fn data_of_another_loop_is_refused() {
         .judge_data(&data)
         .unwrap_or_else(|errors| panic!("{errors}"));
     data.loops.loops[0].rows.reverse();
-    let told = check.judge_data(&data).expect_err("x is y").to_string();
+    let reported = check.judge_data(&data).expect_err("x is y").to_string();
     let start = "in the data, entry 0 (residual \"pin.x\") of constraint would be ";
-    assert!(told.contains(start), "{told}");
+    assert!(reported.contains(start), "{reported}");
 }
 
 #[test]

@@ -23,8 +23,8 @@ fn every_function_of_a_robot_with_loops_is_listed() {
         assert!(generated.contains(&function), "{function:?}");
     }
     let facts = &module.about.facts;
-    let told = "closed whatever the joints do: pin.z, pin.xz and pin.yz";
-    assert!(facts.iter().any(|fact| fact == told), "{facts:?}");
+    let reported = "closed whatever the joints do: pin.z, pin.xz and pin.yz";
+    assert!(facts.iter().any(|fact| fact == reported), "{facts:?}");
 }
 
 #[test]
@@ -51,32 +51,38 @@ fn functions_that_leave_loops_open_document_it() {
 #[test]
 fn impossible_loops_are_refused() {
     let refused = |text: &str| chain(&(FOUR_BAR.to_owned() + text)).expect_err("a mistake");
-    let told =
+    let reported =
         refused("loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0.01) }");
     assert!(
-        told.contains("loop \"pin\" cannot close: \"pin.z\" is -0.01 m whatever the joints do"),
-        "{told}"
+        reported.contains("loop \"pin\" cannot close: \"pin.z\" is -0.01 m whatever the joints do"),
+        "{reported}"
     );
-    let told = refused("loop pin: revolute(z) { from: rocker, to: rocker }");
+    let reported = refused("loop pin: revolute(z) { from: rocker, to: rocker }");
     assert!(
-        told.contains("loop \"pin\" joins link \"rocker\" to itself"),
-        "{told}"
+        reported.contains("loop \"pin\" joins link \"rocker\" to itself"),
+        "{reported}"
     );
-    let told = refused("loop pin: revolute(z) { from: coupler, to: roker }");
-    assert!(told.contains("there is no link \"roker\""), "{told}");
-    let told = refused("loop pin: planar(z) { from: coupler, to: rocker }");
-    assert!(told.contains("loop \"pin\" holds nothing"), "{told}");
-    let told = refused(
+    let reported = refused("loop pin: revolute(z) { from: coupler, to: roker }");
+    assert!(
+        reported.contains("there is no link \"roker\""),
+        "{reported}"
+    );
+    let reported = refused("loop pin: planar(z) { from: coupler, to: rocker }");
+    assert!(
+        reported.contains("loop \"pin\" holds nothing"),
+        "{reported}"
+    );
+    let reported = refused(
         "link tool; joint held: fixed { from: rocker, to: tool } loop pin: spherical { from: tool, to: rocker }",
     );
     assert!(
-        told.contains(
+        reported.contains(
             "loop \"pin\" joins links \"tool\" and \"rocker\", which do not move against each other"
         ),
-        "{told}"
+        "{reported}"
     );
-    let told = refused("loop pin: spherical { from: tool, to: tool }");
-    assert!(told.contains("there is no link \"tool\""), "{told}");
+    let reported = refused("loop pin: spherical { from: tool, to: tool }");
+    assert!(reported.contains("there is no link \"tool\""), "{reported}");
 }
 
 #[test]
@@ -87,12 +93,12 @@ fn functions_of_loops_are_refused_without_loops() {
             functions: vec![vec![function]],
             ..request.clone()
         };
-        let told = expand(&description, &request)
+        let reported = expand(&description, &request)
             .expect_err("no loop")
             .to_string();
         assert!(
-            told.contains("is of robots with loops, and this one has none"),
-            "{told}"
+            reported.contains("is of robots with loops, and this one has none"),
+            "{reported}"
         );
     }
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
@@ -117,22 +123,22 @@ fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_warning() {
     };
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     assert!(chain.loops.is_empty());
-    let told: Vec<&str> = chain
+    let reported: Vec<&str> = chain
         .report
         .warnings
         .iter()
         .map(|warning| &*warning.message)
         .collect();
     assert!(
-        told.contains(&"loop \"pin\" is left open: link \"rocker\" is not modelled"),
-        "{told:?}"
+        reported.contains(&"loop \"pin\" is left open: link \"rocker\" is not modelled"),
+        "{reported:?}"
     );
 }
 
 #[test]
 fn loops_and_actuators_that_no_function_reads_give_a_warning() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
-    let told = |functions: &[Function]| -> Vec<String> {
+    let reported = |functions: &[Function]| -> Vec<String> {
         let request = Request {
             functions: functions.iter().map(|&function| vec![function]).collect(),
             actuated: vec!["a".into()],
@@ -144,10 +150,13 @@ fn loops_and_actuators_that_no_function_reads_give_a_warning() {
     };
     let open = "loop \"pin\" is left open: no function of loops is asked for";
     let driven = "which joints are driven is told, and no function asks for it";
-    assert_eq!(told(&[Function::ForwardDynamics]), [open, driven]);
-    assert_eq!(told(&[Function::Constraint, Function::Gravity]), [driven]);
-    assert!(told(&[Function::ActuatedInverseDynamics]).is_empty());
-    assert!(told(&[]).is_empty());
+    assert_eq!(reported(&[Function::ForwardDynamics]), [open, driven]);
+    assert_eq!(
+        reported(&[Function::Constraint, Function::Gravity]),
+        [driven]
+    );
+    assert!(reported(&[Function::ActuatedInverseDynamics]).is_empty());
+    assert!(reported(&[]).is_empty());
 }
 
 #[test]
@@ -158,25 +167,25 @@ fn actuators_must_be_joints_that_move_independently() {
         functions: vec![vec![Function::ActuatedInverseDynamics]],
         ..request.clone()
     };
-    let told = |request: &Request| {
+    let reported = |request: &Request| {
         let refused = expand(&description, request).map(|_| ());
         refused.expect_err("a mistake").to_string()
     };
-    let said = told(&with(&[]));
+    let found = reported(&with(&[]));
     assert!(
-        said.contains("\"actuated_inverse_dynamics\" asks which joints are driven"),
-        "{said}"
+        found.contains("\"actuated_inverse_dynamics\" asks which joints are driven"),
+        "{found}"
     );
-    let said = told(&with(&["d"]));
-    assert!(said.contains("there is no joint \"d\""), "{said}");
+    let found = reported(&with(&["d"]));
+    assert!(found.contains("there is no joint \"d\""), "{found}");
     let locked = Request {
         lock: vec![("b".into(), None)],
         ..with(&["b"])
     };
-    let said = told(&locked);
+    let found = reported(&locked);
     assert!(
-        said.contains("joint \"b\" does not move by itself"),
-        "{said}"
+        found.contains("joint \"b\" does not move by itself"),
+        "{found}"
     );
     expand(&description, &with(&["a"])).unwrap_or_else(|errors| panic!("{errors}"));
 }

@@ -112,34 +112,34 @@ fn residuals_left_by_rounded_digits_are_taken_as_zero_with_a_warning() {
     let text = askew("0.36, 0.48, 0.8", "0.360004, 0.479998, 0.8");
     let chain = chain(&text).expect("a robot");
     assert_eq!(chain.report.closed, ["pin.z", "pin.xz", "pin.yz"]);
-    let told: Vec<&str> = chain
+    let reported: Vec<&str> = chain
         .report
         .warnings
         .iter()
         .map(|warning| &*warning.message)
         .collect();
     let expected = "loop \"pin\": \"pin.z\", \"pin.xz\" and \"pin.yz\" are taken as zero, being at most 6e-6 of what the joints move";
-    assert_eq!(told, [expected]);
+    assert_eq!(reported, [expected]);
     let (description, request) = described(&text);
     let request = Request {
         strict: true,
         ..request
     };
-    let told = understand(&description, &request)
+    let reported = understand(&description, &request)
         .map(|_| ())
         .expect_err("strict")
         .to_string();
-    assert!(told.contains("(refused: strict)"), "{told}");
+    assert!(reported.contains("(refused: strict)"), "{reported}");
 }
 
 #[test]
 fn a_misaligned_axis_that_blocks_the_joints_is_refused() {
-    let told = chain(&askew("0.36, 0.48, 0.8", "0.363, 0.478, 0.8"))
+    let reported = chain(&askew("0.36, 0.48, 0.8", "0.363, 0.478, 0.8"))
         .map(|_| ())
         .expect_err("a mistake");
     assert!(
-        told.contains("loop \"pin\" blocks the joints: they change \"pin.z\", \"pin.xz\""),
-        "{told}"
+        reported.contains("loop \"pin\" blocks the joints: they change \"pin.z\", \"pin.xz\""),
+        "{reported}"
     );
 }
 

@@ -49,7 +49,7 @@ pub struct Check {
 /// Largest number of joints checked at several states; longer robots are checked at one, which takes as long.
 const SEVERAL: usize = 20;
 
-/// The error's ending for a fault of the engine.
+/// The hint of errors that are faults of the engine.
 const FAULT: &str =
     "this is a fault of homogen and not of the description: please report it, with the description";
 

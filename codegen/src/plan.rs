@@ -32,7 +32,7 @@ use crate::schedule::{Price, Program};
 use crate::space::FrameId;
 use choice::cheapest;
 
-/// How some functions are computed together, for a frame of a chain.
+/// The computation of some functions together, for a frame of a chain.
 pub struct Plan<'c> {
     /// The robot.
     pub chain: &'c Chain,

@@ -160,8 +160,8 @@ pub(super) fn caused(mobility: &[f64], forces: &[f64]) -> Vec<f64> {
     roots.map(|root| root * sum).collect()
 }
 
-/// How far computed accelerations may be outside the range of the exact ones, in relation to it. They are tried from
-/// the least.
+/// Margins by which computed accelerations may exceed the range of the exact ones, as a share of it. They are tried
+/// from the least.
 const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
 
 /// A range of accelerations that is wider by a margin.

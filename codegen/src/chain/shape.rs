@@ -10,7 +10,7 @@ use crate::list::List;
 use crate::request::Request;
 use crate::wording::quoted;
 
-/// How the joints connect the links.
+/// The joints with the links that they connect.
 pub struct Joints {
     /// Parent and child of each joint.
     ends: List<JointId, (LinkId, LinkId)>,

@@ -179,5 +179,5 @@ fn no_motion(chain: &Chain, held: usize) -> Complaint {
     }
 }
 
-const DIGITS: &str = "where the mechanism should move, write axes, angles and offsets with more digits, or give a loop \
-                      a type that leaves free what others hold";
+const DIGITS: &str = "if the loops should move, write axes, angles and offsets with more digits, or give a loop a type \
+                      that leaves free what others constrain";

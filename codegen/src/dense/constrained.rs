@@ -177,8 +177,8 @@ impl Dense {
             .collect()
     }
 
-    /// The pivot of each row relative to the whole, for accelerations: far below ε if the row depends on those before
-    /// it, far above ε otherwise.
+    /// The pivot of each row relative to the whole, for accelerations: below ε if the row depends on those before it,
+    /// far above ε otherwise.
     pub(crate) fn independence(&self, vanishing: f64) -> Vec<f64> {
         let rows = self.residual_rates();
         let Equations { matrix, .. } = self.by_mass_matrix(&rows);

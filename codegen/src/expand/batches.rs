@@ -78,10 +78,9 @@ fn reason(
     match *generated.functions {
         [function] if generated.frame.is_none() => match function {
             _ if function.has_batches(has_external) => None,
-            _ if Function::ALL.contains(&function) => Some((
-                "functions that actions from outside enter have no batches",
-                None,
-            )),
+            _ if Function::ALL.contains(&function) => {
+                Some(("functions with external wrenches have no batches", None))
+            }
             _ => Some(("functions of closed loops have no batches", None)),
         },
         [_] => {
@@ -146,7 +145,7 @@ mod tests {
         let warnings = module(&pushed()).about.located_warnings();
         let expected = [
             "there is no mass_matrix_and_bias_batch: functions that share their work have no batches",
-            "there is no inverse_dynamics_batch: functions that actions from outside enter have no batches",
+            "there is no inverse_dynamics_batch: functions with external wrenches have no batches",
             "there is no body_jacobian_of_fore_batch: functions of further frames have no batches",
         ];
         assert_eq!(warnings, expected);

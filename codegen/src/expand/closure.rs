@@ -91,7 +91,7 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
         let (residual, value) = (residual(row), measured.value);
         errors.push_with_hint(
             closed.place,
-            format!("loop {name} cannot close: {residual} is {value}{unit} whatever the joints do"),
+            format!("loop {name} cannot close: {residual} is {value}{unit} in every configuration"),
             "put it elsewhere by `at` or `to_at`, or give it a type that leaves this free",
         );
     }
@@ -104,8 +104,8 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
         errors.push_with_hint(
             closed.place,
             format!(
-                "loop {name} blocks the joints: they change {residuals} by at most {share:.0e} of what they move the \
-                 links by"
+                "loop {name} blocks the joints: they change {residuals} by at most {share:.0e} of the \
+                 links' motion"
             ),
             "axes that should be parallel or at right angles are not: write axes and angles with more digits, or \
              give the loop a type that leaves this free",
@@ -113,7 +113,8 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
     }
     let is_whole = !measured.iter().any(Measured::is_open);
     if is_whole && measured.iter().all(Measured::is_constant) {
-        let message = format!("loop {name} holds nothing: it is closed whatever the joints do");
+        let message =
+            format!("loop {name} constrains nothing: it is closed in every configuration");
         errors.push_with_hint(closed.place, message, "leave it out");
     }
 }
@@ -135,7 +136,7 @@ fn warning(closed: &Loop, measured: &[Measured]) -> Option<Complaint> {
     Some(Complaint {
         place: closed.place,
         message: format!(
-            "loop {}: {names} {is} taken as zero, being at most {most:.0e} of what the joints move",
+            "loop {}: {names} {is} taken as zero, being at most {most:.0e} of the joints' motion",
             quoted(&closed.name)
         ),
         hint: Some("write axes, angles and offsets with more digits".to_owned()),

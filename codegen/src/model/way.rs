@@ -8,7 +8,7 @@ use crate::real::Real;
 pub struct Way {
     /// The frame of the recursions; that of articulated bodies runs in the frames of the links.
     pub frame: Frame,
-    /// Whether the angles of parallel axes are summed.
+    /// Sums of the angles of parallel axes, or products of their rotations.
     pub angles: Angles,
     /// The direction in which the pose of a frame is computed.
     pub pose: Carried,

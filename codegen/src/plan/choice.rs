@@ -76,7 +76,7 @@ fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
         && !chain.actuated.contains(&true)
     {
         let name = quoted(function.name());
-        let message = format!("{name} asks which joints are driven");
+        let message = format!("{name} needs the actuated joints");
         errors.push_with_hint(Place::Unknown, message, "name them: actuated(crank)");
     }
     errors.into_result(())

@@ -118,11 +118,10 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
         errors.push_with_hint(
             Place::Unknown,
             format!(
-                "articulated bodies do not go over the loop that joint \"{}\" closes, which follows \
-                 joint \"{}\"",
+                "articulated bodies do not cover mimic joints: joint \"{}\" mimics joint \"{}\"",
                 mimic.joint, mimic.leader
             ),
-            "leave the form to the engine, or lock the joint",
+            "leave the form out, or lock the joint",
         );
     }
     errors.into_result(())
@@ -219,7 +218,7 @@ fn warning(
             ..Formulation::default()
         };
         let by = format!("{name} with {}", form.words().concat());
-        let hint = "leave the form to the engine".to_owned();
+        let hint = "leave the form out".to_owned();
         (error, LIMIT, by, hint)
     } else if !harmless {
         let plain = match request.formulation.frame {
@@ -318,7 +317,7 @@ impl<'c> Cause<'c> {
         let model = match self {
             Self::MassMatrix(..) => "model a robot whose masses and lengths differ less".to_owned(),
             Self::Multiplier(mimicked, _) => format!(
-                "give joint {} the inertia of what turns so fast as a rotor or an armature",
+                "give joint {} the inertia of the fast part as a rotor or an armature",
                 quoted(&mimicked.leader)
             ),
         };

@@ -22,16 +22,18 @@ pub(super) fn settled(chain: &Chain) -> Result<(), Errors> {
     let fields: Vec<String> = fields.map(|field| code(&field.name())).collect();
     if let [first, ..] = &*fields {
         let (noun, verb) = match &*fields {
-            [_] => ("field", "is"),
-            _ => ("fields", "are"),
+            [_] => ("field", "differs"),
+            _ => ("fields", "differ"),
         };
         errors.push_with_hint(
             Place::Unknown,
             format!(
-                "torques can tell other base parameters where {noun} {} {verb} not what is described",
+                "torques determine other base parameters if {noun} {} {verb} from the description",
                 list(fields.iter().map(String::as_str))
             ),
-            format!("ask for `regressor`, whose columns are of all parameters, or leave out {first}"),
+            format!(
+                "ask for `regressor`, whose columns are of all parameters, or leave out {first}"
+            ),
         );
     }
     errors.into_result(())

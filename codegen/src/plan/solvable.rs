@@ -58,10 +58,7 @@ pub(super) fn warnings(chain: &Chain, worst: Worst) -> Vec<Complaint> {
         let cause = cause(chain, joint).unwrap_or(&chain.joints[joint]);
         Complaint {
             place: cause.place,
-            message: format!(
-                "{}: not in every posture, but in some",
-                against_force(chain, joint)
-            ),
+            message: format!("{}, in some configurations", against_force(chain, joint)),
             hint: Some(CORRECT.to_owned()),
         }
     });
@@ -146,8 +143,8 @@ pub(super) fn at_the_end(chain: &Chain) -> String {
     }
     let taken = one_or_more(
         &zeros,
-        "is described as zero and taken at the end of what it may be: declare its range",
-        "are described as zero and taken at the ends of what they may be: declare their ranges",
+        "is described as zero and taken at the end of its range: declare the range",
+        "are described as zero and taken at the ends of their ranges: declare the ranges",
     );
     format!("; {} {taken}", fields(&zeros))
 }
@@ -285,12 +282,12 @@ fn refusal(chain: &Chain, lack: &Lack) -> Errors {
 }
 
 /// Hint about non-physical inertias.
-const CORRECT: &str = "correct the inertias; check tells which no body can have";
+const CORRECT: &str = "correct the inertias; `homogen check` lists the non-physical ones";
 
 fn against_force(chain: &Chain, joint: BodyId) -> String {
     let carries = cause(chain, joint).map_or_else(String::new, |carrier| {
         format!(
-            "joint \"{}\" carries an inertia that no body has, and ",
+            "joint \"{}\" carries a non-physical inertia, and ",
             carrier.name
         )
     });

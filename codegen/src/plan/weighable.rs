@@ -21,7 +21,7 @@ pub(super) fn weighable(chain: &Chain) -> Result<(), Errors> {
     if !(chain.joints.iter()).any(|joint| weighs(joint.inertia.mass)) {
         errors.push_with_hint(
             Place::Unknown,
-            "nothing that joints move has mass: there is no centre of mass",
+            "no joint moves a mass: there is no centre of mass",
             "give the links their inertials",
         );
     }

@@ -350,8 +350,8 @@ fn base_parameters_are_refused_if_fields_reveal_others() {
         let base = planned(&chain, Function::BaseRegressor);
         if reveals {
             let refusal = base.expect_err("it is wrong elsewhere").to_string();
-            let expected = "error: torques can tell other base parameters where field `free` is not what is \
-                            described\n  hint: ask for `regressor`";
+            let expected = "error: torques determine other base parameters if field `free` differs from the \
+                            description\n  hint: ask for `regressor`";
             assert!(refusal.contains(&expected[7..]), "{refusal}");
         } else {
             assert!(base.is_ok(), "{target:?}");

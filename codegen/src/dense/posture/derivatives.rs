@@ -22,7 +22,7 @@ enum Of {
 struct Change {
     w: Matrix<Scalar>,
     h: Matrix<Scalar>,
-    /// Of each L of its joint.
+    /// The derivative of each L of its joint.
     screws: Vec<Matrix<Scalar>>,
 }
 

@@ -402,8 +402,8 @@ fn a_non_physical_inertia_is_not_called_singular() {
         for function in SOLVED {
             let refusal = refusal(&arm(&links), function, Real::F64);
             let message = format!(
-                "the mass matrix is not positive definite: joint \"{carrier}\" carries an inertia \
-                 that no body has, and joint \"{joint}\" accelerates against its force"
+                "the mass matrix is not positive definite: joint \"{carrier}\" carries a \
+                 non-physical inertia, and joint \"{joint}\" accelerates against its force"
             );
             assert!(refusal.contains(&message), "{refusal}");
             assert!(refusal.contains("correct the inertias"), "{refusal}");
@@ -437,8 +437,8 @@ fn a_field_that_costs_the_digits_at_the_end_of_its_range_is_named() {
     let chain = with_field(&[(0.0, 0.0), (0.0, 0.0), (0.0, 1e-18)], "hand").expect("a tree");
     let refusal = refusal(&chain, ForwardDynamics, Real::F64);
     assert!(refusal.contains(" would lose every digit"), "{refusal}");
-    let hint = "field \"payload\" is described as zero and taken at the end of what it may be: \
-                declare its range";
+    let hint = "field \"payload\" is described as zero and taken at the end of its range: \
+                declare the range";
     assert!(refusal.contains(hint), "{refusal}");
 }
 
@@ -463,8 +463,8 @@ fn several_fields_that_do_not_help_are_named_in_the_plural() {
 fn several_fields_at_the_ends_of_their_ranges_are_named_in_the_plural() {
     let fields = [("p", "upper"), ("a", "lower")];
     let chain = with_fields(&[(0.0, 0.0), (0.0, 0.0), (1.0, 0.1)], &fields).expect("a tree");
-    let hint = "; fields \"p\" and \"a\" are described as zero and taken at the ends of what they may be: \
-                declare their ranges";
+    let hint = "; fields \"p\" and \"a\" are described as zero and taken at the ends of their ranges: \
+                declare the ranges";
     assert_eq!(at_the_end(&chain), hint);
 }
 

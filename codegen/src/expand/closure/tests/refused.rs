@@ -54,7 +54,7 @@ fn impossible_loops_are_refused() {
     let reported =
         refused("loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0.01) }");
     assert!(
-        reported.contains("loop \"pin\" cannot close: \"pin.z\" is -0.01 m whatever the joints do"),
+        reported.contains("loop \"pin\" cannot close: \"pin.z\" is -0.01 m in every configuration"),
         "{reported}"
     );
     let reported = refused("loop pin: revolute(z) { from: rocker, to: rocker }");
@@ -69,7 +69,7 @@ fn impossible_loops_are_refused() {
     );
     let reported = refused("loop pin: planar(z) { from: coupler, to: rocker }");
     assert!(
-        reported.contains("loop \"pin\" holds nothing"),
+        reported.contains("loop \"pin\" constrains nothing"),
         "{reported}"
     );
     let reported = refused(
@@ -173,7 +173,7 @@ fn actuators_must_be_joints_that_move_independently() {
     };
     let found = reported(&with(&[]));
     assert!(
-        found.contains("\"actuated_inverse_dynamics\" asks which joints are driven"),
+        found.contains("\"actuated_inverse_dynamics\" needs the actuated joints"),
         "{found}"
     );
     let found = reported(&with(&["d"]));

@@ -118,7 +118,7 @@ fn residuals_left_by_rounded_digits_are_taken_as_zero_with_a_warning() {
         .iter()
         .map(|warning| &*warning.message)
         .collect();
-    let expected = "loop \"pin\": \"pin.z\", \"pin.xz\" and \"pin.yz\" are taken as zero, being at most 6e-6 of what the joints move";
+    let expected = "loop \"pin\": \"pin.z\", \"pin.xz\" and \"pin.yz\" are taken as zero, being at most 6e-6 of the joints' motion";
     assert_eq!(reported, [expected]);
     let (description, request) = described(&text);
     let request = Request {

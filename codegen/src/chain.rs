@@ -92,11 +92,11 @@ pub struct Joint {
     pub parent: Option<BodyId>,
     /// Its type of motion.
     pub motion: Motion,
-    /// M from the parent body's frame to this body's at q = 0.
+    /// M of this body's frame in the parent body's, at q = 0.
     pub placement: Pose<Expr>,
     /// Direction of the axis in this body's frame, through its origin; unit length.
     pub axis: Vector<Expr>,
-    /// The link that the body is, and M from the body's frame to the link's; `None` for a body between two velocities
+    /// The link that the body is, and M of the link's frame in the body's; `None` for a body between two velocities
     /// of a joint.
     pub link: Option<(String, Pose<Expr>)>,
     /// J of the body in its frame, with all links merged into it.
@@ -134,7 +134,7 @@ pub struct Frame {
     pub name: String,
     /// The joint that carries the body; `None` for the fixed base.
     pub body: Option<BodyId>,
-    /// M from the body's frame to this one.
+    /// M of this frame in the body's frame.
     pub placement: Pose<Expr>,
 }
 

@@ -38,7 +38,7 @@ struct Body<'g> {
     motion: Motion,
     placement: Pose<Term<'g>>,
     axis: Vector<Term<'g>>,
-    /// The link that it is, and M from its frame to the link's.
+    /// The link that it is, and M of the link's frame in the body's.
     link: Option<(LinkId, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,

@@ -348,23 +348,24 @@ fn named(text: &str) -> Vec<&str> {
 fn a_folder_names_only_those_before_it() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let files = files(&source, "");
-    let of_rooms = files
+    let of_folders = files
         .iter()
         .filter(|(folder, _)| !["lib", "main"].contains(&&**folder));
     let inside = |path: &Path| path.strip_prefix(&source).expect("inside").to_owned();
     let mut used = vec![0; UP.len()];
-    for (folder, path) in of_rooms.filter(|(_, path)| !is_of_tests(&inside(path))) {
+    for (folder, path) in of_folders.filter(|(_, path)| !is_of_tests(&inside(path))) {
         let known = FOLDERS.iter().find(|(name, _)| name == folder);
-        let (_, before) = known.unwrap_or_else(|| panic!("{} is in no room", path.display()));
+        let (_, before) =
+            known.unwrap_or_else(|| panic!("{} is in no folder of the list", path.display()));
         let text = fs::read_to_string(path).expect("readable");
         for named in named(&text) {
             if let Some(up) = UP.iter().position(|up| *up == (folder, named)) {
                 used[up] += 1;
                 continue;
             }
-            let is_room = FOLDERS.iter().any(|(name, _)| *name == named);
+            let is_folder = FOLDERS.iter().any(|(name, _)| *name == named);
             assert!(
-                named == folder || before.contains(&named) || !is_room,
+                named == folder || before.contains(&named) || !is_folder,
                 "{} names `{named}`",
                 path.display()
             );

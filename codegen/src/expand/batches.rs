@@ -173,8 +173,8 @@ mod tests {
         let about = module(&all).about;
         assert!(about.warnings.is_empty(), "{:?}", about.warnings);
         let mut missing = about.left_out.iter();
-        let has_external = missing
-            .find(|missing| missing.reason.contains("actions"))
+        let with_external = missing
+            .find(|missing| missing.reason.contains("external wrenches"))
             .expect("there are some");
         let expected = [
             "inverse_dynamics_batch",
@@ -182,7 +182,7 @@ mod tests {
             "inverse_dynamics_derivatives_batch",
             "forward_dynamics_derivatives_batch",
         ];
-        assert_eq!(has_external.functions, expected);
+        assert_eq!(with_external.functions, expected);
     }
 
     #[test]

@@ -78,7 +78,7 @@ const MOST: usize = 1000;
 /// Rejects a chain that is too long for straight-line code.
 ///
 /// # Errors
-/// If more than [`MOST`] joints move.
+/// If more than 1000 joints move.
 pub fn check_size(chain: &Chain) -> Result<(), Errors> {
     let mut errors = chain.description.source.errors();
     let moving = chain.joints.len();

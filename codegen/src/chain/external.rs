@@ -1,7 +1,7 @@
-//! Links on which the surroundings act.
+//! Links with an external wrench.
 //!
-//! In: the links that are named, the tree. Out: a mistake for each on which no action changes anything, or
-//! whose actions enter no function that is asked for. Where an action is in its body is for
+//! In: the links that are named, the tree. Out: an error for each link on which a wrench changes nothing, and for
+//! wrenches that no requested function reads. The place of a wrench in its body follows from
 //! [`merge`](super::merge).
 
 use super::names::Names;
@@ -12,7 +12,7 @@ use crate::list::List;
 use crate::request::Request;
 use crate::wording::quoted;
 
-/// Looks at all links that are named; those that are there, in the order in which they are.
+/// Checks all links that are named; returns those that exist, in the order of the request.
 pub fn check(
     description: &Description,
     request: &Request,

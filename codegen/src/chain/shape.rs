@@ -1,7 +1,6 @@
-//! Which link hangs on which.
+//! The tree of links.
 //!
-//! In: joints and the names of links. Out: a tree below one link; or the joints that make it
-//! something else. It never looks at what the joints allow.
+//! In: joints and the names of links. Out: a tree below one link; or errors about the joints that prevent one.
 
 use super::names::Names;
 use super::tree::Branch;
@@ -11,7 +10,7 @@ use crate::list::List;
 use crate::request::Request;
 use crate::wording::quoted;
 
-/// How the joints connect the links.
+/// The joints with the links that they connect.
 pub struct Joints {
     /// Parent and child of each joint.
     ends: List<JointId, (LinkId, LinkId)>,
@@ -20,8 +19,7 @@ pub struct Joints {
 }
 
 impl Joints {
-    /// Finds the links of every joint; none where a name is wrong, a link has two carriers or hangs
-    /// on itself.
+    /// Finds the links of every joint; `None` if a name is wrong, a link has two parents, or a cycle exists.
     pub fn connect(
         description: &Description,
         links: &Names<'_, LinkId>,
@@ -56,7 +54,7 @@ impl Joints {
     }
 
     fn check_cycles(&self, description: &Description, errors: &mut Errors) {
-        // The walk that saw it; each link is walked over once.
+        // The pass in which a link was seen; each link is visited once.
         let mut seen = self.carrier.map(|_| None);
         for start in self.carrier.ids() {
             let mut link = start;
@@ -81,7 +79,7 @@ impl Joints {
     }
 }
 
-/// The link taken as fixed: the one that is named, or the only one that hangs on nothing.
+/// The base: the link that is named, or the only one without a parent.
 pub fn find_base(
     description: &Description,
     request: &Request,
@@ -120,12 +118,12 @@ pub fn find_base(
             );
             None
         }
-        // Every link hangs on another: the cycle has been complained about.
+        // Every link has a parent: the cycle has been reported.
         (None, _) => None,
     }
 }
 
-/// The joints that hang on the base, branch by branch, siblings in the order of the description.
+/// The joints downstream of the base, branch by branch, siblings in the order of the description.
 pub fn downstream(joints: &Joints, base: LinkId, dropped: &[LinkId]) -> Vec<Branch> {
     let mut children: List<LinkId, Vec<Branch>> = joints.carrier.map(|_| Vec::new());
     for (joint, &(parent, child)) in joints.ends.numbered() {

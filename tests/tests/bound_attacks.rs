@@ -226,7 +226,7 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
     let of = |scalar| listed(&description, request.clone(), Function::Bias, scalar);
     assert_eq!(
         refusal(&of(Real::F32)),
-        "a number may overflow, as far as ranges tell"
+        "a number may overflow within the range"
     );
     holds::<F64>(&description, &request, Function::Bias);
     // Where any type is meant, one line tells both.
@@ -235,7 +235,7 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
     };
     assert_eq!(
         promise.lacks,
-        Some("a number may overflow, as far as ranges tell")
+        Some("a number may overflow within the range")
     );
     assert!(
         promise
@@ -247,7 +247,7 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
     let generated = listed(&huge, request, Function::Bias, Real::F64);
     assert_eq!(
         refusal(&generated),
-        "a number may overflow, as far as ranges tell"
+        "a number may overflow within the range"
     );
 }
 
@@ -361,7 +361,7 @@ fn the_sentence_of_the_inverse_says_that_each_column_is_exact() {
         .unwrap_or_else(|errors| panic!("{errors}"))
         .to_string();
     assert!(
-        source.contains("each column is exact for an M of its own, off by at most"),
+        source.contains("each column is exact for a mass matrix that differs from M by at most"),
         "{source}"
     );
 }
@@ -377,7 +377,7 @@ fn a_solution_that_rounding_may_spoil_is_not_said_to_overflow() {
             12,
             "rounding may outweigh the least inertia, as far as ranges tell",
         ),
-        (3, "a number may overflow, as far as ranges tell"),
+        (3, "a number may overflow within the range"),
     ] {
         let segment = |k: usize| Segment {
             joint: &joints[k % 2],

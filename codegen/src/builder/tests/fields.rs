@@ -73,7 +73,7 @@ fn a_payload_has_a_type_of_its_own_beside_the_runtime_and_is_an_array_without_it
     for part in [
         "pub load: [f64; 10],\n",
         "let [load_m, load_x, load_y, _, _, _, _, _, _, _] = self.load;\n",
-        "/// What `tip` carries: its mass in kg",
+        "/// Payload on `tip`: its mass in kg",
         "`load` from 0 to 4 kg, its centre of mass up to 0.25 m along each axis",
     ] {
         assert!(alone.contains(part), "{alone}");
@@ -112,14 +112,14 @@ fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
     );
     for part in [
         " --field load=payload_on:tip --prepare` (FNV-1a ",
-        "    /// Results are the same, bit for bit;",
+        "    /// Results are the same, bit for bit.",
     ] {
         assert!(head.contains(part), "{head}");
     }
     for part in [
         "pub struct TwoLinkPrepared {\n    values: [f64; ",
         "impl TwoLinkPrepared {\n",
-        "    /// Done before, once for all functions: ",
+        "    /// Computed once by `prepare`, for all functions: ",
         ".values;\n",
         "= TwoLink::sin_cos(",
         ") -> TwoLinkTorqueDerivatives {",

@@ -424,7 +424,7 @@ fn the_coriolis_matrix_has_no_friction() {
             .to_source()
             .expect("no mistakes")
             .to_string();
-        source.contains("friction and armature are not in them")
+        source.contains("do not include friction and armature")
     };
     assert_eq!([says(drives), says("")], [true, false]);
 }
@@ -464,8 +464,8 @@ fn regressors_document_their_columns() {
         builder.to_source().expect("no mistakes").to_string()
     };
     for said in [
-        "armature, damping and friction of each velocity",
-        "of drives N m s and N m",
+        "armature, damping and friction of each degree of freedom",
+        "damping in N m s/rad or N s/m",
     ] {
         assert!(source("friction").contains(said), "{said}");
         assert!(!source("").contains(said), "{said}");

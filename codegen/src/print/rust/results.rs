@@ -1,8 +1,7 @@
-//! The types of results, and the expressions that make them.
+//! Types of results, and the expressions that construct them.
 //!
-//! In: a quantity and its numbers. Out: the runtime's typed matrices, or arrays where there is no
-//! runtime, in arrays by the spaces that they are over; structs of several quantities, which are the
-//! runtime's, or the file's own. It never reorders the numbers of a program.
+//! In: a quantity and its numbers. Out: the runtime's matrix types, or arrays without the runtime, in arrays over their
+//! spaces; structs for several quantities, from the runtime or in the file.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -18,7 +17,7 @@ use crate::function::Function;
 use crate::module::Module;
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
-/// The type of what `functions` return together.
+/// Type of the results of `functions`.
 pub(super) fn result_type(
     functions: &[Function],
     lengths: Lengths<'_>,
@@ -41,7 +40,7 @@ pub(super) fn result_type(
     one_or_tuple(types.collect())
 }
 
-/// The spaces that some quantities are over, each once.
+/// Spaces of some quantities, each once.
 fn spaces(outcome: Outcome) -> Vec<Space> {
     let mut found = Vec::new();
     for &space in outcome.parts().flat_map(|(_, part)| part.over) {
@@ -52,7 +51,7 @@ fn spaces(outcome: Outcome) -> Vec<Space> {
     found
 }
 
-/// The path of the struct that a function of several quantities returns.
+/// Path of the struct for a function with several quantities.
 fn structure(name: &str, dialect: &Dialect) -> TokenStream {
     match &dialect.world {
         World::Runtime(runtime) => {
@@ -66,12 +65,12 @@ fn structure(name: &str, dialect: &Dialect) -> TokenStream {
     }
 }
 
-/// The name of that struct where there is no runtime.
+/// Name of that struct without the runtime.
 fn own_structure(name: &str, dialect: &Dialect) -> Ident {
     format_ident!("{}{name}", dialect.robot.unraw())
 }
 
-/// The structs that functions return, where there is no runtime to have them.
+/// Structs for results without the runtime.
 pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Core(_) = dialect.world else {
         return TokenStream::new();
@@ -88,7 +87,7 @@ pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) ->
         };
         let name = own_structure(name, dialect);
         let about = doc(&[format!(
-            "What [`{}::{}`] returns.",
+            "Result of [`{}::{}`].",
             item.ident.unraw(),
             function.name()
         )]);
@@ -108,7 +107,7 @@ pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) ->
     structures.collect()
 }
 
-/// The type of one result.
+/// Type of one result.
 pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
     let number_type = &dialect.number;
     let one = match named(quantity.entity, dialect) {
@@ -122,19 +121,19 @@ pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Diale
     over.fold(one, |one, &space| array(&one, &lengths(space)))
 }
 
-/// The runtime's type of an entity, where it has one.
+/// Type of an entity in the runtime, if it has one.
 fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
     match (entity, &dialect.world) {
         (Entity::Number | Entity::Vector, _) | (_, World::Core(_) | World::Lanes(_)) => None,
         (entity, World::Runtime(runtime)) => {
-            // They are called as the entities are.
+            // Types have the names of the variants.
             let name = format_ident!("{entity:?}");
             Some(quote! { #runtime::#name })
         }
     }
 }
 
-/// The value of what `functions` return together: their numbers stand one after the other.
+/// Value of the results of `functions`, from their numbers in order.
 pub(super) fn result_value(
     functions: &[Function],
     spaces: &Spaces,
@@ -192,18 +191,18 @@ fn made(path: &TokenStream, blocks: &TokenStream) -> TokenStream {
     quote! { #path::new(#blocks) }
 }
 
-/// Values in arrays within arrays of the given lengths, the outermost first.
+/// Nested arrays of the given lengths, the outermost first.
 fn nested(lengths: &[usize], values: &[TokenStream]) -> TokenStream {
     let Some((_, inner)) = lengths.split_first() else {
         return quote! { #(#values)* };
     };
-    // `chunks` wants a length even of a robot without joints.
+    // `chunks` rejects a length of 0, which a robot without joints has.
     let each = inner.iter().product::<usize>().max(1);
     let rows = values.chunks(each).map(|values| nested(inner, values));
     quote! { [#(#rows),*] }
 }
 
-/// The rows of an upper 3×4 block as `[[…]; 3], […]`.
+/// Rows of an upper 3×4 block as `[[…]; 3], […]`.
 pub(super) fn square_and_column(numbers: &[TokenStream]) -> TokenStream {
     let square = numbers.chunks(4).map(|row| {
         let row = row.iter().take(3);

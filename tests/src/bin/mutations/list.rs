@@ -298,16 +298,14 @@ const MUTATIONS: [Mutation; 46] = [
         file: "codegen/src/schedule/repeats.rs",
         from: "own(one).map(|step| step + behind) == own(other)",
         to: "own(one).is_some() == own(other).is_some()",
-        noticed_by: engine("schedule::repeats::tests::a_round_that_reads_another_is_none"),
+        noticed_by: engine("schedule::repeats::tests::an_iteration_that_reads_another_is_rejected"),
     },
     Mutation {
         name: "columns: a result found in the row of another",
         file: "codegen/src/schedule/routine/rounds.rs",
         from: "let row = row.unwrap_or_default();",
         to: "let row = row.map_or(0, |row| row ^ 1);",
-        noticed_by: engine(
-            "schedule::routine::rounds::tests::rounds_compute_what_all_steps_do_one_after_the_other",
-        ),
+        noticed_by: engine("schedule::routine::rounds::tests::loops_compute_the_same_as_all_steps"),
     },
     Mutation {
         name: "sine: the last digits of a coefficient",

@@ -64,7 +64,7 @@ fn headers_of_c_count_residuals() {
     };
     let c::Source { header, .. } = c::print(&module(), &writing);
     for part in [
-        "/* The entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
+        "/* Entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
         "    BARS_C_PIN_Y, /* `pin.y` */\n    BARS_NC\n};\n",
         "(const double q[3], double constraint_jacobian[2][3]);",
     ] {

@@ -1,4 +1,4 @@
-//! Functions that take slices of states besides, as text.
+//! Text of functions of slices.
 
 use super::{function, made, module, name, pretty, stub, with_runtime};
 use crate::module::Module;
@@ -13,7 +13,7 @@ fn batched() -> Module {
 }
 
 #[test]
-fn what_computes_is_inlined_and_both_methods_call_it() {
+fn the_computation_is_inlined_and_both_methods_call_it() {
     let text = with_runtime(&batched());
     assert_eq!(
         function(&text, "gravity<"),
@@ -41,7 +41,7 @@ fn what_computes_is_inlined_and_both_methods_call_it() {
 }
 
 #[test]
-fn nothing_is_said_of_batches_where_none_are_asked_for() {
+fn no_batches_without_a_request() {
     let text = with_runtime(&module(Real::Generic));
     assert!(
         !text.contains("_batch") && !text.contains("inline(always)"),
@@ -50,7 +50,7 @@ fn nothing_is_said_of_batches_where_none_are_asked_for() {
 }
 
 #[test]
-fn a_mistake_leaves_the_method_for_slices() {
+fn stubs_have_the_method_for_slices() {
     let request = Request {
         batch: true,
         functions: vec![vec![crate::function::Function::Gravity]],

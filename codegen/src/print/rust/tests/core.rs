@@ -1,4 +1,4 @@
-//! Files for `core` alone and for C, as text.
+//! Text of files for `core` alone and for C.
 
 use super::super::{Library, Source, World, c_header, header, print};
 use super::{function, made, module, pretty, with_payload};
@@ -78,7 +78,7 @@ pub extern "C" fn arm_gravity(
     let declaration =
         "void arm_gravity(const arm_robot *robot, const float q[2], float gravity[2]);";
     assert!(header.contains(declaration), "{header}");
-    // No name ends the comment that it stands in.
+    // No name ends the comment around it.
     assert!(
         header.starts_with("/* @") && !header.contains("*/ evil"),
         "{header}"

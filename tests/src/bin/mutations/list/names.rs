@@ -11,16 +11,14 @@ pub(super) const NAMES: &[Mutation] = &[
         file: "codegen/src/print/c/names.rs",
         from: r#"let between = if is_apart { "_" } else { "" };"#,
         to: r#"let between = if is_apart { "" } else { "" };"#,
-        noticed_by: engine(
-            "print::c::names::tests::a_name_that_another_robot_could_have_stands_apart",
-        ),
+        noticed_by: engine("print::c::names::tests::ambiguous_names_get_a_second_underscore"),
     },
     Mutation {
         name: "C: a member that is a macro",
         file: "codegen/src/print/c/names.rs",
         from: "in_capitals || reserved || MACROS.contains(&name)",
         to: "reserved || MACROS.contains(&name)",
-        noticed_by: engine("print::c::names::tests::members_are_no_macros"),
+        noticed_by: engine("print::c::names::tests::members_avoid_macros"),
     },
     Mutation {
         name: "Rust: an argument that is called as the struct",

@@ -329,7 +329,7 @@ fn what_cannot_lead_or_be_counted_is_refused() {
     assert_eq!(refused, counted("coordinates", 18, Q));
     assert_eq!(
         refused.to_string(),
-        "the joints have 17 coordinates, not 18"
+        "the type of the chain has 18 coordinates, its joints have 17"
     );
     // And it computes something all the same.
     let _ = generic::mass_matrix(&long, &[0.1; 18]);

@@ -101,7 +101,7 @@ enum Of {
     Rate,
 }
 
-/// A matrix by its columns: each is the sum over all degrees of dof with the same velocity.
+/// A matrix by its columns: each is the sum over all degrees of freedom with the same velocity.
 fn by_columns<T: RealField + Copy, const N: usize, const B: usize>(
     motion: &Motion<T, B>,
     column: impl Fn(&DegreeOfFreedom<T>) -> [T; N],

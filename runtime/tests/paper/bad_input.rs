@@ -1,4 +1,4 @@
-//! Numbers that are refused, with the quantity and its value; and finite numbers, which never panic.
+//! Errors of bad input, with the quantity and its value; finite numbers never panic.
 
 use crate::sample::Random;
 use homogen::frames::{Axis, pose_from_points};
@@ -59,14 +59,14 @@ fn axes_that_are_not_of_unit_length() {
 }
 
 #[test]
-fn masses_and_inertias_that_no_body_has() {
+fn negative_masses_and_non_physical_inertias() {
     let refused = Inertia::new([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], [0.0; 3], -2.5).check(1e-9);
     assert_eq!(refused, Err(Error::NegativeMass { value: -2.5 }));
     assert_eq!(
         refused.unwrap_err().to_string(),
         "the mass is -2.5 kg, and must not be negative"
     );
-    // A moment of inertia larger than the sum of the two others.
+    // A moment of inertia that is larger than the sum of the two others.
     let tensor = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.5]];
     let refused = Inertia::from_tensor_at_center_of_mass(1.0, [0.0; 3], &tensor).check(1e-9);
     assert!(matches!(
@@ -131,7 +131,7 @@ fn the_other_messages_name_quantity_and_value() {
 }
 
 #[test]
-fn chains_that_are_no_trees() {
+fn parents_behind_their_children() {
     let z = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]);
     let place = Pose::from_translation([0.5, 0.0, 0.0]);
     let joint = |name, parent, screw, mass| {
@@ -195,7 +195,7 @@ fn wild<T: Real>(random: &mut Random) -> T {
     sizes[random.index(sizes.len())] * random.number()
 }
 
-/// Results need not make sense here; they must come back.
+/// Results may be meaningless here, but functions must return.
 fn finite_numbers_never_panic<T: Real>() {
     let mut random = Random::new(170);
     for _ in 0..2000 {

@@ -1,8 +1,7 @@
-//! Tells the examples which compiler and which flags they are built with, so that no time they
-//! print stands without them.
+//! Compiler and flags of the examples, which they print beside their times.
 //!
-//! In: what cargo says to build scripts. Out: two environment variables at compile time. It never
-//! looks at the machine: the program may run on another one.
+//! In: cargo's environment of build scripts. Out: two environment variables at compile time. The processor is
+//! read at run time, because the program may run on another machine.
 
 use std::env;
 use std::process::Command;

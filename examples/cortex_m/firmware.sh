@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes a firmware from nothing, for each of three robots, and runs it under QEMU: it has to print, to the last digit,
-# what `homogen eval` says of the torques where the robot stands.
+# Makes a new firmware for each of three robots and runs it under QEMU: it must print, to the last digit, the torques of
+# `homogen eval` for the configuration of the robot.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -39,6 +39,6 @@ one() { # robot, options: its firmware, and what it prints
 
 one "$home/robots/panda_class.urdf" --tip link8
 one "$home/robots/rx90_class.dh"
-# Names that are against it, and a free base, whose q is longer than q̇.
+# Hostile names, and a floating base, whose q is longer than q̇.
 sed 's/<robot name="[^"]*"/<robot name="..\/a\&quot;]\&#10;#{}\\"/' "$home/robots/two_link.urdf" >"$room/hostile.urdf"
 one "$room/hostile.urdf" --floating --tip tip

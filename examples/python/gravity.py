@@ -26,7 +26,7 @@ def postures(arm, steps):
 
 
 def draw(arm, q, path):
-    """Torques of shoulder and elbow where the hand is then."""
+    """Draws the torques of shoulder and elbow over the position of the hand."""
     import matplotlib
 
     matplotlib.use("Agg")

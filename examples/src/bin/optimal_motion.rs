@@ -1,8 +1,8 @@
-//! The motion of an arm that costs least: an iterative linear-quadratic regulator on generated derivatives.
+//! The optimal motion of an arm: an iterative linear-quadratic regulator on generated derivatives.
 //!
-//! The arm is to come to rest in another posture within a second; torques beside those that hold it cost, rates do, and
-//! so does whatever is missed. The solver is the one of `homogen_examples::optimal`, written for any robot. Draws what each round
-//! costs, joints and torques, to `target/optimal_motion.svg` or to the path given.
+//! The arm moves to another configuration within a second, from rest to rest. The cost has torques beyond the holding
+//! ones, rates, and the errors at the end. The solver is that of `homogen_examples::optimal`, written for any robot. Draws
+//! the cost of each iteration, joints and torques to `target/optimal_motion.svg` or to the path given.
 
 use std::io;
 use std::time::Instant;
@@ -65,12 +65,12 @@ fn last(costs: &[f64]) -> f64 {
     costs[costs.len() - 1]
 }
 
-/// How many rounds there were.
+/// Number of iterations.
 fn count(plan: &Plan<7>) -> f64 {
     f64::from(u32::try_from(plan.costs.len() - 1).expect("a few"))
 }
 
-/// By how much the end is missed \[rad\], and how fast the arm still is \[rad/s\].
+/// The largest errors at the end: of coordinates \[rad\] and of rates \[rad/s\].
 fn missed(plan: &Plan<7>) -> [f64; 2] {
     let [q, qd] = plan.states[PROBLEM.steps];
     let off = q.iter().zip(&PROBLEM.to).map(|(q, to)| q - to);
@@ -118,7 +118,7 @@ mod tests {
     use super::{last, missed, solve};
 
     #[test]
-    fn every_round_is_cheaper_and_the_end_is_met() {
+    fn every_iteration_decreases_the_cost_and_the_goal_is_reached() {
         let plan = solve();
         assert!(plan.costs.windows(2).all(|pair| pair[1] < pair[0]));
         assert!(last(&plan.costs) < 0.1 * plan.costs[0], "{:?}", plan.costs);

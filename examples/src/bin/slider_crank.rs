@@ -1,10 +1,10 @@
-//! The slider-crank through a full turn: positions, velocities and accelerations of rod and slider.
+//! The slider-crank through a full revolution: positions, velocities and accelerations of rod and slider.
 //!
 //! `cargo run --release -p homogen-examples --bin slider_crank [picture.svg]`
 //!
-//! The loop is closed by Newton–Raphson at every degree, from the position before; rates come from
-//! A q̇ = 0 and A q̈ = b(H̃). The dead centres are where the slider can no longer drive the crank: the
-//! rank of A without the column of the slider falls.
+//! The loop is closed by Newton–Raphson at every degree, from the previous position; rates come from
+//! A q̇ = 0 and A q̈ = b(H̃). At the dead centres the slider cannot drive the crank: the rank of A without the column
+//! of the slider falls.
 
 use homogen::loop_closure::{self, NotClosed};
 use homogen::worked_examples::slider_crank::SliderCrank;
@@ -17,10 +17,10 @@ const MECHANISM: SliderCrank = SliderCrank {
     rod: 0.15,
 };
 
-/// 600 turns a minute \[rad/s\].
+/// 600 revolutions a minute \[rad/s\].
 const SPEED: f64 = 20.0 * PI;
 
-/// One position of the turn.
+/// One position of the revolution.
 struct Station {
     /// The angle of the crank [°].
     degrees: u32,
@@ -29,7 +29,7 @@ struct Station {
     qdd: [f64; 4],
     /// Steps of Newton–Raphson.
     iterations: usize,
-    /// Whether the slider could not drive the mechanism here.
+    /// True at a dead centre of the slider.
     is_dead_centre: bool,
 }
 
@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// All positions of a turn, degree by degree.
+/// All positions of a revolution, degree by degree.
 fn turn() -> Result<Vec<Station>, NotClosed> {
     let closed = MECHANISM.closed_chain();
     let driven_by_crank = |value: f64| [Some(value), None, None, None];
@@ -112,7 +112,7 @@ fn page(turn: &[Station]) -> Page {
         (Color::Blue, Style::Line),
         (Color::Vermilion, Style::Dashed),
     );
-    // The rod's own angle is that of the crank plus the angle between them.
+    // The absolute angle of the rod is that of the crank plus the angle between them.
     Page {
         title: "Slider-crank at 600 turns a minute: l₁ = 50 mm, l₂ = 150 mm".into(),
         panels: vec![

@@ -13,7 +13,7 @@ fn main() {
     let version = Command::new(variable("RUSTC")).arg("--version").output();
     let version = version.map_or_else(
         |_| "rustc".to_owned(),
-        |said| String::from_utf8_lossy(&said.stdout).trim().to_owned(),
+        |output| String::from_utf8_lossy(&output.stdout).trim().to_owned(),
     );
     println!("cargo::rustc-env=EXAMPLES_RUSTC={version}");
     let flags = variable("CARGO_ENCODED_RUSTFLAGS").replace('\u{1f}', " ");

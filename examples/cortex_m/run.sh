@@ -63,7 +63,7 @@ observe() { # image board folder: disassembles it and runs it
 emulate() { # board image log: an instruction lasts 1 ns
     timeout 120 qemu-system-arm -machine "${machine[$1]}" -icount shift=0 -nographic \
         -semihosting-config enable=on,target=native -kernel "$2" >"$3" </dev/null ||
-        { cat "$3" >&2; say "run.sh: the firmware on $1 says that it failed"; return 1; }
+        { cat "$3" >&2; say "run.sh: the firmware on $1 failed"; return 1; }
 }
 
 # The output folder of the last build script of a package.
@@ -246,12 +246,12 @@ mutate() { # description, expression of sed, expected error
     fi
     build "$arm" "$board" && { observe controller "$board" "$folder" 2>/dev/null || true; }
     cp "$seen/arm.rs" "$file"
-    if host "$arm" judge "$arm" budget.txt "$folder" >"$seen/said" 2>&1; then
-        say "run.sh: nobody saw it"
+    if host "$arm" judge "$arm" budget.txt "$folder" >"$seen/report" 2>&1; then
+        say "run.sh: no check noticed it"
         return 1
-    elif ! grep -m 3 "$3" "$seen/said" >&2; then
-        cat "$seen/said" >&2
-        say "run.sh: nobody said '$3'"
+    elif ! grep -m 3 "$3" "$seen/report" >&2; then
+        cat "$seen/report" >&2
+        say "run.sh: no check reported '$3'"
         return 1
     fi
 }

@@ -65,7 +65,7 @@ pub struct Task {
 const LEAST_MOBILITY: f64 = 1e-6;
 
 /// Operational-space control (Khatib, "A unified approach for motion and force control of robot manipulators", 1987):
-/// the end effector follows its task, and the redundant joints move to the configuration `posture` without
+/// the end effector follows its task, and the redundant joints move to the configuration `rest_configuration` without
 /// accelerating the end effector.
 ///
 /// # Panics
@@ -75,7 +75,7 @@ pub fn operational_space<R, const N: usize>(
     q: &[f64; N],
     qd: &[f64; N],
     task: &Task,
-    posture: &[f64; N],
+    rest_configuration: &[f64; N],
     gains: Gains,
 ) -> [f64; N]
 where
@@ -90,11 +90,12 @@ where
     let rate = columns(&robot.geometric_jacobian_rate(q, qd));
     let inverse = robot.mass_matrix_inverse(q);
     let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| inverse[i][j]);
-    let [here, moving, rest] = [q, qd, posture].map(|entries| SVector::<f64, N>::from(*entries));
+    let [q_now, qd_now, q_rest] =
+        [q, qd, rest_configuration].map(|entries| SVector::<f64, N>::from(*entries));
 
     let error = SVector::<f64, 6>::from(apart(&robot.forward_kinematics(q), &task.pose));
     let [velocity, acceleration] = [task.velocity, task.acceleration].map(SVector::<f64, 6>::from);
-    let wanted = acceleration + damping * (velocity - jacobian * moving) + stiffness * error;
+    let wanted = acceleration + damping * (velocity - jacobian * qd_now) + stiffness * error;
 
     // Λ⁻¹ = J M⁻¹ Jᵗ.
     let mobility = jacobian * inverse * jacobian.transpose();
@@ -102,8 +103,8 @@ where
     let inertia = Cholesky::new(mobility + floor).expect("a mobility is not negative");
     let pull = |toward: SVector<f64, 6>| jacobian.transpose() * inertia.solve(&toward);
     // Torques towards the configuration, without the part that accelerates the end effector.
-    let free = stiffness * (rest - here) - damping * moving;
-    let torque = pull(wanted - rate * moving) + free - pull(jacobian * (inverse * free));
+    let free = stiffness * (q_rest - q_now) - damping * qd_now;
+    let torque = pull(wanted - rate * qd_now) + free - pull(jacobian * (inverse * free));
     let bias = robot.bias(q, qd);
     from_fn(|i| torque[i] + bias[i])
 }

@@ -11,13 +11,13 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 /// Standard deviations of the noise.
 #[derive(Clone, Copy, Debug)]
 pub struct Deviations {
-    /// Of a measured coordinate \[rad\].
+    /// Measured coordinates \[rad\].
     pub encoder: f64,
-    /// Of the model: the change of a rate by errors of the accelerations in a second [rad/s].
+    /// Model error: the change of a rate by errors of the accelerations in a second [rad/s].
     pub model: f64,
-    /// Of the change of the mass in a second \[kg\].
+    /// Drift: the change of the mass in a second \[kg\].
     pub drift: f64,
-    /// Of the initial mass \[kg\].
+    /// Initial mass \[kg\].
     pub mass: f64,
 }
 

@@ -30,7 +30,7 @@ type Vector = [f64; 7];
 const PERIOD: f64 = 1e-3;
 /// Length of the run, and the time at which the model gets the payload \[s\].
 const END: f64 = 8.0;
-const TOLD: f64 = 4.0;
+const UPDATED: f64 = 4.0;
 const PAYLOAD: f64 = 2.0;
 const GAINS: Gains = Gains::critical(20.0);
 /// The desired motion.
@@ -91,7 +91,7 @@ fn simulate() -> Run {
         .map(|k| f64::from(k) * PERIOD)
         .take_while(|t| *t <= END)
     {
-        if t >= TOLD {
+        if t >= UPDATED {
             model.payload = PAYLOAD;
         }
         let start = Instant::now();
@@ -115,7 +115,7 @@ impl Run {
             let samples = self.samples.iter().filter(|s| (from..=to).contains(&s.t));
             largest(samples.flat_map(|s| s.error))
         };
-        [worst(0.0, TOLD), worst(TOLD + 1.0, END)]
+        [worst(0.0, UPDATED), worst(UPDATED + 1.0, END)]
     }
 
     fn page(&self) -> Page {
@@ -131,7 +131,7 @@ impl Run {
     fn panel(&self, label: &'static str, of: impl Fn(&Sample) -> Vector) -> Panel {
         let drawn = self.samples.iter().step_by(20);
         Panel {
-            marks: vec![(TOLD, "the model learns of the payload".to_owned())],
+            marks: vec![(UPDATED, "the model gets the payload".to_owned())],
             ..joints(label, drawn.map(|s| (s.t, of(s))))
         }
     }

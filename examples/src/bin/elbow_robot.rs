@@ -131,7 +131,7 @@ fn page(robot: &Chain<6, 1>, way: &[Position<f64, 6>]) -> Page {
         label,
         scale: Scale::Linear,
     };
-    let posture = |found: &Position<f64, 6>, label: &str, color, style| Curve {
+    let skeleton = |found: &Position<f64, 6>, label: &str, color, style| Curve {
         label: label.into(),
         points: oblique_view(robot, &found.q),
         color,
@@ -140,12 +140,12 @@ fn page(robot: &Chain<6, 1>, way: &[Position<f64, 6>]) -> Page {
     let mut arm: Vec<Curve> = way
         .iter()
         .step_by(15)
-        .map(|found| posture(found, "", Color::Grey, Style::Thin))
+        .map(|found| skeleton(found, "", Color::Grey, Style::Thin))
         .collect();
     arm.extend(
         way.iter()
             .take(1)
-            .map(|found| posture(found, "robot", Color::Blue, Style::Links)),
+            .map(|found| skeleton(found, "robot", Color::Blue, Style::Links)),
     );
     let tool = way
         .iter()

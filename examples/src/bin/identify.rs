@@ -237,23 +237,23 @@ impl Found {
                 }
             };
         Page {
-            title: "What a model of an arm misses, before and after identification".to_owned(),
+            title: "Residual torques of an arm, before and after identification".to_owned(),
             panels: vec![
                 over_time(
-                    "joint 2: torque less the model's [N m]",
+                    "joint 2: torque minus that of the model [N m]",
                     vec![
                         over("measured", 1, Color::Grey, Style::Thin, |rest, _, k| {
                             rest[k]
                         }),
                         over(
-                            "payload and friction as found",
+                            "identified payload and friction",
                             1,
                             Color::Blue,
                             Style::Line,
                             |_, found, k| found[k],
                         ),
                         over(
-                            "what is left",
+                            "residual",
                             1,
                             Color::Vermilion,
                             Style::Thin,
@@ -271,7 +271,7 @@ impl Found {
         let [damping, friction] = self.friction[0];
         let line = |sign: f64| Curve {
             label: if sign > 0.0 {
-                "damping and friction as found".to_owned()
+                "identified damping and friction".to_owned()
             } else {
                 String::new()
             },
@@ -292,10 +292,10 @@ impl Found {
         };
         Panel {
             x: axis("rate of joint 1 [rad/s]"),
-            y: axis("its friction [N m]"),
+            y: axis("friction of joint 1 [N m]"),
             curves: vec![
                 Curve {
-                    label: "measured, less all else".to_owned(),
+                    label: "measured, minus all other torques".to_owned(),
                     points: points.step_by(10).collect(),
                     color: Color::Grey,
                     style: Style::Points(Shape::Circle { filled: false }),

@@ -36,7 +36,7 @@ const RADIUS: f64 = 0.1;
 const ROUND: f64 = 2.0;
 const START: Vector = [0.0, -0.4, 0.0, -2.2, 0.0, 1.8, 0.8];
 /// The desired configuration, with another elbow by the first three joints.
-const POSTURE: Vector = [0.7, -0.5, -0.8, -2.2, 0.5, 1.8, 0.8];
+const NULL_SPACE_TARGET: Vector = [0.7, -0.5, -0.8, -2.2, 0.5, 1.8, 0.8];
 const GAINS: Gains = Gains::critical(20.0);
 
 fn main() -> io::Result<()> {
@@ -102,7 +102,7 @@ fn simulate() -> Run {
         let task = task(t);
         let error = apart(&Panda.forward_kinematics(&q), &task.pose);
         let sample = Sample { t, q, error };
-        let tau = operational_space(&Panda, &q, &qd, &task, &POSTURE, GAINS);
+        let tau = operational_space(&Panda, &q, &qd, &task, &NULL_SPACE_TARGET, GAINS);
         step(&Panda, PERIOD, &mut q, &mut qd, &tau);
         sample
     });

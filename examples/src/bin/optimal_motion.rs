@@ -28,7 +28,7 @@ const PROBLEM: Problem<7> = Problem {
     haste: 0.05,
     miss: [100.0, 10.0],
 };
-const ROUNDS: usize = 40;
+const ITERATIONS: usize = 40;
 
 fn main() -> io::Result<()> {
     let begin = Instant::now();
@@ -40,7 +40,7 @@ fn main() -> io::Result<()> {
         PROBLEM.steps
     );
     println!(
-        "  cost {:.4} after {} rounds, {:.4} in the beginning",
+        "  cost {:.4} after {} iterations, {:.4} at the beginning",
         last(&plan.costs),
         plan.costs.len() - 1,
         plan.costs[0]
@@ -58,7 +58,7 @@ fn main() -> io::Result<()> {
 }
 
 fn solve() -> Plan<7> {
-    PROBLEM.solve(&Panda, &Panda.gravity(&PROBLEM.from), ROUNDS)
+    PROBLEM.solve(&Panda, &Panda.gravity(&PROBLEM.from), ITERATIONS)
 }
 
 fn last(costs: &[f64]) -> f64 {
@@ -79,12 +79,11 @@ fn missed(plan: &Plan<7>) -> [f64; 2] {
 
 fn page(plan: &Plan<7>) -> Page {
     let time = |k: usize| f64::from(u32::try_from(k).expect("a few hundred")) * PROBLEM.period;
-    let rounds = plan.costs.iter().enumerate();
-    let rounds =
-        rounds.map(|(round, cost)| [f64::from(u32::try_from(round).expect("a few")), *cost]);
+    let costs = plan.costs.iter().zip(0_u32..);
+    let costs = costs.map(|(cost, iteration)| [f64::from(iteration), *cost]);
     let costs = Panel {
         x: Axis {
-            label: "round",
+            label: "iteration",
             scale: Scale::Linear,
         },
         y: Axis {
@@ -93,7 +92,7 @@ fn page(plan: &Plan<7>) -> Page {
         },
         curves: vec![Curve {
             label: String::new(),
-            points: rounds.collect(),
+            points: costs.collect(),
             color: Color::Blue,
             style: Style::Dots,
         }],

@@ -42,14 +42,14 @@ const MOTION: Waves<7> = Waves {
 
 fn main() -> io::Result<()> {
     let run = simulate();
-    println!("Panda-class arm that takes up {PAYLOAD} kg after {TAKEN} s");
+    println!("Panda-class arm that picks up {PAYLOAD} kg after {TAKEN} s");
     let end = &run[run.len() - 1];
     println!(
-        "  mass in the end      {:.4} kg, give or take {:.4}",
+        "  estimate at the end  {:.4} kg, standard deviation {:.4}",
         end.mass, end.deviation
     );
     println!(
-        "  found to a tenth     {:.2} s after it was taken up",
+        "  within a tenth       {:.2} s after it is picked up",
         settled(&run) - TAKEN
     );
     let path = plot::path_from_arguments("payload_filter");
@@ -123,20 +123,15 @@ fn page(run: &[Sample]) -> Page {
         style,
     };
     Page {
-        title: "An arm weighs what it holds while it moves".to_owned(),
+        title: "An arm estimates its payload while it moves".to_owned(),
         panels: vec![
             over_time(
                 "payload [kg]",
                 vec![
-                    curve(
-                        "what the arm holds",
-                        Color::Black,
-                        Style::Dashed,
-                        |sample| held(sample.t),
-                    ),
-                    curve("as believed", Color::Blue, Style::Line, |sample| {
-                        sample.mass
+                    curve("payload", Color::Black, Style::Dashed, |sample| {
+                        held(sample.t)
                     }),
+                    curve("estimate", Color::Blue, Style::Line, |sample| sample.mass),
                     curve(
                         "two standard deviations",
                         Color::Sky,

@@ -275,8 +275,8 @@ mod tests {
         let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
         let arm = Arm::read(&robots.join("rx90_class.dh")).expect("a table that ships");
         let states = along(&read_waypoints("0 0 0 0 0 0 0\n1 0 1 0 0 0 0", 6).expect("waypoints"));
-        let listing = arm.table(&states);
-        let lines: Vec<&str> = listing.lines().collect();
+        let table = arm.table(&states);
+        let lines: Vec<&str> = table.lines().collect();
         assert_eq!(lines.len(), states.len() + 1);
         // The upper arm points forward, forearm and flange upwards.
         let start = "  0.0000   0.4500   0.0000   0.5350 ";

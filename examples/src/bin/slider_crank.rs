@@ -12,7 +12,7 @@ use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use std::error::Error;
 use std::f64::consts::PI;
 
-const MECHANISM: SliderCrank = SliderCrank {
+const SLIDER_CRANK: SliderCrank = SliderCrank {
     crank: 0.05,
     rod: 0.15,
 };
@@ -56,9 +56,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// All positions of a revolution, degree by degree.
 fn turn() -> Result<Vec<Station>, NotClosed> {
-    let closed = MECHANISM.closed_chain();
+    let closed = SLIDER_CRANK.closed_chain();
     let driven_by_crank = |value: f64| [Some(value), None, None, None];
-    let mut q = [0.0, 0.0, 0.0, MECHANISM.crank + MECHANISM.rod];
+    let mut q = [0.0, 0.0, 0.0, SLIDER_CRANK.crank + SLIDER_CRANK.rod];
     (0..=360)
         .map(|degrees| {
             let alpha = f64::from(degrees).to_radians();
@@ -149,7 +149,7 @@ fn page(turn: &[Station]) -> Page {
 
 #[cfg(test)]
 mod tests {
-    use super::{MECHANISM, SPEED, page, turn};
+    use super::{SLIDER_CRANK, SPEED, page, turn};
     use homogen_plot as plot;
 
     #[test]
@@ -157,7 +157,7 @@ mod tests {
         let turn = turn().expect("the crank turns round");
         for station in &turn {
             let alpha = f64::from(station.degrees).to_radians();
-            let state = MECHANISM.state(alpha, SPEED, 0.0);
+            let state = SLIDER_CRANK.state(alpha, SPEED, 0.0);
             for i in 0..4 {
                 assert!((station.q[i] - state.q[i]).abs() < 1e-14);
                 assert!((station.qd[i] - state.qd[i]).abs() < 1e-12);

@@ -173,7 +173,7 @@ fn page(motion: &[Moment]) -> Page {
             Panel {
                 x: axis("x [m]"),
                 y: axis("z [m]"),
-                curves: postures(motion),
+                curves: skeletons(motion),
                 marks: Vec::new(),
                 height: 420.0,
                 to_scale: true,
@@ -199,8 +199,8 @@ fn page(motion: &[Moment]) -> Page {
 }
 
 /// The arm at some times, and the path of the tool.
-fn postures(motion: &[Moment]) -> Vec<Curve> {
-    let posture = |moment: &Moment, label: &str, color, style| Curve {
+fn skeletons(motion: &[Moment]) -> Vec<Curve> {
+    let skeleton = |moment: &Moment, label: &str, color, style| Curve {
         label: label.into(),
         points: side_view(&moment.q),
         color,
@@ -208,7 +208,7 @@ fn postures(motion: &[Moment]) -> Vec<Curve> {
     };
     let between = motion.iter().skip(1).step_by(40);
     let mut curves: Vec<Curve> = between
-        .map(|moment| posture(moment, "", Color::Grey, Style::Thin))
+        .map(|moment| skeleton(moment, "", Color::Grey, Style::Thin))
         .collect();
     curves.push(Curve {
         label: "way of the tool".into(),
@@ -223,7 +223,7 @@ fn postures(motion: &[Moment]) -> Vec<Curve> {
     let looks = [("start", Color::Blue), ("end", Color::Vermilion)];
     curves.extend(
         ends.zip(looks)
-            .map(|(moment, (label, color))| posture(moment, label, color, Style::Links)),
+            .map(|(moment, (label, color))| skeleton(moment, label, color, Style::Links)),
     );
     curves
 }

@@ -24,11 +24,11 @@ pub fn constraint<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
 ) -> [T; C] {
-    let positions = Positions::at(&mechanism.chain, q);
-    mechanism.residuals.map(|residual| {
+    let positions = Positions::at(&robot.chain, q);
+    robot.residuals.map(|residual| {
         let [a, b] = residual.frames.map(|frame| positions.pose_of(&frame));
         let m = inverse(&a) * b;
         match residual.row {
@@ -53,12 +53,12 @@ pub fn constraint_jacobian<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
 ) -> [[T; N]; C] {
-    let chain = &mechanism.chain;
+    let chain = &robot.chain;
     let positions = Positions::at(chain, q);
-    mechanism.residuals.map(|residual| {
+    robot.residuals.map(|residual| {
         let [a, b] = residual.frames.map(|frame| positions.pose_of(&frame));
         let back = inverse(&a);
         let m = back * b;
@@ -88,12 +88,12 @@ pub fn constraint_bias<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
 ) -> [T; C] {
-    let motion = Motion::at(&mechanism.chain, q, qd, &[T::zero(); N]);
-    mechanism.residuals.map(|residual| {
+    let motion = Motion::at(&robot.chain, q, qd, &[T::zero(); N]);
+    robot.residuals.map(|residual| {
         let frames = residual.frames;
         let [a, b] = frames.map(|frame| motion.positions.pose_of(&frame));
         let [w_a, w_b] = frames.map(|frame| motion.velocity_of(frame.body));
@@ -123,16 +123,16 @@ pub fn constrained_forward_dynamics<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
     tau: &[T; N],
 ) -> ConstrainedAccelerations<N, C, T> {
-    let chain = &mechanism.chain;
+    let chain = &robot.chain;
     let (m, bias) = (mass_matrix(chain, q), bias(chain, q, qd));
-    let jacobian = constraint_jacobian(mechanism, q);
+    let jacobian = constraint_jacobian(robot, q);
     let jacobian: SMatrix<T, C, N> = SMatrix::from_fn(|i, k| jacobian[i][k]);
-    let gamma = constraint_bias(mechanism, q, qd);
+    let gamma = constraint_bias(robot, q, qd);
     let net_torque: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
     let Some(factors) = Cholesky::new(SMatrix::from_fn(|i, k| m[i][k])) else {
         let nan = || T::zero() / T::zero();
@@ -146,7 +146,7 @@ pub fn constrained_forward_dynamics<
         factors.solve(&jacobian.transpose()),
     );
     let right = -(jacobian * unconstrained + SVector::from(gamma));
-    let multipliers = eliminated(&mechanism.residuals, jacobian * response, right);
+    let multipliers = eliminated(&robot.residuals, jacobian * response, right);
     let qdd = unconstrained + response * multipliers;
     ConstrainedAccelerations {
         qdd: qdd.into(),
@@ -165,17 +165,17 @@ pub fn actuated_inverse_dynamics<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
 ) -> [T; N] {
-    let needed = SVector::from(inverse_dynamics(&mechanism.chain, q, qd, qdd));
-    let jacobian = constraint_jacobian(mechanism, q);
-    let driven = &mechanism.driven;
+    let needed = SVector::from(inverse_dynamics(&robot.chain, q, qd, qdd));
+    let jacobian = constraint_jacobian(robot, q);
+    let actuated = &robot.driven;
     let only = |wanted: bool| -> SMatrix<T, C, N> {
         SMatrix::from_fn(|i, k| {
-            if driven[k] == wanted {
+            if actuated[k] == wanted {
                 jacobian[i][k]
             } else {
                 T::zero()
@@ -184,9 +184,9 @@ pub fn actuated_inverse_dynamics<
     };
     let passive = only(false);
     let held = passive * passive.transpose();
-    let multipliers = eliminated(&mechanism.residuals, held, passive * needed);
+    let multipliers = eliminated(&robot.residuals, held, passive * needed);
     let torques = needed - only(true).transpose() * multipliers;
-    from_fn(|k| if driven[k] { torques[k] } else { T::zero() })
+    from_fn(|k| if actuated[k] { torques[k] } else { T::zero() })
 }
 
 /// λ of S λ = y by elimination. Rows with a negligible pivot are left out: negligible relative to the sum of the

@@ -29,10 +29,10 @@ use core::ops::Range;
 ///     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
 ///     [0.0, 0.0, 0.4],
 /// );
-/// const SLIDE: Screw<f64> = Screw::new([0.0; 3], [0.0, 0.0, 1.0]);
+/// const AXIS: Screw<f64> = Screw::new([0.0; 3], [0.0, 0.0, 1.0]);
 /// const TOOL: Inertia<f64> = Inertia::new([0.02, 0.02, 0.01, 0.0, 0.0, 0.0], [0.0, 0.0, 0.1], 1.5);
 /// static LIFT: Chain<1, 1> = Chain::new(
-///     [Joint::new("lift", None, PLACE, SLIDE, TOOL)],
+///     [Joint::new("lift", None, PLACE, AXIS, TOOL)],
 ///     [Frame::new("flange", Some(0), PLACE)],
 ///     [0.0, 0.0, -9.81],
 /// );

@@ -28,7 +28,7 @@ impl Cost {
     }
 
     /// The budget for this cost: 3 % more, for other versions of the compiler.
-    fn with_room(self) -> Self {
+    fn with_margin(self) -> Self {
         self.each(self, |cost, _| (cost * 103).div_ceil(400) * 4)
     }
 
@@ -78,12 +78,12 @@ impl Budget {
 
     /// The line of a function that needs at most `cost`: no number is larger than before.
     pub fn lowered(&self, arm: &str, function: &str, cost: Cost) -> String {
-        let room = cost.with_room();
+        let budget = cost.with_margin();
         let Cost {
             instructions,
             text,
             stack,
-        } = self.0.get(function).map_or(room, |old| old.min(room));
+        } = self.0.get(function).map_or(budget, |old| old.min(budget));
         format!("{arm} {function} {instructions} {text} {stack}\n")
     }
 
@@ -91,7 +91,7 @@ impl Budget {
     pub fn check(&self, board: &str, function: &str, cost: Cost, wrong: &mut Vec<String>) {
         let Some(allowed) = self.0.get(function) else {
             wrong.push(format!(
-                "budget: nothing is said of `{function}`, which costs {cost:?}"
+                "budget: there is no line for `{function}`, which costs {cost:?}"
             ));
             return;
         };

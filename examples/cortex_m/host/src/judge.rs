@@ -140,17 +140,17 @@ impl Board {
 
     /// Adds an error unless the bits are those of the host, and every call takes the instructions of the image.
     fn check(&self, function: &str, wrong: &mut Vec<String>) {
-        match *self.said("differences", function) {
+        match *self.reported("differences", function) {
             [0] => {}
             [different] => wrong.push(format!(
                 "{function}: {different} results are not the host's"
             )),
             _ => wrong.push(format!(
-                "{function}: the firmware said nothing of its results"
+                "{function}: no results in the output of the firmware"
             )),
         }
-        let &[least, most, _] = &*self.said("cost", function) else {
-            wrong.push(format!("{function}: the firmware said nothing of its cost"));
+        let &[least, most, _] = &*self.reported("cost", function) else {
+            wrong.push(format!("{function}: no cost in the output of the firmware"));
             return;
         };
         if least != most {
@@ -174,11 +174,11 @@ impl Board {
             let text = gravity.text + self.text("sin_cos");
             return Cost { text, ..gravity };
         }
-        let said = self.said("cost", function);
+        let cost = self.reported("cost", function);
         Cost {
-            instructions: said.get(1).copied().unwrap_or_default(),
+            instructions: cost.get(1).copied().unwrap_or_default(),
             text: self.text(function),
-            stack: said.get(2).copied().unwrap_or_default(),
+            stack: cost.get(2).copied().unwrap_or_default(),
         }
     }
 
@@ -197,7 +197,7 @@ impl Board {
     }
 
     /// The numbers of the line that begins with these words.
-    pub fn said(&self, what: &str, function: &str) -> Vec<u32> {
+    pub fn reported(&self, what: &str, function: &str) -> Vec<u32> {
         let start = format!("{what} {function} ");
         let line = self.log.lines().find_map(|line| line.strip_prefix(&start));
         let numbers = line.unwrap_or_default().split_whitespace();

@@ -123,10 +123,12 @@ fn of_controller(folder: &Path, function: &str) -> Result<Cost, String> {
 fn of_peer(folder: &Path, function: &str) -> Result<Cost, String> {
     let whole = Board::read(&folder.join("newlib"), &mut Vec::new())?;
     let bare = Board::read(&folder.join("none"), &mut Vec::new())?;
-    let &[least, most, worst, stack] = &*whole.said("cost", function) else {
-        return Err(format!("the peer's firmware said nothing of {function}"));
+    let &[least, most, worst, stack] = &*whole.reported("cost", function) else {
+        return Err(format!(
+            "no {function} in the output of the peer's firmware"
+        ));
     };
-    let without = bare.said("cost", function);
+    let without = bare.reported("cost", function);
     let size = format!(" peer_{function}");
     let symbols = read(&folder.join("newlib/symbols"))?;
     let line = symbols.lines().find(|line| line.ends_with(&size));

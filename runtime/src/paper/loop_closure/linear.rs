@@ -50,10 +50,10 @@ impl<T: Real, const N: usize, const K: usize> Linear<T, N, K> {
     /// The rates of all joints: the unknown ones so that A q̇ = `right` together with the `driving` ones.
     pub(super) fn rates(&self, right: [[T; 6]; K], driving: &[Option<T>; N]) -> Rates<T, N> {
         let zero = T::constant(0.0);
-        let driven: [T; N] = from_fn(|i| driving[i].unwrap_or(zero));
+        let given: [T; N] = from_fn(|i| driving[i].unwrap_or(zero));
         let right = right.map(|y| with_lengths_in_parts_of(self.size, y));
         let mut y: [[T; 6]; K] =
-            from_fn(|k| from_fn(|row| right[k][row] - dot(&self.all[k][row], &driven)));
+            from_fn(|k| from_fn(|row| right[k][row] - dot(&self.all[k][row], &given)));
         let mut a = self.sought;
         let (rank, x) = singular_values::solve(a.as_flattened_mut(), y.as_flattened_mut());
         let values = from_fn(|i| driving[i].unwrap_or(x[i]));

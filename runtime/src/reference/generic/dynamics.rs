@@ -191,9 +191,9 @@ pub fn regressor<
     let motion = Motion::at(chain, q, qd, qdd);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
     let of_bodies = PLACES.len() * B;
-    let drives = 3 * positions.degrees_of_freedom().count();
+    let of_drives = 3 * positions.degrees_of_freedom().count();
     assert!(
-        P == of_bodies || P == of_bodies + drives,
+        P == of_bodies || P == of_bodies + of_drives,
         "a body has ten parameters, and a velocity of a joint three"
     );
     let mut rows = [[T::zero(); P]; N];

@@ -28,8 +28,8 @@ pub fn forward_dynamics<
     tau: &[T; N],
 ) -> [T; N] {
     let bias = bias(chain, q, qd);
-    let lacking: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
-    let found = mass_matrix_factors(chain, q).map(|factors| factors.solve(&lacking));
+    let net_torque: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
+    let found = mass_matrix_factors(chain, q).map(|factors| factors.solve(&net_torque));
     from_fn(|i| found.map_or(nan(), |found| found[i]))
 }
 

@@ -28,13 +28,13 @@ macro_rules! prices {
     ($robot:literal, $tip:literal) => {{
         let file = concat!($robot, ".urdf");
         let text = include_str!(concat!("../../robots/", $robot, ".urdf"));
-        price::count(file, text, $tip).expect("the robots that ship have no mistakes")
+        price::count(file, text, $tip).expect("the robots of the repository are valid")
     }};
 }
 
 #[test]
 fn the_expansion_is_what_the_code_generator_prints() {
-    let source = listing::inverse_dynamics_of_two_links().expect("it has no mistakes");
+    let source = listing::inverse_dynamics_of_two_links().expect("it is valid");
     let block = format!("```rust,ignore\n{source}```\n");
     assert_contains(GENERATED_CODE, &block);
 }
@@ -158,7 +158,7 @@ fn the_counts_of_formulations_are_current() {
             }),
             ..Request::default()
         };
-        let mut chain = understand(&description, &request).expect("it has no mistakes");
+        let mut chain = understand(&description, &request).expect("it is valid");
         let mut row = format!("| {name}, `{}` |", function.name());
         for formulation in columns {
             Rc::make_mut(&mut chain.request).formulation = formulation;

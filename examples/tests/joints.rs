@@ -34,7 +34,7 @@ fn operations(kind: &str) -> Vec<usize> {
         functions: Function::ALL.map(|function| vec![function]).to_vec(),
         ..Request::default()
     };
-    let description = description.expect("there are no mistakes");
+    let description = description.expect("it is valid");
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{kind}: {errors}"));
     let prices = module.functions.iter().map(|generated| &generated.price);
     prices.map(|price| price.mul + price.add).collect()

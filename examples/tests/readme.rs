@@ -44,7 +44,7 @@ fn the_excerpt_is_what_the_code_generator_prints() {
         .expect("it is there");
     let (_, rest) = rest.split_once("```rust,ignore\n").expect("a block");
     let (excerpt, _) = rest.split_once("```\n").expect("its end");
-    let printed = listing::inverse_dynamics_of_two_links().expect("it has no mistakes");
+    let printed = listing::inverse_dynamics_of_two_links().expect("it is valid");
     assert!(printed.contains(excerpt), "{excerpt}\nis not in\n{printed}");
     let price = printed
         .lines()

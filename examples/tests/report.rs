@@ -136,7 +136,7 @@ fn merged_angles_are_shown_where_they_change_a_program() {
 #[test]
 fn counts_of_simpler_models_are_current() {
     let part = part("## What a scene needs");
-    let scenes = scene::models(root()).expect("the robots that ship have no mistakes");
+    let scenes = scene::models(root()).expect("the robots of the repository are valid");
     for scene in scenes {
         for variant in &scene.variants {
             let Price { mul, add, .. } = price(&scene, variant, Function::InverseDynamics);
@@ -156,7 +156,7 @@ fn counts_of_simpler_models_are_current() {
 fn counts_of_chains_are_current() {
     let part = part("## Growth");
     for joints in [1, 2, 4, 8] {
-        let chain = chain::chain(joints).expect("it has no mistakes");
+        let chain = chain::chain(joints).expect("it is valid");
         for function in [
             Function::ForwardKinematics,
             Function::Gravity,
@@ -186,7 +186,7 @@ fn states_are_those_of_both_types() {
         assert!(whole, "{} has states of other lengths", scene.title);
         assert_eq!(states::in_single_precision(&scene.states), None);
     }
-    let free = scene::free(root()).expect("the robots that ship have no mistakes");
+    let free = scene::free(root()).expect("the robots of the repository are valid");
     assert_eq!(free.states.len(), states::STATES * (19 + 3 * 18));
     let single = states::in_single_precision(&free.states).expect("quaternions are rounded");
     for (states, epsilon) in [(&free.states, f64::EPSILON), (&single, f32::EPSILON.into())] {
@@ -209,7 +209,7 @@ fn root() -> &'static Path {
 }
 
 fn robots() -> Vec<Scene> {
-    scene::robots(root()).expect("the robots that ship have no mistakes")
+    scene::robots(root()).expect("the robots of the repository are valid")
 }
 
 fn price(scene: &Scene, variant: &Variant, function: Function) -> Price {
@@ -222,7 +222,7 @@ fn count(description: &Description, request: Request, function: Function) -> Pri
         functions: vec![vec![function]],
         ..request
     };
-    let module = expand(description, &request).expect("it has no mistakes");
+    let module = expand(description, &request).expect("it is valid");
     module.functions[0].price
 }
 

@@ -115,8 +115,8 @@ fn one(
             return Err(String::from_utf8_lossy(&output.stderr).into());
         }
         grown.compilation = Some(start.elapsed().as_secs_f64());
-        let said = Command::new(&executable).output()?.stdout;
-        grown.call = Some(String::from_utf8(said)?.trim().parse()?);
+        let output = Command::new(&executable).output()?.stdout;
+        grown.call = Some(String::from_utf8(output)?.trim().parse()?);
     }
     Ok(grown)
 }

@@ -13,7 +13,7 @@ use homogen_codegen::schedule::Price;
 use homogen_codegen::space::Space;
 use homogen_plot::Color;
 
-use crate::measure::{Effort, Point, Run, once, rounds, said};
+use crate::measure::{Effort, Point, Run, lines_of, once, rounds};
 use crate::program::{Executables, Flags};
 use crate::progress::Progress;
 use crate::scene::{Scalar, Scene};
@@ -173,7 +173,7 @@ pub fn measure<'a>(
                 // frax takes a thousand times as long.
                 let batches = effort.batches.div_ceil(7);
                 let mut frax = peers.frax(run.scene, &run.truth, batches, STATES, scalar);
-                match said(&mut frax, Flags::Native) {
+                match lines_of(&mut frax, Flags::Native) {
                     Ok(lines) => all.extend(lines),
                     Err(reason) => missing.push(reason_of("frax", run.scene, &*reason)),
                 }

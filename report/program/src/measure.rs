@@ -105,14 +105,14 @@ pub fn measure(
     for run in runs {
         for &function in &run.scene.functions {
             let turn = || {
-                let mut said = Vec::new();
+                let mut lines = Vec::new();
                 for Executables {
                     flags, measured, ..
                 } in executables
                 {
-                    said.extend(once(measured, *flags, run, function, &[effort.batches])?);
+                    lines.extend(once(measured, *flags, run, function, &[effort.batches])?);
                 }
-                Ok(said)
+                Ok(lines)
             };
             points.extend(rounds(run.scene, function, effort, turn)?);
             progress.advance(&format!("{} {}", run.scene.name, function.name()));
@@ -129,12 +129,12 @@ pub fn rounds(
     scene: &Scene,
     function: Function,
     effort: Effort,
-    mut turn: impl FnMut() -> Result<Vec<Said>, Box<dyn Error>>,
+    mut turn: impl FnMut() -> Result<Vec<Line>, Box<dyn Error>>,
 ) -> Result<Vec<Point>, Box<dyn Error>> {
-    let mut said: BTreeMap<Key, Vec<[f64; 6]>> = BTreeMap::new();
+    let mut lines: BTreeMap<Key, Vec<[f64; 6]>> = BTreeMap::new();
     for _ in 0..effort.rounds {
         for (key, numbers) in turn()? {
-            said.entry(key).or_default().push(numbers);
+            lines.entry(key).or_default().push(numbers);
         }
     }
     let point = |(key, rounds): (Key, Vec<[f64; 6]>)| {
@@ -149,11 +149,11 @@ pub fn rounds(
             worst: middle(5),
         }
     };
-    Ok(said.into_iter().map(point).collect())
+    Ok(lines.into_iter().map(point).collect())
 }
 
 /// A program, and its line of numbers.
-pub type Said = (Key, [f64; 6]);
+pub type Line = (Key, [f64; 6]);
 
 /// The output of an executable for a function; `numbers` are its further arguments, the number of batches first.
 ///
@@ -165,7 +165,7 @@ pub fn once(
     run: &Run<'_>,
     function: Function,
     numbers: &[usize],
-) -> Result<Vec<Said>, Box<dyn Error>> {
+) -> Result<Vec<Line>, Box<dyn Error>> {
     let mut command = Command::new(executable);
     command
         .args([&run.scene.name, function.name()])
@@ -175,14 +175,14 @@ pub fn once(
     if let (Flags::Native, Some(peers)) = (flags, run.peers) {
         command.args(peers.libraries(run.scene, function, run.makers));
     }
-    said(&mut command, flags)
+    lines_of(&mut command, flags)
 }
 
 /// The output of a program.
 ///
 /// # Errors
 /// A failure, or an output that cannot be read.
-pub fn said(command: &mut Command, flags: Flags) -> Result<Vec<Said>, Box<dyn Error>> {
+pub fn lines_of(command: &mut Command, flags: Flags) -> Result<Vec<Line>, Box<dyn Error>> {
     let output = command.output()?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());
@@ -192,7 +192,7 @@ pub fn said(command: &mut Command, flags: Flags) -> Result<Vec<Said>, Box<dyn Er
 }
 
 /// `default f64 91.2 92.0 93.1 1e-17 1e-16 3e-16`
-fn read(line: &str, flags: Flags) -> Result<Said, Box<dyn Error>> {
+fn read(line: &str, flags: Flags) -> Result<Line, Box<dyn Error>> {
     let words: Vec<&str> = line.split_whitespace().collect();
     let [variant, scalar, numbers @ ..] = &words[..] else {
         return Err(format!("not understood: {line}").into());

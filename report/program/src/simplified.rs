@@ -92,10 +92,7 @@ fn gravity() -> Variant {
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "rounding is what is asked for"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
 fn single(number: f64) -> f32 {
     number as f32
 }

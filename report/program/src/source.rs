@@ -49,16 +49,16 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
             let wanted = |function| variant.instead.unwrap_or(function);
             let functions = served.iter().map(|k| vec![wanted(scene.functions[*k])]);
             request.functions = functions.collect();
-            let listing = expand(&description, &request).map_err(as_one)?;
+            let expanded = expand(&description, &request).map_err(as_one)?;
             let item = Item::named_after("robot");
-            let methods = rust::print(&listing, &item, &World::default());
+            let methods = rust::print(&expanded, &item, &World::default());
             let module = format!("m_{count}");
             count += 1;
             writeln!(
                 modules,
                 "#[allow(dead_code, reason = \"steps are not measured\")] mod {module} {{ {methods} }}"
             )?;
-            for (generated, k) in listing.functions.iter().zip(served) {
+            for (generated, k) in expanded.functions.iter().zip(served) {
                 let (function, cases) = (scene.functions[k], &mut cases[k]);
                 prices.push((scene.name.clone(), variant.name, function, generated.price));
                 let robot = format!("{module}::Robot");

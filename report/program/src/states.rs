@@ -76,10 +76,7 @@ pub fn in_single_precision(states: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// The nearest number of single precision.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "rounding is what is asked for"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
 pub fn single(number: f64) -> f64 {
     f64::from(number as f32)
 }

@@ -129,11 +129,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (suffix, threads) in [("", 1), (":all", threads)] {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
         // Inside the pool, so that a batch on one thread need not wake another.
-        let said = pool.install(|| {
+        let text = pool.install(|| {
             let double = measure::<f64>(&request, suffix)?;
             Ok::<_, String>(double + &measure::<f32>(&request, suffix)?)
         });
-        print!("{}", said?);
+        print!("{}", text?);
     }
     Ok(())
 }
@@ -172,7 +172,7 @@ fn measure<T: Measured>(request: &Request<'_>, suffix: &str) -> Result<String, S
     let batches: Vec<&dyn Fn()> = batches.iter().map(|batch| batch as &dyn Fn()).collect();
     let calls = u32::try_from(states).map_err(|reason| reason.to_string())?;
     let times = timing::alternate(request.batches, calls, SHORTEST, &batches);
-    let mut said = String::new();
+    let mut text = String::new();
     for ((program, batch), time) in programs.iter().zip(batches).zip(times) {
         // The results of one program must not be taken for another's.
         results.borrow_mut().fill(T::constant(f64::NAN));
@@ -186,7 +186,7 @@ fn measure<T: Measured>(request: &Request<'_>, suffix: &str) -> Result<String, S
         };
         let errors = truth.errors(&found, &[]);
         writeln!(
-            said,
+            text,
             "{}{suffix} {} {:.3} {:.3} {:.3} {:e} {:e} {:e}",
             program.name,
             T::NAME,
@@ -199,5 +199,5 @@ fn measure<T: Measured>(request: &Request<'_>, suffix: &str) -> Result<String, S
         )
         .map_err(|reason| reason.to_string())?;
     }
-    Ok(said)
+    Ok(text)
 }

@@ -112,7 +112,7 @@ fn main() -> io::Result<()> {
     }
     let [before, after] = found.unexplained();
     println!(
-        "  of another motion's torques {before:.2} N m are unexplained before, {after:.2} N m after"
+        "  of another motion's torques {before:.2} N m are not explained before, {after:.2} N m after"
     );
     let path = plot::path_from_arguments("identify");
     plot::write(&path, &found.page())?;

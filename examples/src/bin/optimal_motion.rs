@@ -47,7 +47,7 @@ fn main() -> io::Result<()> {
     );
     println!("  misses its end by {missed:.1e} rad, and rest by {rest:.1e} rad/s");
     println!(
-        "  {:.1} ms a round, of which most is linear algebra",
+        "  {:.1} ms an iteration, of which most is linear algebra",
         1e3 * time.as_secs_f64() / count(&plan)
     );
     println!("  {}", machine::describe());

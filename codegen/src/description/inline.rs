@@ -249,8 +249,8 @@ fn add(description: &mut Description, loops: Vec<(Loop, Vec<Complaint>)>, errors
     if loops.is_empty() {
         return;
     }
-    for (described, doubts) in loops {
-        description.warnings.extend(doubts);
+    for (described, warnings) in loops {
+        description.warnings.extend(warnings);
         description.loops.push(described);
     }
     names::check_loops(description, errors);
@@ -285,7 +285,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
             Part::Joint(mut joint) => {
                 let before = description.links.last().map(|link| link.name.clone());
                 joint.from = joint.from.or(before);
-                description.warnings.append(&mut joint.doubts);
+                description.warnings.append(&mut joint.warnings);
                 let own = joint.to.iter().filter(|_| joint.is_between);
                 between.extend(own.map(|name| Link {
                     name: name.clone(),

@@ -21,7 +21,7 @@ pub(in crate::description) const KEYS: [&str; 4] = ["from", "to", "at", "to_at"]
 struct Closing {
     closure: Closure,
     axes: [[Number; 3]; 2],
-    doubts: Vec<Complaint>,
+    warnings: Vec<Complaint>,
 }
 
 /// Reads what stands behind the word `loop`, from a text.
@@ -85,7 +85,7 @@ pub(super) fn read(
     let Closing {
         closure,
         axes,
-        doubts,
+        warnings,
     } = closing;
     let described = Loop {
         name,
@@ -96,7 +96,7 @@ pub(super) fn read(
         to_at,
         axes,
     };
-    Ok(Some((described, doubts)))
+    Ok(Some((described, warnings)))
 }
 
 /// `revolute(z)`, `universal(x, y)`, `rod(0.3)`, `spherical`; none where it was refused.
@@ -130,7 +130,7 @@ fn closing(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opt
         return Ok(Some(Closing {
             closure: kind.with_length(|| Ok::<_, Complaint>(Number::default()))?,
             axes: [[Number::default(); 3]; 2],
-            doubts: Vec::new(),
+            warnings: Vec::new(),
         }));
     }
     let content = tokens::parentheses(input)?;
@@ -147,7 +147,7 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         return Err(complaint(input.span(), message));
     }
     let mut axes = [[Number::default(); 3]; 2];
-    let mut doubts = Vec::new();
+    let mut warnings = Vec::new();
     for k in 0..kind.axes {
         if k > 0 {
             let span = input.span();
@@ -157,10 +157,10 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
                 .parse::<Token![,]>()
                 .map_err(|_| complaint_with_hint(span, message, hint))?;
         }
-        let (axis, doubt) = joint::direction(input, subject)?;
+        let (axis, warning) = joint::direction(input, subject)?;
         // The first is that of both frames where there is no other.
         axes[k..].fill(axis);
-        doubts.extend(doubt);
+        warnings.extend(warning);
     }
     let closure = kind.with_length(|| -> Parsed<Number> {
         let span = input.span();
@@ -179,6 +179,6 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
     Ok(Closing {
         closure,
         axes,
-        doubts,
+        warnings,
     })
 }

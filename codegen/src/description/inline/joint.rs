@@ -1,7 +1,7 @@
 //! `joint NAME: revolute(z) { from: …, to: …, at: …, limits: […], velocity: … }`.
 //!
 //! In: tokens. Out: a joint whose links may still be open. The axis is `x`, `y`, `z`, `-z` and so
-//! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian,
+//! on, or a vector (of another length than 1 with a warning); a screw joint adds `pitch: 0.01`, in metres per radian,
 //! a universal one its second axis; translation, spherical and floating have none. A joint that follows another
 //! has `mimic: leader, multiplier: -1.0, offset: 0.1`, and one with a drive `armature: 0.01, damping: 0.5`.
 
@@ -46,14 +46,14 @@ pub(super) struct Joint {
     /// Whether the link that it carries is written nowhere: one without mass, between two motions.
     pub(super) is_between: bool,
     /// What is doubtful about it.
-    pub(super) doubts: Vec<Complaint>,
+    pub(super) warnings: Vec<Complaint>,
 }
 
 /// What a joint allows, and along or about which axes.
 struct Motion {
     kind: JointKind,
     axes: [[Number; 3]; 2],
-    doubts: Vec<Complaint>,
+    warnings: Vec<Complaint>,
 }
 
 /// `NAME:`.
@@ -78,13 +78,13 @@ pub(super) fn of(
     let subject = format!("joint {}", quoted(&name.text));
     let mut motion = motion(input, &subject, errors)?;
     body::end(input, &subject)?;
-    let doubts = motion
+    let warnings = motion
         .as_mut()
-        .map(|motion| std::mem::take(&mut motion.doubts));
+        .map(|motion| std::mem::take(&mut motion.warnings));
     let mut joint = Joint {
         name,
         motion,
-        doubts: doubts.unwrap_or_default(),
+        warnings: warnings.unwrap_or_default(),
         from: None,
         to: None,
         origin: Vec::new(),
@@ -145,7 +145,7 @@ impl Joint {
         let motion = self.motion.unwrap_or_else(|| Motion {
             kind: JointKind::Fixed,
             axes: [along_x(place); 2],
-            doubts: Vec::new(),
+            warnings: Vec::new(),
         });
         let [axis, second_axis] = motion.axes;
         Some(crate::description::Joint {
@@ -183,7 +183,7 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
             return Ok(Some(Motion {
                 kind: kind.with_pitch(|| Ok::<_, Complaint>(Number::default()))?,
                 axes: [along_x(Place::Token(word.span())); 2],
-                doubts: Vec::new(),
+                warnings: Vec::new(),
             }));
         }
         let message = format!("{subject} has no axis");
@@ -205,9 +205,9 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         let message = format!("{subject} is {} and has no axis", kind.word);
         return Err(complaint(input.span(), message));
     }
-    let (axis, doubt) = direction(input, subject)?;
+    let (axis, warning) = direction(input, subject)?;
     let mut axes = [axis; 2];
-    let mut doubts: Vec<Complaint> = doubt.into_iter().collect();
+    let mut warnings: Vec<Complaint> = warning.into_iter().collect();
     if kind.axes() == 2 {
         let hint = format!("write {}(x, y)", kind.word);
         let missing = format!("{subject} has no second axis");
@@ -215,9 +215,9 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         input
             .parse::<Token![,]>()
             .map_err(|_| complaint_with_hint(span, missing, hint))?;
-        let (second, doubt) = direction(input, subject)?;
+        let (second, warning) = direction(input, subject)?;
         axes[1] = second;
-        doubts.extend(doubt);
+        warnings.extend(warning);
     }
     let kind = kind.with_pitch(|| -> Parsed<Number> {
         let hint = "write screw(z, pitch: 0.01), in metres per radian";
@@ -234,14 +234,18 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         let message = format!("expected `)` after the axis of {subject}");
         return Err(complaint(input.span(), message));
     }
-    Ok(Motion { kind, axes, doubts })
+    Ok(Motion {
+        kind,
+        axes,
+        warnings,
+    })
 }
 
 fn along_x(place: Place) -> [Number; 3] {
     [1.0, 0.0, 0.0].map(|value| number::computed(value, place))
 }
 
-/// `z`, `-z`, or a vector; and a doubt where that is not of length 1.
+/// `z`, `-z`, or a vector; and a warning where that is not of length 1.
 pub(super) fn direction(
     input: ParseStream,
     subject: &str,
@@ -254,7 +258,7 @@ pub(super) fn direction(
             complaint_with_hint(span, format!("{subject} {}", remark.what), remark.hint)
         };
         return match axis::direction(numbers) {
-            Ok((axis, doubt)) => Ok((axis, doubt.map(say))),
+            Ok((axis, warning)) => Ok((axis, warning.map(say))),
             Err(refusal) => Err(say(refusal)),
         };
     }

@@ -266,15 +266,15 @@ fn an_axis_of_another_length_is_kept_with_a_warning() {
     );
     let arm = item.description.unwrap();
     assert_eq!(arm.joints[0].axis.map(|x| x.value), [0.0, 0.75, 1.0]);
-    let [doubt] = &arm.warnings[..] else {
+    let [warning] = &arm.warnings[..] else {
         panic!("{:?}", arm.warnings);
     };
     assert_eq!(
-        doubt.message,
+        warning.message,
         "the axis of joint \"j\" has length 5: taken with length 1"
     );
-    assert_eq!(doubt.hint.as_deref(), Some("of length 1 it is 0 0.6 0.8"));
-    assert!(matches!(doubt.place, Place::Token(_)));
+    assert_eq!(warning.hint.as_deref(), Some("of length 1 it is 0 0.6 0.8"));
+    assert!(matches!(warning.place, Place::Token(_)));
 }
 
 #[test]

@@ -76,8 +76,8 @@ fn errors_in_joint(kind: &str, inner: &str) -> String {
     ))
 }
 
-/// What is doubted of a robot, each doubt as the command line shows it.
-fn doubts(text: &str) -> Vec<String> {
+/// What is doubted of a robot, each warning as the command line shows it.
+fn warnings(text: &str) -> Vec<String> {
     let robot = fine(text);
     let modelled = Modelled {
         friction: false,
@@ -85,14 +85,16 @@ fn doubts(text: &str) -> Vec<String> {
         has_rotor: &|_| false,
     };
     let source = robot.source;
-    let doubts = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
-    let doubts = doubts.iter();
-    doubts.map(|doubt| source.errors().locate(doubt)).collect()
+    let warnings = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
+    let warnings = warnings.iter();
+    warnings
+        .map(|warning| source.errors().locate(warning))
+        .collect()
 }
 
 /// What is doubted of a joint from a to b, whose inner text stands in line 2 from column 1.
-fn doubts_in_joint(kind: &str, inner: &str) -> Vec<String> {
-    doubts(&format!(
+fn warnings_in_joint(kind: &str, inner: &str) -> Vec<String> {
+    warnings(&format!(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\
          <joint name=\"j\" type=\"{kind}\"><parent link=\"a\"/><child link=\"b\"/>\n\
          {inner}</joint></robot>"

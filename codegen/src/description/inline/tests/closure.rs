@@ -100,7 +100,7 @@ fn an_axis_of_another_length_is_told() {
          loop pin: revolute([0.0, 3.0, 4.0]) { from: a, to: b }",
     );
     let warnings = item.description.unwrap().warnings;
-    let told: Vec<&str> = warnings.iter().map(|doubt| &*doubt.message).collect();
+    let told: Vec<&str> = warnings.iter().map(|warning| &*warning.message).collect();
     assert_eq!(
         told,
         ["the axis of loop \"pin\" has length 5: taken with length 1"]

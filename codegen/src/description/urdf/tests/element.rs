@@ -1,6 +1,6 @@
 //! What is said of elements and numbers, in whatever they stand.
 
-use super::{TENSOR, doubts, errors_in_joint, fine};
+use super::{TENSOR, errors_in_joint, fine, warnings};
 
 #[test]
 fn a_misspelt_element_is_not_passed_over_silently() {
@@ -73,9 +73,9 @@ fn white_space_behind_a_number_is_passed_over_with_a_warning() {
         )
     };
     let said = "arm.urdf:2:14: the mass of link \"a\" ends in white space, which is passed over";
-    assert_eq!(doubts(&text("0.5\r\n")), [said]);
-    assert_eq!(doubts(&text("0.5 ")), [said]);
-    assert_eq!(doubts(&text(" 0.5")), Vec::<String>::new());
+    assert_eq!(warnings(&text("0.5\r\n")), [said]);
+    assert_eq!(warnings(&text("0.5 ")), [said]);
+    assert_eq!(warnings(&text(" 0.5")), Vec::<String>::new());
     let mass = |written| {
         fine(&text(written)).links[0]
             .inertial

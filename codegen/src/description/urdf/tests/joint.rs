@@ -1,6 +1,6 @@
 //! What is said of joints: their kinds, axes, links and limits.
 
-use super::{doubts_in_joint, errors_in, errors_in_joint, fine};
+use super::{errors_in, errors_in_joint, fine, warnings_in_joint};
 use crate::error::Place;
 use crate::joint::ALL;
 use crate::wording::list;
@@ -110,17 +110,17 @@ fn an_axis_of_another_length_is_kept_with_a_warning() {
         Some("of length 1 it is 0 0.6 0.8")
     );
     assert_eq!(
-        doubts_in_joint("prismatic", r#"<axis xyz="0 3 4"/>"#),
+        warnings_in_joint("prismatic", r#"<axis xyz="0 3 4"/>"#),
         ["arm.urdf:2:12: the axis of joint \"j\" has length 5: taken with length 1"]
     );
-    assert!(doubts_in_joint("revolute", r#"<axis xyz="0.577 0.577 0.577"/>"#).is_empty());
+    assert!(warnings_in_joint("revolute", r#"<axis xyz="0.577 0.577 0.577"/>"#).is_empty());
 }
 
 #[test]
 fn an_element_given_twice_must_say_the_same() {
     let axis = r#"<axis xyz="0 0 1"/>"#;
     assert_eq!(
-        doubts_in_joint("revolute", &format!("{axis}{axis}")),
+        warnings_in_joint("revolute", &format!("{axis}{axis}")),
         ["arm.urdf:2:20: joint \"j\" has the same <axis> twice"]
     );
     assert_eq!(
@@ -132,7 +132,7 @@ fn an_element_given_twice_must_say_the_same() {
 #[test]
 fn a_fixed_joint_mimics_nothing() {
     assert_eq!(
-        doubts_in_joint("fixed", r#"<mimic joint="k"/>"#),
+        warnings_in_joint("fixed", r#"<mimic joint="k"/>"#),
         ["arm.urdf:2:1: joint \"j\" is fixed, and its <mimic> is ignored"]
     );
 }

@@ -1,6 +1,6 @@
 //! Origins: translations, angles, quaternions.
 
-use super::{doubts_in_joint, errors_in_joint, fine};
+use super::{errors_in_joint, fine, warnings_in_joint};
 use crate::description::Step;
 
 fn origin(version: &str, attributes: &str) -> String {
@@ -87,8 +87,8 @@ fn what_is_no_rotation_is_refused() {
 }
 
 #[test]
-fn an_angle_of_more_than_a_turn_is_doubted() {
-    let told = |rpy: &str| doubts_in_joint("fixed", &format!("<origin rpy=\"{rpy}\"/>"));
+fn an_angle_of_more_than_a_turn_is_a_warning() {
+    let told = |rpy: &str| warnings_in_joint("fixed", &format!("<origin rpy=\"{rpy}\"/>"));
     assert_eq!(
         told("90 0 0"),
         [

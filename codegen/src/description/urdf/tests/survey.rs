@@ -1,18 +1,18 @@
 //! What a file holds beside what is read: nothing of mechanics vanishes without a word, and nothing else is worth
 //! one.
 
-use super::{TENSOR, doubts, doubts_in_joint, errors, errors_in_joint, fine};
+use super::{TENSOR, errors, errors_in_joint, fine, warnings, warnings_in_joint};
 
 /// What is doubted of something that stands in a robot, in line 2.
-fn doubts_in(item: &str) -> Vec<String> {
-    doubts(&format!(
+fn warnings_in(item: &str) -> Vec<String> {
+    warnings(&format!(
         "<robot name=\"r\" xmlns:drake=\"http://drake.mit.edu\"><link name=\"a\"/>\n{item}</robot>"
     ))
 }
 
 /// That there is one warning, of something that is not modelled and has this name.
 fn assert_lost(item: &str, name: &str) {
-    let found = doubts_in(item);
+    let found = warnings_in(item);
     let start = format!("arm.urdf:2:1: not modelled: {name} in ");
     assert!(
         found.len() == 1 && found[0].starts_with(&start),
@@ -23,7 +23,7 @@ fn assert_lost(item: &str, name: &str) {
 #[test]
 fn springs_dampers_and_constraints_are_told() {
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<force_element name=\"s\"><torsional_spring stiffness=\"5\"><joint name=\"j\"/></torsional_spring></force_element>"
         ),
         [
@@ -47,7 +47,7 @@ fn springs_dampers_and_constraints_are_told() {
         );
     }
     let damped = |attributes: &str| {
-        doubts_in_joint(
+        warnings_in_joint(
             "revolute",
             &format!("<axis xyz=\"0 0 1\"/><dynamics {attributes}/>"),
         )
@@ -66,7 +66,7 @@ fn springs_dampers_and_constraints_are_told() {
 
 #[test]
 fn mechanics_among_the_settings_of_simulators_are_told() {
-    let gazebo = |inner: &str| doubts_in(&format!("<gazebo reference=\"a\">{inner}</gazebo>"));
+    let gazebo = |inner: &str| warnings_in(&format!("<gazebo reference=\"a\">{inner}</gazebo>"));
     for (inner, name) in [
         ("<springStiffness>20</springStiffness>", "springStiffness"),
         (
@@ -91,7 +91,7 @@ fn mechanics_among_the_settings_of_simulators_are_told() {
             "{inner}: {found:?}"
         );
     }
-    let mujoco = |inner: &str| doubts_in(&format!("<mujoco>{inner}</mujoco>"));
+    let mujoco = |inner: &str| warnings_in(&format!("<mujoco>{inner}</mujoco>"));
     for (inner, name) in [
         (
             "<equality><connect body1=\"a\" body2=\"b\"/></equality>",
@@ -141,16 +141,16 @@ fn settings_without_mechanics_are_worth_no_word() {
         "<group name=\"arm\"><chain base_link=\"a\" tip_link=\"b\"/></group>",
         "<webots><device/></webots>",
     ] {
-        assert_eq!(doubts_in(item), [""; 0], "{item}");
+        assert_eq!(warnings_in(item), [""; 0], "{item}");
     }
     let limit = "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\" drake:acceleration=\"5\"/>";
-    assert_eq!(doubts_in_joint("revolute", limit), [""; 0]);
+    assert_eq!(warnings_in_joint("revolute", limit), [""; 0]);
 }
 
 #[test]
 fn values_that_stand_as_elements_or_text_are_told() {
     let joint =
-        |inner: &str| doubts_in_joint("revolute", &format!("<axis xyz=\"0 0 1\"/>\n{inner}"));
+        |inner: &str| warnings_in_joint("revolute", &format!("<axis xyz=\"0 0 1\"/>\n{inner}"));
     assert_eq!(
         joint("<origin><xyz>0 0 1</xyz><rpy>0 0 0</rpy></origin>"),
         [
@@ -248,7 +248,7 @@ fn what_stands_in_another_place_is_told_with_its_own() {
         Some("it stands in <robot>: move it there")
     );
     assert_eq!(
-        doubts_in(&format!(
+        warnings_in(&format!(
             "<robot name=\"s\"><link name=\"b\">{inertial}</link></robot>"
         )),
         ["arm.urdf:2:1: not modelled: <robot> in robot \"r\": a second robot"]
@@ -267,7 +267,7 @@ fn what_stands_in_another_place_is_told_with_its_own() {
         Some("write it as an attribute of <dynamics>")
     );
     assert_eq!(
-        doubts_in("<damping>5</damping><inertia ixx=\"1\"/>"),
+        warnings_in("<damping>5</damping><inertia ixx=\"1\"/>"),
         [
             "arm.urdf:2:1: <damping> in robot \"r\" is ignored",
             "arm.urdf:2:21: <inertia> in robot \"r\" is ignored",
@@ -278,14 +278,14 @@ fn what_stands_in_another_place_is_told_with_its_own() {
 #[test]
 fn things_of_one_kind_are_told_once() {
     assert_eq!(
-        doubts_in("<my:tag/>\n<my:tag/><my:tag a=\"1\"/>\n<my:other/>"),
+        warnings_in("<my:tag/>\n<my:tag/><my:tag a=\"1\"/>\n<my:other/>"),
         [
             "arm.urdf:2:1: <my:tag> in robot \"r\" and 2 other places is ignored",
             "arm.urdf:4:1: <my:other> in robot \"r\" is ignored",
         ]
     );
     let many: Vec<String> = (0..5000).map(|k| format!("<t{k}/>")).collect();
-    assert_eq!(doubts_in(&many.concat()).len(), 1000);
+    assert_eq!(warnings_in(&many.concat()).len(), 1000);
 }
 
 #[test]
@@ -325,7 +325,7 @@ fn joints_of_drake_are_read() {
         );
     }
     assert_eq!(
-        doubts(&robot("planar", "<axis xyz=\"0 1 0\"/>")),
+        warnings(&robot("planar", "<axis xyz=\"0 1 0\"/>")),
         ["arm.urdf:2:72: the axis of joint \"j\" is ignored, as Drake ignores that of type planar"]
     );
     assert!(errors(&robot("curved", "")).contains("joint \"j\" has the unknown type \"curved\""));
@@ -334,7 +334,7 @@ fn joints_of_drake_are_read() {
 #[test]
 fn a_second_axis_and_a_thread_are_told_where_the_type_has_none() {
     assert_eq!(
-        doubts_in_joint(
+        warnings_in_joint(
             "revolute",
             "<axis xyz=\"0 0 1\"/>\n<thread pitch=\"0.1\"/>\n<axis2 xyz=\"1 0 0\"/>"
         ),
@@ -345,25 +345,25 @@ fn a_second_axis_and_a_thread_are_told_where_the_type_has_none() {
     );
     let screw = "<axis xyz=\"0 0 1\"/><thread pitch=\"0.1\"/>";
     assert_eq!(errors_in_joint("screw", screw), "");
-    assert_eq!(doubts_in_joint("screw", screw), [""; 0]);
+    assert_eq!(warnings_in_joint("screw", screw), [""; 0]);
 }
 
 #[test]
 fn rotors_in_other_words_and_gears_as_attributes_are_told() {
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<transmission name=\"t\"><joint name=\"j\"/><actuator name=\"m\">\n<motorInertia>1e-4</motorInertia></actuator></transmission>"
         ),
         ["arm.urdf:3:1: not modelled: <motorInertia> in <actuator> \"m\": the inertia of a rotor"]
     );
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<transmission name=\"t\"><rightActuator name=\"m\" mechanicalReduction=\"50\"/></transmission>"
         ),
         ["arm.urdf:2:48: not modelled: the reduction of transmission \"t\""]
     );
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<transmission name=\"t\"><joint name=\"j\"/><joint name=\"k\"/><actuator name=\"m\">\n<drake:rotor_inertia value=\"1\"/></actuator></transmission>"
         ),
         ["arm.urdf:3:1: not modelled: the rotor of transmission \"t\", which is of no joint alone"]
@@ -372,7 +372,7 @@ fn rotors_in_other_words_and_gears_as_attributes_are_told() {
 
 #[test]
 fn a_planar_joint_about_another_axis_is_told_as_readers_differ() {
-    let told = |axis: &str| doubts_in_joint("planar", &format!("<axis xyz=\"{axis}\"/>"));
+    let told = |axis: &str| warnings_in_joint("planar", &format!("<axis xyz=\"{axis}\"/>"));
     for other in ["0 1 0", "0 0 -1", "0 0.6 0.8"] {
         assert_eq!(
             told(other),

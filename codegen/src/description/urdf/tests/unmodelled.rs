@@ -1,6 +1,6 @@
-//! What is said of mechanics that a file has and the model has not: one doubt for each kind.
+//! What is said of mechanics that a file has and the model has not: one warning for each kind.
 
-use super::{doubts, doubts_in_joint, fine};
+use super::{fine, warnings, warnings_in_joint};
 use crate::builder::Builder;
 use crate::function::Function;
 
@@ -23,15 +23,15 @@ fn friction_is_said_once_for_all_joints_that_move() {
     let friction = r#"<dynamics friction = " 0.2 "/>"#;
     let none = r#"<dynamics damping="0" friction="-0.0"/>"#;
     assert_eq!(
-        doubts(&robot("revolute", &[none, damping])),
+        warnings(&robot("revolute", &[none, damping])),
         ["arm.urdf:3:53: not modelled: damping of joint \"j1\""]
     );
     assert_eq!(
-        doubts(&robot("prismatic", &[damping, none, friction, damping])),
+        warnings(&robot("prismatic", &[damping, none, friction, damping])),
         ["arm.urdf:2:54: not modelled: damping and friction of joint \"j0\" and 2 others"]
     );
     assert_eq!(
-        doubts(&robot(
+        warnings(&robot(
             "continuous",
             &[r#"<dynamics D="1" K="7000" damping="0"/>"#]
         )),
@@ -39,8 +39,8 @@ fn friction_is_said_once_for_all_joints_that_move() {
             "arm.urdf:2:65: not modelled: attribute \"D\" of the <dynamics> of joint \"j0\" and 1 other: other dynamics"
         ]
     );
-    assert_eq!(doubts(&robot("fixed", &[damping])), [""; 0]);
-    assert_eq!(doubts(&robot("revolute", &["<dynamics/>"])), [""; 0]);
+    assert_eq!(warnings(&robot("fixed", &[damping])), [""; 0]);
+    assert_eq!(warnings(&robot("revolute", &["<dynamics/>"])), [""; 0]);
 }
 
 #[test]
@@ -59,13 +59,13 @@ fn a_gear_is_said_once_for_all_transmissions() {
     };
     let one = &transmission("t", " 1.0\n");
     let hundred = &transmission("u", "100");
-    assert_eq!(doubts(&text(&[one])), [""; 0]);
+    assert_eq!(warnings(&text(&[one])), [""; 0]);
     assert_eq!(
-        doubts(&text(&[hundred])),
+        warnings(&text(&[hundred])),
         ["arm.urdf:2:43: not modelled: the reduction of transmission \"u\""]
     );
     assert_eq!(
-        doubts(&text(&[one, hundred, hundred])),
+        warnings(&text(&[one, hundred, hundred])),
         ["arm.urdf:4:43: not modelled: the reduction of transmission \"u\" and 1 other"]
     );
 }
@@ -74,7 +74,7 @@ fn a_gear_is_said_once_for_all_transmissions() {
 fn limits_beside_continuous_are_said_once() {
     let limits = r#"<limit lower="-3.14" upper="3.14" effort="1" velocity="1"/>"#;
     assert_eq!(
-        doubts(&robot("continuous", &[limits, "", limits])),
+        warnings(&robot("continuous", &[limits, "", limits])),
         ["arm.urdf:2:55: not used: the limits of joint \"j0\" and 1 other, of type continuous"]
     );
     for none in [
@@ -82,7 +82,7 @@ fn limits_beside_continuous_are_said_once() {
         r#"<limit lower="0" upper="0.0"/>"#,
         r#"<limit lower="-inf" upper="inf"/>"#,
     ] {
-        assert_eq!(doubts(&robot("continuous", &[none])), [""; 0], "{none}");
+        assert_eq!(warnings(&robot("continuous", &[none])), [""; 0], "{none}");
     }
 }
 
@@ -93,7 +93,7 @@ fn soft_limits_are_told_where_they_are_narrower_than_limits() {
             "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\"/>\n<safety_controller k_velocity=\"1\" {limits}/>\
              <calibration rising=\"0.1\"/>"
         );
-        doubts_in_joint("revolute", &inner)
+        warnings_in_joint("revolute", &inner)
     };
     let told = [
         "arm.urdf:3:1: not used: the soft limits of joint \"j\", which are narrower than the limits",
@@ -125,13 +125,16 @@ fn doubts_stand_above_the_generated_code_and_strict_refuses_them() {
     .replace("xyz=\"0 0 1\"", "xyz=\"0 0 2\"");
     let builder = || Builder::from_description(fine(&text)).generate([Function::ForwardKinematics]);
     let source = builder().to_source().expect("a robot").to_string();
-    let refused = builder().strict().to_source().expect_err("doubts");
-    for doubt in [
+    let refused = builder().strict().to_source().expect_err("warnings");
+    for warning in [
         "arm.urdf:2:45: the axis of joint",
         "arm.urdf:3:53: the lower limit of joint",
         "arm.urdf:2:53: not modelled: damping of joint",
     ] {
-        assert!(source.contains(doubt), "{doubt}\n{source}");
-        assert!(refused.to_string().contains(doubt), "{doubt}\n{refused}");
+        assert!(source.contains(warning), "{warning}\n{source}");
+        assert!(
+            refused.to_string().contains(warning),
+            "{warning}\n{refused}"
+        );
     }
 }

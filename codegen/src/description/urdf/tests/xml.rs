@@ -1,6 +1,6 @@
 //! What is said of files that are no URDF, or not yet, or no XML.
 
-use super::{ARM, MASS, TENSOR, doubts, errors, errors_in, errors_in_inertial, fine};
+use super::{ARM, MASS, TENSOR, errors, errors_in, errors_in_inertial, fine, warnings};
 
 #[test]
 fn a_byte_order_mark_is_no_character() {
@@ -79,7 +79,7 @@ fn a_macro_that_xacro_did_not_know_is_passed_over_with_a_warning() {
         )
     };
     assert_eq!(
-        doubts(&call("<link name=\"a\"/>")),
+        warnings(&call("<link name=\"a\"/>")),
         ["arm.urdf:2:1: macro \"imu\" that xacro left in robot \"r\" is ignored"]
     );
     // A joint may want a link that a macro would have made.
@@ -138,7 +138,7 @@ fn what_other_readers_pass_over_is_passed_over() {
         format!("<robot name=\"r\">{link}</robot>\n\0"),
     ] {
         assert_eq!(errors(&text), "", "{text}");
-        assert_eq!(doubts(&text), [""; 0], "{text}");
+        assert_eq!(warnings(&text), [""; 0], "{text}");
         assert_eq!(fine(&text).links.len(), 1, "{text}");
     }
 }

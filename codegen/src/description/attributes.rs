@@ -141,15 +141,15 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 attribute,
                 example,
                 errors,
-                |input, errors| match tokens::list(input, said) {
-                    Ok(said) => read = said,
+                |input, errors| match tokens::list(input, argument) {
+                    Ok(arguments) => read = arguments,
                     Err(complaint) => tokens::push(errors, complaint),
                 },
             );
-            for said in read {
+            for argument in read {
                 let span = attribute.meta.span();
-                let target = match said {
-                    Said::Range(second) => {
+                let target = match argument {
+                    Argument::Range(second) => {
                         if range.is_some() {
                             let message = format!("field `{ident}` has two ranges");
                             tokens::push(errors, complaint(second.span, message));
@@ -157,7 +157,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                         range = Some(second);
                         continue;
                     }
-                    Said::Target(target) => target,
+                    Argument::Target(target) => target,
                 };
                 if found.is_some() {
                     let message = format!("field `{ident}` stands for two numbers");
@@ -215,7 +215,7 @@ fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
 }
 
 /// An argument of a field's attribute.
-enum Said {
+enum Argument {
     Target(Target),
     Range(Range),
 }
@@ -268,13 +268,13 @@ impl Range {
     }
 }
 
-fn said(input: ParseStream) -> Parsed<Said> {
+fn argument(input: ParseStream) -> Parsed<Argument> {
     let key = tokens::word(input)?;
     let text = key.to_string();
     if text == RANGE {
-        return Range::read(input, &key).map(Said::Range);
+        return Range::read(input, &key).map(Argument::Range);
     }
-    Ok(Said::Target(match Target::of(&text) {
+    Ok(Argument::Target(match Target::of(&text) {
         Some(TargetOf::Robot(of)) => of(),
         Some(TargetOf::Item(of)) => {
             tokens::separator(input, &key)?;

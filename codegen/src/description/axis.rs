@@ -145,13 +145,13 @@ mod tests {
         });
         direction(numbers)
             .map(|(axis, warning)| {
-                let said = warning.map(|warning| format!("{}; {}", warning.what, warning.hint));
-                (axis.map(|number| number.value), said)
+                let remark = warning.map(|warning| format!("{}; {}", warning.what, warning.hint));
+                (axis.map(|number| number.value), remark)
             })
             .map_err(|refusal| refusal.what)
     }
 
-    fn said(text: &str) -> Option<String> {
+    fn remark(text: &str) -> Option<String> {
         axis(text).unwrap().1
     }
 
@@ -167,12 +167,12 @@ mod tests {
         assert_eq!(axis("0.577 0.577 0.577"), Ok(([0.577; 3], None)));
         assert_eq!(axis("0.707 0 -0.707"), Ok(([0.707, 0.0, -0.707], None)));
         // All digits, of numbers that were rounded to twelve digits before.
-        assert_eq!(said_of_length(1.0 - 4e-13), None);
-        assert!(said_of_length(1.0 - 4e-9).is_some());
+        assert_eq!(remark_of_length(1.0 - 4e-13), None);
+        assert!(remark_of_length(1.0 - 4e-9).is_some());
     }
 
-    fn said_of_length(length: f64) -> Option<String> {
-        said(&format!("0 0 {length:.17}"))
+    fn remark_of_length(length: f64) -> Option<String> {
+        remark(&format!("0 0 {length:.17}"))
     }
 
     #[test]
@@ -180,15 +180,15 @@ mod tests {
         let of_2 = "has length 2, and is normalised; the unit vector is 0 0 1";
         assert_eq!(axis("0 0 2"), Ok(([0.0, 0.0, 1.0], Some(of_2.to_owned()))));
         assert_eq!(
-            said("-3e-300 0 4e-300").as_deref(),
+            remark("-3e-300 0 4e-300").as_deref(),
             Some("has length 5e-300, and is normalised; the unit vector is -0.6 0 0.8")
         );
         assert!(
-            said("1.5e308 1.5e308 0")
+            remark("1.5e308 1.5e308 0")
                 .unwrap()
                 .starts_with("has length inf")
         );
-        assert!(said("0 0 0.9").is_some());
+        assert!(remark("0 0 0.9").is_some());
     }
 
     /// Division by the length would change the last digits of the direction.

@@ -1,4 +1,4 @@
-//! Turns about its axis, without limits.
+//! Rotation about an axis, without limits.
 
 use super::{Along, Definition, Freedom, JointKind};
 

@@ -1,4 +1,4 @@
-//! Turns about its axis and slides along it, each for itself.
+//! Rotation about an axis and translation along it, independent of each other.
 
 use super::{Along, Definition, Freedom, JointKind};
 

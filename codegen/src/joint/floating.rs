@@ -1,4 +1,4 @@
-//! Moves anyhow.
+//! Any motion.
 
 use super::{Along, Definition, Freedom, JointKind, Posture};
 

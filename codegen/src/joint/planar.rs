@@ -1,4 +1,4 @@
-//! Slides in the plane across its axis, and turns about the axis.
+//! Translation in the plane perpendicular to an axis, and rotation about the axis.
 
 use super::{Along, Definition, Freedom, JointKind, Posture};
 

@@ -1,4 +1,4 @@
-//! Slides along its axis.
+//! Translation along an axis.
 
 use super::{Along, Definition, Freedom, JointKind};
 

@@ -1,4 +1,4 @@
-//! Turns about its axis, within limits.
+//! Rotation about an axis, within limits.
 
 use super::{Along, Definition, Freedom, JointKind};
 

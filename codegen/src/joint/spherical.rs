@@ -1,4 +1,4 @@
-//! Turns about its centre.
+//! Rotation about a point.
 
 use super::{Along, Definition, Freedom, JointKind, Posture};
 

@@ -1,4 +1,4 @@
-//! Slides along x, y and z of its frame, which stays parallel to itself.
+//! Translation along x, y and z of the joint's frame, without rotation.
 
 use super::{Along, Definition, Freedom, JointKind};
 

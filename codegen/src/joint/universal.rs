@@ -1,4 +1,4 @@
-//! Turns about its first axis, and about the second, which the first one turns (Cardan's).
+//! Rotation about a first axis, and about a second one that the first rotation moves (Cardan joint).
 
 use super::{Along, Definition, Freedom, JointKind};
 

@@ -64,7 +64,7 @@ fn mistakes_and_doubts_are_told() {
     );
     let doubtful = homogen("check - --friction --rotors", ARM);
     assert_eq!(doubtful.code, 0);
-    let any = "is asked for, and no joint that moves is described with any";
+    let any = "is requested, but no moving joint has it in the description";
     for what in ["friction", "an armature"] {
         let doubt = format!("{what} {any}");
         assert!(doubtful.output.contains(&doubt), "{}", doubtful.output);

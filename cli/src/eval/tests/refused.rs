@@ -1,5 +1,5 @@
-//! What is no file of states, states that do not belong together, and nowhere to write to: each is told, and leaves
-//! everything as it was.
+//! Wrong files of states, states that do not fit together, and unwritable outputs: each is an error and leaves
+//! everything unchanged.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use super::{Folder, bytes, eval, many, npy, numbers, refused, refused_states};
 use crate::Answer;
 
 #[test]
-fn no_states_are_none() {
+fn no_states_are_no_results() {
     let folder = Folder::new("none");
     let q = folder.write("q.npy", npy("'<f8'", "(0, 2)", &[]));
     let out = folder.path("out.npy");
@@ -22,7 +22,7 @@ fn no_states_are_none() {
 }
 
 #[test]
-fn an_array_that_is_none_of_states_is_refused() {
+fn wrong_arrays_are_errors() {
     let folder = Folder::new("refused");
     for (name, bytes, why) in strange() {
         let name = format!("{name}.npy");
@@ -34,7 +34,7 @@ fn an_array_that_is_none_of_states_is_refused() {
     }
 }
 
-/// Files that no states are read from, with the reason.
+/// Files without states, with the reason.
 fn strange() -> [(&'static str, Vec<u8>, &'static str); 17] {
     let whole = npy("'<f8'", "(3, 2)", &bytes(&[0.5; 6]));
     let fortran = String::from_utf8_lossy(&whole[10..128]).replace("False", "True ");
@@ -199,7 +199,7 @@ fn a_file_that_cannot_be_written_leaves_what_was_there() {
     assert!(to(&locked).starts_with("error: cannot write locked.npy: "));
     assert_eq!(fs::read(&locked).expect("it is there"), b"mine");
 
-    // States that end in the middle: what was there stays as it is.
+    // States that end in the middle: the existing file stays unchanged.
     let mine = folder.write("mine.npy", "mine");
     let json = folder.write("bad.json", r#"{"states":[{"q":[1,2]},{"q":[1]}]}"#);
     refused(
@@ -207,7 +207,7 @@ fn a_file_that_cannot_be_written_leaves_what_was_there() {
         &["--function", "gravity", "--states", &json, "-o", &mine],
     );
     assert_eq!(fs::read(&mine).expect("it is there"), b"mine");
-    // The same file for states and results is read before it is replaced.
+    // If states and results have the same file, it is read before it is replaced.
     assert_eq!(
         eval(&["--function", "gravity", "--states", &q, "-o", &q]),
         Answer::default()
@@ -217,7 +217,7 @@ fn a_file_that_cannot_be_written_leaves_what_was_there() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_told() {
+fn a_full_disk_is_an_error() {
     let folder = Folder::new("full");
     let (q, ..) = many();
     let q = folder.write("q.npy", npy("'<f8'", "(1300, 2)", &bytes(&q)));
@@ -240,7 +240,7 @@ fn a_full_disk_is_told() {
                 .is_symlink()
         );
     }
-    // A device that takes everything is written to, and stays one.
+    // A device is written to, and stays a device.
     let null = folder.path("null.npy");
     std::os::unix::fs::symlink("/dev/null", &null).expect("a link");
     assert_eq!(

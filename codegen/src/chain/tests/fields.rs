@@ -84,7 +84,7 @@ fn nothing_is_carried_by_what_is_not_there_or_never_moves_and_twice_by_nothing()
             r#"error: there is no link "flang""#,
             r#"  hint: did you mean "flange"? links: "base", "rod" and "flange""#,
             r#"error: link "base" does not move: a payload on it changes nothing"#,
-            "  hint: leave the field out, or choose a base upstream of the link"
+            "  hint: leave the field out, or choose a base above the link in the tree"
         ])
     );
     assert_eq!(
@@ -161,7 +161,7 @@ fn the_inertia_of_what_has_no_mass_is_doubted_and_of_what_never_moves_refused() 
         refused(ARM, of("base")),
         lines(&[
             r#"error: link "base" does not move: its inertia changes nothing"#,
-            "  hint: leave the field out, or choose a base upstream of the link"
+            "  hint: leave the field out, or choose a base above the link in the tree"
         ])
     );
     let tensor = Target::InertiaOf(named("rod"));

@@ -177,8 +177,8 @@ fn a_follower_stands_still_with_its_leader() {
     );
     let dropped = fine(&hand("drop(left)", follower));
     assert_eq!(dropped.report.locked, [("other".to_owned(), 0.1)]);
-    let said = "joint \"other\" follows joint \"one\", which has no coordinate here: held where zero \
-                would take it";
+    let said = "joint \"other\" mimics joint \"one\", which has no coordinate here: held at its \
+                position for coordinate 0";
     assert!(doubts(&dropped).contains(&said), "{:?}", doubts(&dropped));
     // What moves the tip by way of another joint is not locked.
     let path = fine(&hand("tip = right, path_only", follower));
@@ -231,7 +231,7 @@ fn who_follows_must_be_able_to() {
     assert_eq!(
         said(&hand("", "mimic: other")),
         lines(&[
-            r#"error: joint "other" follows itself"#,
+            r#"error: joint "other" mimics itself"#,
             "  hint: one of them must have its own coordinate",
         ])
     );
@@ -239,8 +239,8 @@ fn who_follows_must_be_able_to() {
     assert_eq!(
         said(&ball),
         lines(&[
-            r#"error: joint "other" follows joint "one", and "one" has several coordinates"#,
-            "  hint: only joints with one coordinate can lead and follow",
+            r#"error: joint "other" mimics joint "one", and "one" has several coordinates"#,
+            "  hint: mimic joints and mimicked joints must have one coordinate",
         ])
     );
 }
@@ -255,7 +255,7 @@ fn in_a_file_who_follows_nobody_goes_alone_with_a_doubt() {
     let chain = build(&description, &Request::default()).expect("a chain");
     assert_eq!(entries(&chain, Space::Coordinates), ["j"]);
     let said =
-        "joint \"j\" follows joint \"k\", which there is none of: it has a coordinate of its own";
+        "joint \"j\" mimics joint \"k\", which does not exist: it gets a coordinate of its own";
     assert!(doubts(&chain).contains(&said), "{:?}", doubts(&chain));
 }
 

@@ -114,7 +114,7 @@ fn unknown_and_unnamed_classes_are_errors() {
         errors(
             "<mujoco><default><default class=\"a\"/>\n<default class=\"a\"/></default></mujoco>"
         ),
-        "error: arm.xml:2:17: there is another class of defaults \"a\"\n"
+        "error: arm.xml:2:17: the class of defaults \"a\" is defined twice\n"
     );
     assert!(
         errors("<mujoco><default><default/></default></mujoco>")

@@ -1,16 +1,15 @@
-//! What a file holds beside what is read: nothing of mechanics vanishes without a word, and nothing else is worth
-//! one.
+//! Warnings of elements and attributes that are not read: one for all mechanics and misspelt names, none for settings.
 
 use super::{TENSOR, errors, errors_in_joint, fine, warnings, warnings_in_joint};
 
-/// What is doubted of something that stands in a robot, in line 2.
+/// The warnings of an element in line 2 of a robot.
 fn warnings_in(item: &str) -> Vec<String> {
     warnings(&format!(
         "<robot name=\"r\" xmlns:drake=\"http://drake.mit.edu\"><link name=\"a\"/>\n{item}</robot>"
     ))
 }
 
-/// That there is one warning, of something that is not modelled and has this name.
+/// Asserts one warning, of mechanics with this name that are not modelled.
 fn assert_lost(item: &str, name: &str) {
     let found = warnings_in(item);
     let start = format!("arm.urdf:2:1: not modelled: {name} in ");
@@ -21,7 +20,7 @@ fn assert_lost(item: &str, name: &str) {
 }
 
 #[test]
-fn springs_dampers_and_constraints_are_told() {
+fn springs_dampers_and_constraints_are_warnings() {
     assert_eq!(
         warnings_in(
             "<force_element name=\"s\"><torsional_spring stiffness=\"5\"><joint name=\"j\"/></torsional_spring></force_element>"
@@ -65,7 +64,7 @@ fn springs_dampers_and_constraints_are_told() {
 }
 
 #[test]
-fn mechanics_among_the_settings_of_simulators_are_told() {
+fn mechanics_among_the_settings_of_simulators_are_warnings() {
     let gazebo = |inner: &str| warnings_in(&format!("<gazebo reference=\"a\">{inner}</gazebo>"));
     for (inner, name) in [
         ("<springStiffness>20</springStiffness>", "springStiffness"),
@@ -85,9 +84,9 @@ fn mechanics_among_the_settings_of_simulators_are_told() {
         ),
     ] {
         let found = gazebo(inner);
-        let told = format!("not modelled: <{name}> in ");
+        let start = format!("not modelled: <{name}> in ");
         assert!(
-            found.len() == 1 && found[0].contains(&told),
+            found.len() == 1 && found[0].contains(&start),
             "{inner}: {found:?}"
         );
     }
@@ -102,9 +101,9 @@ fn mechanics_among_the_settings_of_simulators_are_told() {
         ("<option gravity=\"0 0 -1.62\"/>", "attribute \"gravity\""),
     ] {
         let found = mujoco(inner);
-        let told = format!("not modelled: {name} ");
+        let start = format!("not modelled: {name} ");
         assert!(
-            found.len() == 1 && found[0].contains(&told),
+            found.len() == 1 && found[0].contains(&start),
             "{inner}: {found:?}"
         );
     }
@@ -116,7 +115,7 @@ fn mechanics_among_the_settings_of_simulators_are_told() {
 }
 
 #[test]
-fn settings_without_mechanics_are_worth_no_word() {
+fn settings_without_mechanics_are_ignored() {
     for item in [
         "<material name=\"grey\"><color rgba=\"1 1 1 1\"/></material>",
         "<gazebo/>",
@@ -148,7 +147,7 @@ fn settings_without_mechanics_are_worth_no_word() {
 }
 
 #[test]
-fn values_that_stand_as_elements_or_text_are_told() {
+fn values_as_elements_or_text_are_warnings() {
     let joint =
         |inner: &str| warnings_in_joint("revolute", &format!("<axis xyz=\"0 0 1\"/>\n{inner}"));
     assert_eq!(
@@ -180,7 +179,7 @@ fn values_that_stand_as_elements_or_text_are_told() {
 }
 
 #[test]
-fn unknown_attributes_are_told_with_what_they_may_mean() {
+fn unknown_attributes_are_warnings_with_a_hint() {
     let hint = |inner: &str| {
         let text = format!(
             "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"revolute\"><parent link=\"a\"/>\
@@ -218,7 +217,7 @@ fn unknown_attributes_are_told_with_what_they_may_mean() {
             )
         );
     }
-    // What is missing for it is explained by it.
+    // The warning explains the missing entry.
     let tensor = TENSOR.replace("ixx", "Ixx");
     let found = errors(&format!(
         "<robot name=\"r\"><link name=\"a\"><inertial>\n<mass value=\"1\"/>{tensor}</inertial></link></robot>"
@@ -232,7 +231,7 @@ fn unknown_attributes_are_told_with_what_they_may_mean() {
 }
 
 #[test]
-fn what_stands_in_another_place_is_told_with_its_own() {
+fn misplaced_elements_are_warnings_with_their_place() {
     let inertial = format!("<inertial><mass value=\"1\"/>{TENSOR}</inertial>");
     let nested = format!(
         "<robot name=\"r\"><link name=\"a\">\n<link name=\"b\">{inertial}</link></link></robot>"
@@ -243,10 +242,7 @@ fn what_stands_in_another_place_is_told_with_its_own() {
         panic!("{:?}", robot.warnings);
     };
     assert_eq!(warning.message, "<link> in link \"a\" is ignored");
-    assert_eq!(
-        warning.hint.as_deref(),
-        Some("it stands in <robot>: move it there")
-    );
+    assert_eq!(warning.hint.as_deref(), Some("move it into <robot>"));
     assert_eq!(
         warnings_in(&format!(
             "<robot name=\"s\"><link name=\"b\">{inertial}</link></robot>"
@@ -258,7 +254,7 @@ fn what_stands_in_another_place_is_told_with_its_own() {
     ));
     assert_eq!(
         grouped.warnings[0].hint.as_deref(),
-        Some("so is what stands in it: 1 <link> and 1 <inertial>")
+        Some("so are the elements in it: 1 <link> and 1 <inertial>")
     );
     assert_eq!(
         fine("<robot name=\"r\"><link name=\"a\"/><damping>5</damping></robot>").warnings[0]
@@ -276,7 +272,7 @@ fn what_stands_in_another_place_is_told_with_its_own() {
 }
 
 #[test]
-fn things_of_one_kind_are_told_once() {
+fn one_warning_for_each_kind() {
     assert_eq!(
         warnings_in("<my:tag/>\n<my:tag/><my:tag a=\"1\"/>\n<my:other/>"),
         [
@@ -289,7 +285,7 @@ fn things_of_one_kind_are_told_once() {
 }
 
 #[test]
-fn an_element_in_capitals_is_explained_beside_the_mistake() {
+fn an_element_in_capitals_is_a_warning_beside_the_error() {
     let text = "<robot name=\"r\"><link name=\"a\"/>\n<Link name=\"b\"/><joint name=\"j\" type=\"fixed\"><parent link=\"a\"/></joint></robot>";
     assert_eq!(
         errors(text),
@@ -326,13 +322,13 @@ fn joints_of_drake_are_read() {
     }
     assert_eq!(
         warnings(&robot("planar", "<axis xyz=\"0 1 0\"/>")),
-        ["arm.urdf:2:72: the axis of joint \"j\" is ignored, as Drake ignores that of type planar"]
+        ["arm.urdf:2:72: the axis of joint \"j\" is ignored, as in Drake for type planar"]
     );
     assert!(errors(&robot("curved", "")).contains("joint \"j\" has the unknown type \"curved\""));
 }
 
 #[test]
-fn a_second_axis_and_a_thread_are_told_where_the_type_has_none() {
+fn a_second_axis_and_a_thread_are_warnings_if_the_type_has_none() {
     assert_eq!(
         warnings_in_joint(
             "revolute",
@@ -349,7 +345,7 @@ fn a_second_axis_and_a_thread_are_told_where_the_type_has_none() {
 }
 
 #[test]
-fn rotors_in_other_words_and_gears_as_attributes_are_told() {
+fn other_forms_of_rotors_and_gears_are_warnings() {
     assert_eq!(
         warnings_in(
             "<transmission name=\"t\"><joint name=\"j\"/><actuator name=\"m\">\n<motorInertia>1e-4</motorInertia></actuator></transmission>"
@@ -366,21 +362,21 @@ fn rotors_in_other_words_and_gears_as_attributes_are_told() {
         warnings_in(
             "<transmission name=\"t\"><joint name=\"j\"/><joint name=\"k\"/><actuator name=\"m\">\n<drake:rotor_inertia value=\"1\"/></actuator></transmission>"
         ),
-        ["arm.urdf:3:1: not modelled: the rotor of transmission \"t\", which is of no joint alone"]
+        ["arm.urdf:3:1: not modelled: the rotor of transmission \"t\", which has no single joint"]
     );
 }
 
 #[test]
-fn a_planar_joint_about_another_axis_is_told_as_readers_differ() {
-    let told = |axis: &str| warnings_in_joint("planar", &format!("<axis xyz=\"{axis}\"/>"));
+fn a_planar_joint_with_another_normal_is_a_warning() {
+    let warnings = |axis: &str| warnings_in_joint("planar", &format!("<axis xyz=\"{axis}\"/>"));
     for other in ["0 1 0", "0 0 -1", "0 0.6 0.8"] {
         assert_eq!(
-            told(other),
+            warnings(other),
             [
-                "arm.urdf:2:1: joint \"j\" is planar about another axis than z: Pinocchio and MoveIt move it across z all the same"
+                "arm.urdf:2:1: joint \"j\" is planar with a normal other than z: Pinocchio and MoveIt use z"
             ]
         );
     }
-    assert_eq!(told("0 0 1"), [""; 0]);
-    assert_eq!(told("1e-17 0 1"), [""; 0]);
+    assert_eq!(warnings("0 0 1"), [""; 0]);
+    assert_eq!(warnings("1e-17 0 1"), [""; 0]);
 }

@@ -1,10 +1,10 @@
-//! What is said of mechanics that a file has and the model has not: one warning for each kind.
+//! Mechanics that are not modelled: one warning for each kind.
 
 use super::{fine, warnings, warnings_in_joint};
 use crate::builder::Builder;
 use crate::function::Function;
 
-/// A robot with a joint for each inner text, in lines of their own from line 2 on.
+/// A robot with a joint for each inner text, each in lines of its own from line 2.
 fn robot(kind: &str, inner: &[&str]) -> String {
     let joints = inner.iter().enumerate().map(|(k, inner)| {
         let child = k + 1;
@@ -18,7 +18,7 @@ fn robot(kind: &str, inner: &[&str]) -> String {
 }
 
 #[test]
-fn friction_is_said_once_for_all_joints_that_move() {
+fn friction_is_one_warning_for_all_moving_joints() {
     let damping = r#"<dynamics damping="0.1" friction="0.0"/>"#;
     let friction = r#"<dynamics friction = " 0.2 "/>"#;
     let none = r#"<dynamics damping="0" friction="-0.0"/>"#;
@@ -44,7 +44,7 @@ fn friction_is_said_once_for_all_joints_that_move() {
 }
 
 #[test]
-fn a_gear_is_said_once_for_all_transmissions() {
+fn gears_are_one_warning_for_all_transmissions() {
     let transmission = |name: &str, reduction: &str| {
         format!(
             "<transmission name=\"{name}\"><actuator name=\"m\"><mechanicalReduction>{reduction}\
@@ -71,7 +71,7 @@ fn a_gear_is_said_once_for_all_transmissions() {
 }
 
 #[test]
-fn limits_beside_continuous_are_said_once() {
+fn limits_of_continuous_joints_are_one_warning() {
     let limits = r#"<limit lower="-3.14" upper="3.14" effort="1" velocity="1"/>"#;
     assert_eq!(
         warnings(&robot("continuous", &[limits, "", limits])),
@@ -87,7 +87,7 @@ fn limits_beside_continuous_are_said_once() {
 }
 
 #[test]
-fn soft_limits_are_told_where_they_are_narrower_than_limits() {
+fn soft_limits_narrower_than_limits_are_a_warning() {
     let soft = |limits: &str| {
         let inner = format!(
             "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\"/>\n<safety_controller k_velocity=\"1\" {limits}/>\
@@ -95,14 +95,14 @@ fn soft_limits_are_told_where_they_are_narrower_than_limits() {
         );
         warnings_in_joint("revolute", &inner)
     };
-    let told = [
+    let wanted = [
         "arm.urdf:3:1: not used: the soft limits of joint \"j\", which are narrower than the limits",
     ];
     assert_eq!(
         soft("soft_lower_limit=\"-0.9\" soft_upper_limit=\"1\""),
-        told
+        wanted
     );
-    assert_eq!(soft("soft_upper_limit=\"0.5\""), told);
+    assert_eq!(soft("soft_upper_limit=\"0.5\""), wanted);
     for wide in [
         "",
         "soft_lower_limit=\"0\" soft_upper_limit=\"0\"",
@@ -114,7 +114,7 @@ fn soft_limits_are_told_where_they_are_narrower_than_limits() {
 }
 
 #[test]
-fn doubts_stand_above_the_generated_code_and_strict_refuses_them() {
+fn warnings_are_above_the_generated_code_and_strict_makes_them_errors() {
     let text = robot(
         "revolute",
         &[

@@ -71,7 +71,7 @@ fn loops_that_cannot_be_are_refused() {
     );
     assert!(
         told.contains(
-            "loop \"pin\" joins links \"tool\" and \"rocker\", which do not move against each other"
+            "loop \"pin\" joins links \"tool\" and \"rocker\", which do not move relative to each other"
         ),
         "{told}"
     );
@@ -142,8 +142,8 @@ fn loops_and_drives_that_nothing_asks_for_are_doubted() {
         let doubts = chain.report.warnings.into_iter();
         doubts.map(|doubt| doubt.message).collect()
     };
-    let open = "loop \"pin\" is left open: no function of loops is asked for";
-    let driven = "which joints are driven is told, and no function asks for it";
+    let open = "loop \"pin\" is left open: no function of loops is generated";
+    let driven = "actuated joints are named, but no function uses them";
     assert_eq!(told(&[Function::ForwardDynamics]), [open, driven]);
     assert_eq!(told(&[Function::Constraint, Function::Gravity]), [driven]);
     assert!(told(&[Function::ActuatedInverseDynamics]).is_empty());
@@ -175,7 +175,7 @@ fn drives_are_joints_that_move_by_themselves() {
     };
     let said = told(&locked);
     assert!(
-        said.contains("joint \"b\" does not move by itself"),
+        said.contains("joint \"b\" has no velocity of its own"),
         "{said}"
     );
     expand(&description, &with(&["a"])).unwrap_or_else(|errors| panic!("{errors}"));

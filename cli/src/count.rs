@@ -24,8 +24,8 @@ use homogen_codegen::wording::visible;
 Example:
   homogen count arm.urdf --functions inverse_dynamics,mass_matrix+bias --format json
 
-Exit status: 0; 1 for a mistake in what was read; 2 for one in the arguments; 3 if everything was asked for and a
-function was left out because of a fault of homogen, which standard error reports.")]
+Exit status: 0; 1 for an error in the input; 2 for one in the arguments; 3 if all functions were requested and one was
+left out because of a fault of homogen, which standard error reports.")]
 pub(super) struct Count {
     #[command(flatten)]
     robot: Robot,
@@ -86,12 +86,12 @@ pub(super) fn have_signs(functions: &[GeneratedFunction]) -> bool {
 
 fn in_json(module: &Module) -> Value {
     let signs = have_signs(&module.functions);
-    let prices =
+    let counts =
         (module.functions.iter()).map(|generated| (generated.name(), price(generated, signs)));
-    let prices: Map<String, Value> = prices.collect();
+    let counts: Map<String, Value> = counts.collect();
     json!({
         "robot": module.about.robot,
-        "functions": prices,
+        "functions": counts,
         "left_out": left_out(module),
         "warnings": json::warnings(&module.about.warnings),
     })

@@ -42,10 +42,11 @@ Example:
   homogen eval arm.urdf --function gravity --states q.npy --output gravity.npy
   homogen eval arm.urdf --function bias --states q=q.npy --states qd=qd.npy --output bias.npy
 
-The states: {\"states\":[{\"q\":[…],\"qd\":[…],\"qdd\":[…],\"tau\":[…]}]}, one number a joint, in the
-order of `homogen check`; keys that the function does not need may be absent. Actions from outside are
-\"actions\":[[c_x, c_y, c_z, f_x, f_y, f_z], …], one a link in the order of --external.
-In .npy the same are arrays with a row a state; from these to .npy it takes no more memory for more states.")]
+States: {\"states\":[{\"q\":[…],\"qd\":[…],\"qdd\":[…],\"tau\":[…]}]}, one number for each joint, in the order of
+`homogen check`; keys that the function does not need may be missing. External wrenches are
+\"actions\":[[c_x, c_y, c_z, f_x, f_y, f_z], …], one for each link in the order of --external.
+In .npy files these are arrays with one row for each state; with .npy as output, memory does not grow with the
+number of states.")]
 pub(super) struct Eval {
     #[command(flatten)]
     robot: Robot,

@@ -33,9 +33,8 @@ Example:
   homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
   homogen generate arm.urdf --language c -o arm.c
 
-Exit status: 0; 1 for a mistake in what was read; 2 for one in the arguments; 3 if everything was asked for and a
-function was left out because of a fault of homogen, which standard error and the head of the file report: the others
-are written.")]
+Exit status: 0; 1 for an error in the input; 2 for one in the arguments; 3 if all functions were requested and one was
+left out because of a fault of homogen, which standard error and the head of the file report; the others are written.")]
 pub(super) struct Generate {
     #[command(flatten)]
     generated: Generated,

@@ -17,9 +17,9 @@ use homogen_codegen::error::{Errors, Place};
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Everything after `report` goes to the crate report/program of the repository:
-  --output FOLDER   where to write [default: report in the repository]
+  --output FOLDER   the folder to write to [default: report in the repository]
   --long            measure six times as long
-  --peers FOLDER    other implementations beside ours, as report/peer/setup.sh sets them up
+  --peers FOLDER    other implementations to compare with, as set up by report/peer/setup.sh
 Example:
   homogen report --output report-of-my-machine")]
 pub(super) struct Report {

@@ -61,7 +61,7 @@ const STYLE_HASH: &str = "wOxuCR3ghyg76YeukayPW6PNA+Gjulf/QfJhrLtLwsw=";
 Example:
   homogen show arm.urdf -o arm.html
 
-The page is one file and needs no network. Prices are counted; no time is measured, and with --processor the
+The page is one file and needs no network. Operations are counted; no time is measured, and with --processor the
 cycles are those of its model.")]
 pub(super) struct Show {
     #[command(flatten)]

@@ -174,7 +174,7 @@ fn arrays_give_the_bits_of_json() {
             "--format",
             "json",
         ]);
-        let answer: Value = serde_json::from_str(&answer.output).expect("JSON");
+        let json: Value = serde_json::from_str(&answer.output).expect("JSON");
         let answer = eval(&[
             "--function",
             function,
@@ -193,7 +193,7 @@ fn arrays_give_the_bits_of_json() {
             String::from_utf8_lossy(&expected)
         );
         let found = numbers(&out);
-        assert!(same(&found, &flat(&answer["results"])), "{function}");
+        assert!(same(&found, &flat(&json["results"])), "{function}");
         // A state alone has the same result as among others.
         let all: Value =
             serde_json::from_str(&fs::read_to_string(&states).expect("it is there")).expect("JSON");
@@ -208,10 +208,10 @@ fn arrays_give_the_bits_of_json() {
                 "--format",
                 "json",
             ]);
-            let answer: Value = serde_json::from_str(&answer.output).expect("JSON");
+            let json: Value = serde_json::from_str(&answer.output).expect("JSON");
             let each = found.len() / 1300;
             assert!(
-                same(&found[k * each..][..each], &flat(&answer["results"])),
+                same(&found[k * each..][..each], &flat(&json["results"])),
                 "{function}, state {k}"
             );
         }
@@ -233,8 +233,8 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
         "--states",
         &states,
     ];
-    let answer = eval(&[&words[..], &["--format", "json"]].concat());
-    let kept: Value = serde_json::from_str(&answer.output).expect("JSON");
+    let shown = eval(&[&words[..], &["--format", "json"]].concat());
+    let kept: Value = serde_json::from_str(&shown.output).expect("JSON");
     let [dq, dqd, all] = ["dq.npy", "dqd.npy", "all.json"].map(|name| folder.path(name));
     let files = [format!("dqd={dqd}"), format!("dq={dq}")];
     let answer = eval(&[&words[..], &["-o", &files[0], "--output", &files[1]]].concat());
@@ -249,7 +249,7 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
     assert_eq!(answer, Answer::default());
     assert_eq!(
         fs::read_to_string(&all).expect("it was written"),
-        answer.output
+        shown.output
     );
 
     let hint = "  hint: --output dq=FILE --output dqd=FILE\n";
@@ -309,8 +309,8 @@ fn single_precision_stays_single() {
         "--format",
         "json",
     ]);
-    let answer: Value = serde_json::from_str(&answer.output).expect("JSON");
-    let answer = flat(&answer["results"])
+    let json: Value = serde_json::from_str(&answer.output).expect("JSON");
+    let answer = flat(&json["results"])
         .into_iter()
         .map(|number| number.to_string());
     assert!(found.map(|number| number.to_string()).eq(answer));

@@ -52,7 +52,7 @@ fn a_file_in_ascii_is_ascii_and_other_names_are_errors() {
     let errors = named.to_source().map(|_| ()).expect_err("no ASCII");
     assert!(
         errors.to_string().contains("`maß` is a name in the file"),
-        "{told}"
+        "{errors}"
     );
 }
 

@@ -251,13 +251,13 @@ fn robot(kind: &str, joints: usize) -> Fallible<String> {
     let mut random = Random::new(29);
     for (k, parent) in parents.iter().enumerate() {
         let parent = parent.map_or_else(|| "base".to_owned(), |parent| format!("l{parent}"));
-        let turns = if kind == "humanoid" && !random.chance(4) {
+        let rotations = if kind == "humanoid" && !random.chance(4) {
             [FRAC_PI_2, 0.0, 0.0]
         } else {
             [(); 3].map(|()| 1.5 * random.unit())
         };
         let [x, y, z] = [(); 3].map(|()| 0.3 * random.unit());
-        let [roll, pitch, yaw] = turns;
+        let [roll, pitch, yaw] = rotations;
         let mass = 1.0 + 0.5 * random.unit();
         let [cx, cy, cz] = [(); 3].map(|()| 0.1 * random.unit());
         let size = 0.01 * mass;

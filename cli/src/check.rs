@@ -279,8 +279,8 @@ fn in_text(chain: &Chain) -> String {
         let (name, kind) = (&joint.name.text, joint.kind.word());
         let names = joint.kind.coordinates(name).into_iter();
         let names: Vec<String> = names.map(|(name, _)| name).collect();
-        let follows = report.mimicked.iter().find(|mimic| mimic.joint == *name);
-        let coordinates = match (follows, &*names) {
+        let mimic_of = report.mimicked.iter().find(|mimic| mimic.joint == *name);
+        let coordinates = match (mimic_of, &*names) {
             (Some(mimic), _) => {
                 let offset = match mimic.offset {
                     0.0 => String::new(),
@@ -293,14 +293,14 @@ fn in_text(chain: &Chain) -> String {
         };
         let plane = report.planes.iter().find(|plane| plane.joint == *name);
         let plane = plane.map_or(String::new(), |plane| format!(", {}", plane.text()));
-        let place = match follows {
+        let place = match mimic_of {
             Some(_) => "   ".to_owned(),
             None => format!("{k:3}"),
         };
         line(format!(
             "  {place}  {name}: {kind}{coordinates}{plane}, from {parent} to {child}, carries {mass} kg"
         ));
-        k += if follows.is_some() { 0 } else { names.len() };
+        k += if mimic_of.is_some() { 0 } else { names.len() };
     }
     loops(chain, &mut line);
     line(counted(

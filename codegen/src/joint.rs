@@ -118,7 +118,7 @@ pub const ALL: [&Definition; 11] = [
 ];
 
 impl Freedom {
-    const fn turn(name: &'static str, along: Along) -> Self {
+    const fn rotation(name: &'static str, along: Along) -> Self {
         let movement = Movement::Turn;
         Self {
             name,
@@ -127,7 +127,7 @@ impl Freedom {
         }
     }
 
-    const fn slide(name: &'static str, along: Along) -> Self {
+    const fn translation(name: &'static str, along: Along) -> Self {
         let movement = Movement::Slide;
         Self {
             name,

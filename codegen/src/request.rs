@@ -156,9 +156,9 @@ impl Request {
     /// Models the terms that an inline description has for a joint.
     pub fn model(&mut self, drive: &Parts) {
         for part in Part::ALL {
-            let said = !drive.of(part).is_empty();
-            self.friction |= said && part.resists();
-            self.rotors |= said && !part.resists();
+            let is_set = !drive.of(part).is_empty();
+            self.friction |= is_set && part.resists();
+            self.rotors |= is_set && !part.resists();
         }
     }
 

@@ -254,7 +254,7 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
 
     let hint = "  hint: --output dq=FILE --output dqd=FILE\n";
     let expected =
-        format!("error: an .npy file holds one result, and each result is in one file\n{hint}");
+        format!("error: write each result to an .npy file of its own\n{hint}");
     for files in [
         vec!["x.npy"],
         vec!["dq=x.npy"],
@@ -267,7 +267,7 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
     }
     assert_eq!(
         refused(&folder, &[&words[..], &["-o", "tau.csv"]].concat()),
-        "error: nothing says how tau.csv is to be written: results are .npy or .json\n"
+        "error: the format of tau.csv is unknown: name it .npy or .json\n"
     );
 }
 
@@ -342,10 +342,10 @@ fn nan_is_computed_with_in_files_and_an_error_in_json() {
     assert!(found[6].is_finite());
     assert!(same(&found[..2], &found[8..]));
     let expected = "\
-error: state 1: an argument is no finite number
-  hint: a file holds what becomes of it: --output FILE
-error: state 2: an argument is no finite number
-  hint: a file holds what becomes of it: --output FILE
+error: state 1: an argument is not a finite number
+  hint: write to a file, which can have such results: --output FILE
+error: state 2: an argument is not a finite number
+  hint: write to a file, which can have such results: --output FILE
 ";
     assert_eq!(
         refused(&folder, &["--function", "gravity", "--states", &q]),

@@ -24,14 +24,14 @@ pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
     let description = &chain.description;
     let with_all_frames = with_all_frames(chain)?;
     let bodies = chain.joints.iter().map(|joint| body(chain, joint));
-    let links = with_all_frames.frames.iter().map(|seat| {
-        let carrier = (description.joints.iter()).find(|joint| joint.child.text == seat.name);
-        let link = (description.links.iter()).find(|link| link.name.text == seat.name);
+    let links = with_all_frames.frames.iter().map(|frame| {
+        let carrier = (description.joints.iter()).find(|joint| joint.child.text == frame.name);
+        let link = (description.links.iter()).find(|link| link.name.text == frame.name);
         let inertial = link.and_then(|link| link.inertial.as_ref());
         json!({
-            "name": seat.name,
-            "body": seat.body.map(Id::index),
-            "place": place(&with_all_frames.graph, seat.placement),
+            "name": frame.name,
+            "body": frame.body.map(Id::index),
+            "place": place(&with_all_frames.graph, frame.placement),
             "parent": carrier.map(|joint| &joint.parent.text),
             "joint": carrier.map(|joint| &joint.name.text),
             "mass": inertial.map(|inertial| inertial.mass.value),
@@ -77,14 +77,14 @@ fn coordinates(chain: &Chain) -> Value {
 
 /// The name of the joint that has a coordinate.
 fn joint_of(chain: &Chain, coordinate: CoordinateId) -> Option<&str> {
-    let follows = |joint: &Joint| {
-        let mut followers = chain.report.mimicked.iter();
-        followers.any(|mimic| mimic.joint == joint.of)
+    let mimics = |joint: &Joint| {
+        let mut mimicked = chain.report.mimicked.iter();
+        mimicked.any(|mimic| mimic.joint == joint.of)
     };
     let moves = |joint: &&Joint| match joint.position {
         Position::Along {
             coordinate: own, ..
-        } => own == coordinate && !follows(joint),
+        } => own == coordinate && !mimics(joint),
         Position::Posture(posture, first) => {
             (first..first.plus(posture.coordinates().len())).contains(&coordinate)
         }
@@ -123,7 +123,7 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         }
         Position::Taken => Value::Null,
     };
-    let (turns, slides) = match joint.motion {
+    let (rotates, translates) = match joint.motion {
         Motion::Revolute => (1.0, 0.0),
         Motion::Prismatic => (0.0, 1.0),
         Motion::Screw(pitch) => (1.0, number(pitch)),
@@ -135,8 +135,8 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         "parent": joint.parent.map(Id::index),
         "place": place(&chain.graph, joint.placement),
         "axis": joint.axis.0.map(number),
-        "turns": turns,
-        "slides": slides,
+        "turns": rotates,
+        "slides": translates,
         "by": by,
         "velocity": joint.velocity.index(),
     })

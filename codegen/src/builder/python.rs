@@ -22,8 +22,8 @@ impl Builder {
     /// All errors of the description and of the request; options that a package does not support.
     pub fn to_python(&self, module: &str) -> Result<Package, Errors> {
         let module = in_python(module)?;
-        let listing = self.python_module()?;
-        Ok(self.python(&listing, &module))
+        let generated = self.python_module()?;
+        Ok(self.python(&generated, &module))
     }
 
     /// Writes [`Builder::to_python`] to a folder in `OUT_DIR`, with the folder's name as the name of the module, and
@@ -38,9 +38,9 @@ impl Builder {
             let within = env::var_os("OUT_DIR")
                 .ok_or_else(|| refused("OUT_DIR is not set: call this in a build script"))?;
             let module = module_of(folder)?;
-            let listing = self.python_module()?;
-            self.report(&listing);
-            let package = self.python(&listing, &module);
+            let generated = self.python_module()?;
+            self.report(&generated);
+            let package = self.python(&generated, &module);
             write_folder(&Path::new(&within).join(folder), &package)
         })
     }
@@ -81,7 +81,7 @@ impl Builder {
         without.request.processor = Processor::Portable;
         without.library = super::Library::default();
         match without.module_where(false, false) {
-            Ok(listing) => errors.into_result(listing),
+            Ok(generated) => errors.into_result(generated),
             Err(mistakes) => {
                 errors.append(mistakes);
                 Err(errors)
@@ -240,9 +240,9 @@ mod tests {
 
     #[test]
     fn a_folder_is_whole_or_left_alone() {
-        let room = std::env::temp_dir().join(format!("homogen-python-{}", std::process::id()));
-        fs::create_dir_all(&room).expect("a room");
-        let folder = room.join("arm");
+        let base = std::env::temp_dir().join(format!("homogen-python-{}", std::process::id()));
+        fs::create_dir_all(&base).expect("a folder");
+        let folder = base.join("arm");
         write_folder(&folder, &package("first")).expect("a new folder");
         fs::create_dir(folder.join("target")).expect("something that was built");
         write_folder(&folder, &package("second")).expect("the same folder again");
@@ -252,15 +252,15 @@ mod tests {
         );
         assert!(folder.join("target").exists());
 
-        fs::write(folder.join("notes"), "mine").expect("a file of somebody's");
+        fs::write(folder.join("notes"), "mine").expect("a foreign file");
         let errors = write_folder(&folder, &package("third")).expect_err("not overwritten");
         assert!(errors.to_string().contains("notes in it"), "{errors}");
         // A failed write leaves nothing behind.
         let mut wrong = package("fourth");
         wrong.files.push(("src".to_owned(), String::new()));
-        assert!(write_folder(&room.join("other"), &wrong).is_err());
-        let mut left: Vec<_> = fs::read_dir(&room)
-            .expect("the room")
+        assert!(write_folder(&base.join("other"), &wrong).is_err());
+        let mut left: Vec<_> = fs::read_dir(&base)
+            .expect("the folder")
             .map(|entry| entry.expect("an entry").file_name())
             .collect();
         left.sort();
@@ -269,6 +269,6 @@ mod tests {
             fs::read_to_string(folder.join("src/lib.rs")).expect("a file"),
             "second"
         );
-        fs::remove_dir_all(&room).expect("the room is emptied");
+        fs::remove_dir_all(&base).expect("the folder is removed");
     }
 }

@@ -179,16 +179,16 @@ fn the_derive_writes_the_same() {
 /// The format of the description does not change the cost.
 #[test]
 fn a_robot_costs_the_same_as_urdf_and_as_mjcf() {
-    let prices = |builder: Builder| {
+    let counts = |builder: Builder| {
         let source = text(&builder.tip("tip").generate(Function::ALL));
-        let prices = source.lines().filter(|line| line.contains(" mul, "));
-        let prices: Vec<String> = prices.map(str::to_owned).collect();
-        assert!(prices.len() >= Function::ALL.len(), "{prices:?}");
-        prices
+        let counts = source.lines().filter(|line| line.contains(" mul, "));
+        let counts: Vec<String> = counts.map(str::to_owned).collect();
+        assert!(counts.len() >= Function::ALL.len(), "{counts:?}");
+        counts
     };
-    let of_urdf = prices(Builder::from_urdf("../robots/two_link.urdf"));
+    let of_urdf = counts(Builder::from_urdf("../robots/two_link.urdf"));
     assert_eq!(
-        prices(Builder::from_mjcf("../robots/two_link.xml")),
+        counts(Builder::from_mjcf("../robots/two_link.xml")),
         of_urdf
     );
 }

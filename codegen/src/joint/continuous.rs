@@ -4,7 +4,7 @@ use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "continuous",
-    freedoms: &[Freedom::turn("angle", Along::Axis)],
+    freedoms: &[Freedom::rotation("angle", Along::Axis)],
     posture: None,
     make: |_| JointKind::Continuous,
 };

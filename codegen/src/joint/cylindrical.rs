@@ -5,8 +5,8 @@ use super::{Along, Definition, Freedom, JointKind};
 pub(super) const DEFINITION: Definition = Definition {
     word: "cylindrical",
     freedoms: &[
-        Freedom::turn("angle", Along::Axis),
-        Freedom::slide("shift", Along::Axis),
+        Freedom::rotation("angle", Along::Axis),
+        Freedom::translation("shift", Along::Axis),
     ],
     posture: None,
     make: |_| JointKind::Cylindrical,

@@ -59,8 +59,8 @@ impl Posture {
     #[must_use]
     pub fn reach(self, range: impl Fn(usize) -> [f64; 2]) -> f64 {
         let kinds = self.coordinates().iter().enumerate();
-        let slides = kinds.filter(|(_, (_, kind))| matches!(kind, Kind::Slide));
-        let farthest = slides.map(|(entry, _)| {
+        let translations = kinds.filter(|(_, (_, kind))| matches!(kind, Kind::Slide));
+        let farthest = translations.map(|(entry, _)| {
             let [least, most] = range(entry);
             least.abs().max(most.abs())
         });
@@ -75,9 +75,9 @@ impl Posture {
                 rotation: Rotation::about_z(q(2).sin_cos()),
                 translation: Vector([q(0), q(1), q(0).graph().constant(0.0)]),
             },
-            Self::Spherical => Pose::rotation(turned([q(0), q(1), q(2)], q(3))),
+            Self::Spherical => Pose::rotation(rotation_matrix([q(0), q(1), q(2)], q(3))),
             Self::Floating => Pose {
-                rotation: turned([q(3), q(4), q(5)], q(6)),
+                rotation: rotation_matrix([q(3), q(4), q(5)], q(6)),
                 translation: Vector([q(0), q(1), q(2)]),
             },
         }
@@ -99,7 +99,7 @@ impl Posture {
             }
             (Self::Spherical, _) => rotating([0, 1, 2].map(&q), q(3), k).into(),
             (Self::Floating, 0..3) => {
-                let axis = turned([3, 4, 5].map(&q), q(6)).column(k);
+                let axis = rotation_matrix([3, 4, 5].map(&q), q(6)).column(k);
                 axis.0.into_iter().chain([zero; 4]).collect()
             }
             (Self::Floating, _) => {
@@ -122,7 +122,7 @@ fn rotating<'g>(v: [Term<'g>; 3], w: Term<'g>, k: usize) -> [Term<'g>; 4] {
 }
 
 /// R = 1 + 2 w v̲ + 2 v̲² of a unit quaternion v, w.
-fn turned<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Rotation<Term<'g>> {
+fn rotation_matrix<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Rotation<Term<'g>> {
     let one = w.graph().constant(1.0);
     let [twice_x, twice_y, twice_z] = [x + x, y + y, z + z];
     let (xx, yy, zz) = (twice_x * x, twice_y * y, twice_z * z);

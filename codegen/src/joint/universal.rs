@@ -5,8 +5,8 @@ use super::{Along, Definition, Freedom, JointKind};
 pub(super) const DEFINITION: Definition = Definition {
     word: "universal",
     freedoms: &[
-        Freedom::turn("first", Along::Axis),
-        Freedom::turn("second", Along::Second),
+        Freedom::rotation("first", Along::Axis),
+        Freedom::rotation("second", Along::Second),
     ],
     posture: None,
     make: |_| JointKind::Universal,

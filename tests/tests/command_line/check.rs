@@ -94,7 +94,7 @@ tip hand
   elbow at 0
 1 link left out
   camera
-1 angle taken for a right angle
+1 angle read as a right angle
   15:18: 1.5708 of shoulder is π/2
 1 warning
 warning: <stdin>:4:5: the inertia of link \"upper\" is not physical: a second moment about its centre \

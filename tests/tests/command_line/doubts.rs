@@ -218,7 +218,7 @@ fn a_plane_and_a_quaternion_of_right_angles_are_told() {
     let checked = homogen("check -", &text).output;
     for line in [
         "    0  j: planar (j.x, j.y, j.angle), x along z, y along x, from a to b, carries 1 kg\n",
-        "1 angle taken for a right angle\n  3:20: 0.7071068 0 0 0.7071068 of j is √½ 0 0 √½\n",
+        "1 angle read as a right angle\n  3:20: 0.7071068 0 0 0.7071068 of j is √½ 0 0 √½\n",
     ] {
         assert!(checked.contains(line), "{checked}");
     }

@@ -117,7 +117,7 @@ fn a_file_that_is_not_there() {
     );
     assert_eq!(
         refused("eval - --function gravity --states -", ARM),
-        "error: description and states cannot both be standard input\n"
+        "error: the description and the states cannot both be standard input\n"
     );
 }
 
@@ -131,12 +131,12 @@ fn arguments_that_make_no_sense() {
         ("count - --functions bias+bias", "bias occurs twice"),
         (
             "check - --gravity 0,0",
-            "gravity is three numbers with commas between them, or none",
+            "write gravity as three numbers with commas, or none",
         ),
         ("check - --gravity 0,0,inf", "`inf` is not a finite number"),
         (
             "count - --processor cortex-m5",
-            "there is no such processor\n  hint: did you mean \"cortex-m4\"? known processors: portable,",
+            "unknown processor\n  hint: did you mean \"cortex-m4\"? known processors: portable,",
         ),
         ("check - --lock elbow=bent", "`bent` is not a number"),
         ("eval - --function gravity", "--states <FILE>"),

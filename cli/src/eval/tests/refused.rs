@@ -40,16 +40,20 @@ fn strange() -> [(&'static str, Vec<u8>, &'static str); 17] {
     let fortran = String::from_utf8_lossy(&whole[10..128]).replace("False", "True ");
     let fortran = [&whole[..10], fortran.as_bytes(), &whole[128..]].concat();
     [
-        ("empty", vec![], "is no .npy file: it ends within its head"),
+        (
+            "empty",
+            vec![],
+            "is not an .npy file: it ends within its head",
+        ),
         (
             "text",
             b"{\"states\":[]}".to_vec(),
-            "is no .npy file: it begins with something else",
+            "is not an .npy file: its first bytes are wrong",
         ),
         (
             "head",
             whole[..60].to_vec(),
-            "is no .npy file: it ends within its head",
+            "is not an .npy file: it ends within its head",
         ),
         (
             "cut",
@@ -64,7 +68,7 @@ fn strange() -> [(&'static str, Vec<u8>, &'static str); 17] {
         (
             "version",
             [b"\x93NUMPY\x09\x00", &whole[8..]].concat(),
-            "is a .npy file of the unknown version 9",
+            "is an .npy file of the unknown version 9",
         ),
         (
             "long",
@@ -109,17 +113,17 @@ fn strange() -> [(&'static str, Vec<u8>, &'static str); 17] {
         (
             "turned",
             npy("'<f8'", "(2, 3)", &bytes(&[0.0; 6])),
-            "has the shape (2, 3), and the argument (states, 2)\n  hint: one row a state, in the order of `homogen check`",
+            "has the shape (2, 3) instead of (states, 2)\n  hint: write one row for each state, in the order of `homogen check`",
         ),
         (
             "one",
             npy("'<f8'", "(2,)", &bytes(&[0.0; 2])),
-            "has the shape (2,), and the argument (states, 2)\n  hint: one state is a row: array[None]",
+            "has the shape (2,) instead of (states, 2)\n  hint: write one state as a row: array[None]",
         ),
         (
             "fortran",
             fortran,
-            "is in Fortran's order\n  hint: save it state by state: numpy.ascontiguousarray(array)",
+            "is in Fortran order\n  hint: save it in C order: numpy.ascontiguousarray(array)",
         ),
     ]
 }
@@ -141,21 +145,21 @@ fn arguments_and_files_belong_together() {
         ),
         (
             vec![&q],
-            "error: there is no qd among the states\n  hint: --states qd=FILE\n",
+            "error: the states of qd are missing\n  hint: --states qd=FILE\n",
         ),
         (
             vec![&two],
-            "error: an .npy file holds one argument, and the function has q, qd\n  hint: --states q=FILE --states qd=FILE\n",
+            "error: an .npy file has one argument, and the function has q, qd\n  hint: --states q=FILE --states qd=FILE\n",
         ),
-        (vec![&q, &q, &qd], "error: q is given twice\n"),
+        (vec![&q, &q, &qd], "error: q occurs twice\n"),
         (
             vec![&q, &qd, &tau],
-            "error: the function is none of tau: two.npy is not needed\n",
+            "error: the function has no argument tau: leave two.npy out\n",
         ),
         (
             vec![&two, &qd],
-            "error: nothing says what two.npy holds\n  hint: beside others, each file is of an argument: --states q=q.npy\n\
-             error: there is no q among the states\n  hint: --states q=FILE\n",
+            "error: the argument in two.npy is unknown\n  hint: name the argument of each file: --states q=q.npy\n\
+             error: the states of q are missing\n  hint: --states q=FILE\n",
         ),
         (
             vec![&q, "qd=no.npy"],

@@ -92,14 +92,14 @@ fn a_package_for_python_has_no_options_of_rust() {
         .drop("nothing")
         .generate([Function::Gravity]);
     let errors = builder.to_python("arm_py").expect_err("four mistakes");
-    let told = errors.to_string();
+    let errors = errors.to_string();
     for part in [
         "its own batches",
         "`sin_cos` is for Rust only",
         "files that need only `core`",
         "selects the processor at run time",
     ] {
-        assert!(told.contains(part), "{told}");
+        assert!(errors.contains(part), "{errors}");
     }
     let package = arm(as_asked)
         .generate([Function::Gravity])

@@ -126,11 +126,11 @@ fn standard_frames_are_those_of_the_book() {
     let arm = fine(&format!("convention standard\n{ROWS}"));
     let mut m = IDENTITY;
     let q = 0.7;
-    for (name, [a, alpha, d, theta, turns, slides]) in
+    for (name, [a, alpha, d, theta, rotates, translates]) in
         ["one", "two", "three", "four"].iter().zip(NUMBERS)
     {
-        m = product(&m, &rotation(Axis::Z, theta + turns * q));
-        m = product(&m, &translation([0.0, 0.0, d + slides * q]));
+        m = product(&m, &rotation(Axis::Z, theta + rotates * q));
+        m = product(&m, &translation([0.0, 0.0, d + translates * q]));
         m = product(&m, &translation([a, 0.0, 0.0]));
         m = product(&m, &rotation(Axis::X, alpha));
         assert_close(&m, &pose(&arm, &format!("{name}_link"), q));
@@ -161,13 +161,13 @@ fn modified_frames_are_those_of_the_book() {
     let arm = fine(&format!("convention modified\n{ROWS}"));
     let mut m = IDENTITY;
     let q = -0.4;
-    for (name, [a, alpha, d, theta, turns, slides]) in
+    for (name, [a, alpha, d, theta, rotates, translates]) in
         ["one", "two", "three", "four"].iter().zip(NUMBERS)
     {
         m = product(&m, &rotation(Axis::X, alpha));
         m = product(&m, &translation([a, 0.0, 0.0]));
-        m = product(&m, &rotation(Axis::Z, theta + turns * q));
-        m = product(&m, &translation([0.0, 0.0, d + slides * q]));
+        m = product(&m, &rotation(Axis::Z, theta + rotates * q));
+        m = product(&m, &translation([0.0, 0.0, d + translates * q]));
         assert_close(&m, &pose(&arm, &format!("{name}_link"), q));
     }
     assert_eq!(arm.links.len(), 5);

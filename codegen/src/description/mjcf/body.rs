@@ -285,8 +285,8 @@ impl<'a> Mjcf<'a> {
             None => self.placement(&site, &subject),
             Some(ends) => {
                 let ends = self.numbers::<6>(Some(ends), &subject);
-                let stand = ends.and_then(|ends| self.between(&site, ends, &subject));
-                stand.map_or_else(Vec::new, |(steps, _)| steps)
+                let shape = ends.and_then(|ends| self.between(&site, ends, &subject));
+                shape.map_or_else(Vec::new, |(steps, _)| steps)
             }
         });
         let link = self.tree.link_names.of_site(&name.text);

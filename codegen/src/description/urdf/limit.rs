@@ -56,8 +56,8 @@ pub(super) fn read<'t>(
         reader.warn(
             reader.place(node),
             format!(
-                "the lower limit of {subject}, {lower}, is above the upper one, {upper}: taken as \
-                 without limits"
+                "the lower limit of {subject}, {lower}, is above the upper one, {upper}: read as \
+                 unlimited"
             ),
             Some("swap them if the joint has limits".to_owned()),
         );

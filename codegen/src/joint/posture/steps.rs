@@ -3,7 +3,7 @@
 //! The formulas and the order of operations are those of `homogen::robot::posture`, which explains them: generated
 //! files round as the runtime does. There are no branches, and accuracy is kept near 0 and near half a revolution.
 
-use super::{Posture, turned};
+use super::{Posture, rotation_matrix};
 use crate::expression::Term;
 use crate::matrix::{Rotation, Vector};
 use crate::real::Real;
@@ -43,8 +43,8 @@ impl Posture {
             Self::Floating => {
                 let (omega, v) = (Vector([3, 4, 5].map(&v)), Vector([0, 1, 2].map(&v)));
                 let (axis, w) = quaternion(3, &q);
-                let place =
-                    Vector([0, 1, 2].map(&q)) + turned(axis.0, w) * displacement(omega, v, real);
+                let place = Vector([0, 1, 2].map(&q))
+                    + rotation_matrix(axis.0, w) * displacement(omega, v, real);
                 let (rotation, w) = rotated((axis, w), omega);
                 [&place.0[..], &rotation, &[w]].concat()
             }
@@ -74,7 +74,8 @@ impl Posture {
             }
             Self::Floating => {
                 let (axis, w) = quaternion(3, &start);
-                let seen = turned(axis.0, w).transposed() * Vector([0, 1, 2].map(from_start));
+                let seen =
+                    rotation_matrix(axis.0, w).transposed() * Vector([0, 1, 2].map(from_start));
                 let (omega, v) = motion(between((axis, w), quaternion(3, &end)), seen);
                 [v.0, omega.0].concat()
             }

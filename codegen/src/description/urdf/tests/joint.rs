@@ -169,7 +169,7 @@ fn limits_out_of_order_are_ignored_with_a_warning() {
     assert_eq!(
         robot.source.errors().locate(&robot.warnings[0]),
         "arm.urdf:2:20: the lower limit of joint \"j\", 1, is above the upper one, -1: \
-         taken as without limits"
+         read as unlimited"
     );
 }
 

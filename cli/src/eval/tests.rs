@@ -253,8 +253,7 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
     );
 
     let hint = "  hint: --output dq=FILE --output dqd=FILE\n";
-    let expected =
-        format!("error: write each result to an .npy file of its own\n{hint}");
+    let expected = format!("error: write each result to an .npy file of its own\n{hint}");
     for files in [
         vec!["x.npy"],
         vec!["dq=x.npy"],

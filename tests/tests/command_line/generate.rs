@@ -100,7 +100,10 @@ fn options_that_only_rust_has_are_told_together() {
         assert!(said.contains(part), "{said}");
     }
     let said = refused("generate - --language c -o arm.h", ARM);
-    assert!(said.contains("arm.h would overwrite its own header"), "{said}");
+    assert!(
+        said.contains("arm.h would overwrite its own header"),
+        "{said}"
+    );
 }
 
 /// The options of the command in the head of a file, behind the name of the description.

@@ -2,8 +2,8 @@
 //!
 //! The axis is `x`, `y`, `z`, `-z` and so on, or a vector; a length other than 1 is a warning. A screw joint adds
 //! `pitch: 0.01` in metres per radian, a universal joint its second axis; translation, spherical and floating joints
-//! have none. A mimic joint has `mimic: other, multiplier: -1.0, offset: 0.1`; armature and friction are `armature:
-//! 0.01, damping: 0.5`.
+//! have none. A mimic joint has `mimic: other, multiplier: -1.0, offset: 0.1`; armature and friction are `armature: 0.01` and
+//! `damping: 0.5`.
 
 use syn::parse::ParseStream;
 use syn::{Token, token};

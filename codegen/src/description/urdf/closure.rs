@@ -1,8 +1,9 @@
 //! `<loop_joint>`: a joint that closes a loop between two links of the tree.
 //!
-//! URDF itself has no loops. The element is that of Drake's former reader and of Isaac Sim's importer: `<loop_joint
-//! name="…" type="spherical"><link1 link="…" xyz="…" rpy="…"/><link2 …/></loop_joint>`, with the frame of the joint on
-//! each link. Types with axes have `<axis xyz="…"/>` and `<axis2 …/>` in these frames, a rod has `<rod length="…"/>`.
+//! URDF itself has no loops. The element is that of Drake's former reader and of Isaac Sim's importer:
+//! `<loop_joint name="…" type="spherical"><link1 link="…" xyz="…" rpy="…"/><link2 …/></loop_joint>`, with the frame of
+//! the joint on each link. Types with axes have `<axis xyz="…"/>` and `<axis2 …/>` in these frames, a rod has
+//! `<rod length="…"/>`.
 
 use roxmltree::Node;
 

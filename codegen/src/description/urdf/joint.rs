@@ -1,8 +1,8 @@
 //! `<joint>`: type, axes, links, limits, friction.
 //!
-//! Friction is kept and noted, because it is modelled only on request. Extensions: screw joints with `<thread
-//! pitch="…"/>` in metres per radian, universal joints with `<axis2 xyz="…"/>`, and the types of `<drake:joint>`
-//! (Drake, "Parsing Models for Multibody Dynamics").
+//! Friction is kept and noted, because it is modelled only on request. Extensions of URDF: screw joints with
+//! `<thread pitch="…"/>` in metres per radian, universal joints with `<axis2 xyz="…"/>`, and the types of
+//! `<drake:joint>` (Drake, "Parsing Models for Multibody Dynamics").
 
 use roxmltree::Node;
 

@@ -141,7 +141,7 @@ fn arguments_and_files_belong_together() {
     for (states, expected) in [
         (
             vec![&*q, &qd],
-            "error: there are 3 states of qd, and 2 of q\n",
+            "error: there are 3 states of qd, but 2 of q\n",
         ),
         (
             vec![&q],

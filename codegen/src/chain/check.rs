@@ -140,7 +140,7 @@ fn locks(
             errors.push_with_hint(
                 name.place,
                 format!("joint {called} has several coordinates and is locked at one value"),
-                "lock it without a value: all of them are zero then",
+                "lock it without a value, which sets all of them to 0",
             );
         } else if locks.insert(joint, value.unwrap_or_default()).is_some() {
             errors.push(name.place, format!("joint {called} is locked twice"));
@@ -166,8 +166,8 @@ fn check_coordinates(description: &Description, joints: &Names<'_, JointId>, err
             let coordinate = Name { text, place };
             if joints.get(&coordinate).is_some() {
                 let [name, own] = [&coordinate.text, &joint.name.text].map(|name| quoted(name));
-                let message = format!("joint {name} is called as a coordinate of joint {own}");
-                errors.push_with_hint(place, message, "give one of them another name");
+                let message = format!("joint {name} has the name of a coordinate of joint {own}");
+                errors.push_with_hint(place, message, "rename one of them");
             }
         }
     }
@@ -197,10 +197,10 @@ fn check_kept(
             errors.push_with_hint(
                 name.place,
                 format!(
-                    "the {what} {} does not hang on the base {base}",
+                    "the {what} {} is not a descendant of the base {base}",
                     quoted(&name.text)
                 ),
-                "choose a base upstream of it, and do not drop it",
+                "choose a base above it in the tree, and do not drop it",
             );
         }
     }
@@ -268,7 +268,7 @@ fn check_moving(
                     "link {} does not move: {what} changes nothing",
                     quoted(&name.text)
                 ),
-                "leave the field out, or choose a base upstream of the link",
+                "leave the field out, or choose a base above the link in the tree",
             );
         }
     }
@@ -281,7 +281,7 @@ fn check_size(description: &Description, tree: &Tree, errors: &mut Errors) {
         errors.push_with_hint(
             description.name.place,
             format!("the robot has {count} joints, and at most {MOST} can be modelled"),
-            "choose a base further out, or drop what is not needed",
+            "choose a base further out, or drop links that are not needed",
         );
     }
 }
@@ -329,7 +329,7 @@ fn choose_tip(
     if functions.any(|function| function.of_a_frame()) && unknown && request.frames.is_empty() {
         errors.push_with_hint(
             description.name.place,
-            "which frame are poses and Jacobians of? The robot has more than one end",
+            "poses and Jacobians need a tip, and the robot has more than one end",
             format!("name one as the tip: {}", names()),
         );
     }

@@ -22,7 +22,7 @@ pub fn check(description: &Description, links: &Names<'_, LinkId>, errors: &mut 
         {
             let [name, link] = [&described.name, &described.to].map(|name| quoted(&name.text));
             let message = format!("loop {name} joins link {link} to itself");
-            let hint = "name two links that move against each other";
+            let hint = "name two links that move relative to each other";
             errors.push_with_hint(described.to.place, message, hint);
         }
     }
@@ -42,9 +42,9 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
             errors.push_with_hint(
                 closed.place,
                 format!(
-                    "loop {name} joins links {from} and {to}, which do not move against each other"
+                    "loop {name} joins links {from} and {to}, which do not move relative to each other"
                 ),
-                "leave it out, or let a joint between them move",
+                "leave the loop out, or unlock a joint between them",
             );
         }
     }
@@ -55,8 +55,12 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
             .clone()
             .all(|velocity| *joint(velocity) != name.text)
         {
-            let message = format!("joint {} does not move by itself", quoted(&name.text));
-            errors.push_with_hint(name.place, message, "only what has velocities is driven");
+            let message = format!("joint {} has no velocity of its own", quoted(&name.text));
+            errors.push_with_hint(
+                name.place,
+                message,
+                "an actuated joint must move, and must not be locked or a mimic joint",
+            );
         }
     }
     let is_actuated = |velocity: VelocityId| {
@@ -81,10 +85,10 @@ fn unasked(chain: &Chain, request: &Request) -> Vec<Complaint> {
         warnings.extend(chain.loops.iter().map(|closed| Complaint {
             place: closed.place,
             message: format!(
-                "loop {} is left open: no function of loops is asked for",
+                "loop {} is left open: no function of loops is generated",
                 quoted(&closed.name)
             ),
-            hint: Some("ask for constrained_forward_dynamics, or leave the loop out".into()),
+            hint: Some("generate constrained_forward_dynamics, or leave the loop out".into()),
         }));
     }
     if let Some(first) = request.actuated.first()
@@ -92,8 +96,8 @@ fn unasked(chain: &Chain, request: &Request) -> Vec<Complaint> {
     {
         warnings.push(Complaint {
             place: first.place,
-            message: "which joints are driven is told, and no function asks for it".into(),
-            hint: Some("ask for actuated_inverse_dynamics".into()),
+            message: "actuated joints are named, but no function uses them".into(),
+            hint: Some("generate actuated_inverse_dynamics".into()),
         });
     }
     warnings

@@ -25,7 +25,7 @@ pub fn check(
         check_joint(name, *part, description, tree, joints, errors);
         let mut before = request.drives[..k].iter();
         if before.any(|(other, of, _)| of == part && other.text == name.text) {
-            let message = format!("the {} is given twice", called(*part, name));
+            let message = format!("the {} occurs twice", called(*part, name));
             errors.push(name.place, message);
         }
     }
@@ -93,7 +93,7 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
             } else if *value < 0.0 && part != Part::Ratio {
                 errors.push(*place, format!("the {what} is negative: {value}"));
             } else if value.abs() > LARGEST {
-                errors.push(*place, format!("the {what} is larger than anything is"));
+                errors.push(*place, format!("the {what} is too large"));
             }
         }
     }
@@ -105,8 +105,8 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
     if let (Some((name, ..)), None) = (asked, first(Part::Rotor)) {
         errors.push_with_hint(
             name.place,
-            format!("the {} is that of no rotor", called(Part::Ratio, name)),
-            "give the inertia of the rotor, or the armature alone, which has the ratio in it",
+            format!("the {} has no rotor", called(Part::Ratio, name)),
+            "set rotor as well, or only armature, which includes the ratio",
         );
     }
 }
@@ -127,10 +127,10 @@ fn check_motors(joint: &Joint, request: &Request, errors: &mut Errors) {
     errors.push_with_hint(
         name.place,
         format!(
-            "the {} is that of one motor, and the file has {count} of them",
+            "the {} is for one motor, but the file has {count}",
             called(part, name)
         ),
-        "give rotor and ratio together, which replace them all; or the armature, which is added",
+        "set rotor and ratio together, which replace all motors; or armature, which is added",
     );
 }
 
@@ -170,16 +170,13 @@ pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Ve
     };
     let asked = [
         (request.friction && none(Part::resists), "friction"),
-        (
-            request.rotors && none(|part| !part.resists()),
-            "an armature",
-        ),
+        (request.rotors && none(|part| !part.resists()), "armature"),
     ];
     for (_, what) in asked.into_iter().filter(|(missing, _)| *missing) {
         warnings.push(Complaint {
             place: description.name.place,
-            message: format!("{what} is asked for, and no joint that moves is described with any"),
-            hint: Some("say what it is, joint by joint".to_owned()),
+            message: format!("{what} is requested, but no moving joint has it in the description"),
+            hint: Some("set its value for each joint".to_owned()),
         });
     }
     warnings

@@ -33,7 +33,7 @@ pub fn warnings(description: &Description, tree: &Tree) -> Vec<Complaint> {
         .map(|joint| Complaint {
             place: joint.place,
             message: format!(
-                "joint {} is {} and has limits, which are not modelled: of which coordinate is not said",
+                "joint {} is {} and has limits, which are not modelled: they do not name a coordinate",
                 quoted(&joint.name.text),
                 joint.kind.word()
             ),

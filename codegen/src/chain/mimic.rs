@@ -47,12 +47,12 @@ pub fn follows(
             errors.push_with_hint(
                 mimic.place,
                 format!(
-                    "joint {} follows joint {}, and {} has several coordinates",
+                    "joint {} mimics joint {}, and {} has several coordinates",
                     quoted(&joint.name.text),
                     quoted(&mimic.leader.text),
                     quoted(&several.name.text)
                 ),
-                "only joints with one coordinate can lead and follow",
+                "mimic joints and mimicked joints must have one coordinate",
             );
         }
     }
@@ -96,9 +96,9 @@ fn refuse_cycles(
                 let joint = &description[next];
                 let name = quoted(&joint.name.text);
                 let message = if next == at {
-                    format!("joint {name} follows itself")
+                    format!("joint {name} mimics itself")
                 } else {
-                    format!("joint {name} follows itself through others")
+                    format!("joint {name} mimics itself through others")
                 };
                 let place = joint
                     .mimic
@@ -164,12 +164,12 @@ pub fn stuck(description: &Description, tree: &Tree) -> Vec<Stuck> {
             let hint = format!("lock {own} where it should be, or keep {leader}");
             ("which has no coordinate here", hint)
         } else {
-            let hint = format!("let {own} follow a joint that moves, or leave <mimic> out");
+            let hint = format!("let {own} mimic a moving joint, or leave <mimic> out");
             ("which is fixed", hint)
         };
         Stuck {
             place: description[joint].place,
-            why: format!("joint {own} follows joint {leader}, {why}"),
+            why: format!("joint {own} mimics joint {leader}, {why}"),
             hint,
         }
     });
@@ -187,14 +187,14 @@ pub fn warnings(description: &Description, tree: &Tree) -> Vec<Complaint> {
         Some(Complaint {
             place: mimic.place,
             message: format!(
-                "joint {own} follows joint {leader}, which there is none of: it has a coordinate of its own"
+                "joint {own} mimics joint {leader}, which does not exist: it gets a coordinate of its own"
             ),
-            hint: Some("name the joint that leads, or leave <mimic> out".to_owned()),
+            hint: Some("correct the name of the mimicked joint, or leave <mimic> out".to_owned()),
         })
     });
     let stuck = stuck(description, tree).into_iter().map(|stuck| Complaint {
         place: stuck.place,
-        message: format!("{}: held where zero would take it", stuck.why),
+        message: format!("{}: held at its position for coordinate 0", stuck.why),
         hint: Some(stuck.hint),
     });
     orphans.chain(stuck).collect()

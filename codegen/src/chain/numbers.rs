@@ -107,7 +107,7 @@ pub fn check_merged(chain: Chain) -> Result<Chain, Errors> {
             errors.push_with_hint(
                 joint.place,
                 format!(
-                    "what is fixed to joint {} has numbers too large for 64 bits",
+                    "bodies fixed to joint {} have numbers too large for 64 bits",
                     quoted(&joint.name)
                 ),
                 "give lengths in m, masses in kg and inertias in kg m²",
@@ -138,7 +138,7 @@ impl Account<'_> {
             if !number.value.is_finite() {
                 self.refuse(number.place, "has a number that is not finite");
             } else if number.value.abs() > LARGEST {
-                self.refuse(number.place, "has a number larger than anything is");
+                self.refuse(number.place, "has a number that is too large");
             }
         }
     }
@@ -148,7 +148,7 @@ impl Account<'_> {
         if angle.value.is_finite() && angle.value.abs() > LARGEST_ANGLE {
             self.refuse(
                 angle.place,
-                "has an angle so large that its digits end above a turn",
+                "has an angle so large that its digits do not resolve a revolution",
             );
         }
     }

@@ -105,7 +105,7 @@ fn non_physical(link: &str, inertial: &Inertial) -> Option<Complaint> {
     let link = quoted(link);
     let message = if least < -TOLERANCE * size {
         format!(
-            "no body has the inertia of link {link}: a second moment about its centre of mass \
+            "the inertia of link {link} is not physical: a second moment about its centre of mass \
              is {least:.3e} kg m² ({:.1} % of the largest)",
             100.0 * least / size
         )
@@ -114,7 +114,7 @@ fn non_physical(link: &str, inertial: &Inertial) -> Option<Complaint> {
     } else {
         return None;
     };
-    let hint = Some("computed as given; correct the file, or refuse such files with strict".into());
+    let hint = Some("used as given: correct the file, or make this an error with strict".into());
     Some(Complaint {
         place: inertial.place,
         message,
@@ -134,7 +134,7 @@ fn part_of_nothing(link: &Link, request: &Request) -> Vec<Complaint> {
         let message = match &parameter.target {
             Target::CenterOfMassOf(of) if of.text == link.name.text => {
                 format!(
-                    "link {name} has no mass: field `{field}`, where its centre is, changes nothing"
+                    "link {name} has no mass: field `{field}` for its centre of mass changes nothing"
                 )
             }
             Target::InertiaOf(of) if of.text == link.name.text => {

@@ -43,8 +43,8 @@ impl Joints {
                     [&description[child].name, first, second].map(|name| quoted(&name.text));
                 errors.push_with_hint(
                     second.place,
-                    format!("link {link} hangs on two joints, {one} and {other}"),
-                    "closed loops are not modelled by a tree: leave one of the joints out",
+                    format!("link {link} has two parent joints, {one} and {other}"),
+                    "leave one of the joints out, and describe it as a loop",
                 );
             }
         }
@@ -70,7 +70,7 @@ impl Joints {
                         [name, &description[link].name].map(|name| quoted(&name.text));
                     errors.push(
                         name.place,
-                        format!("joint {joint} closes a cycle: link {link} hangs on itself"),
+                        format!("joint {joint} closes a cycle: link {link} is its own ancestor"),
                     );
                     break;
                 }
@@ -106,7 +106,7 @@ pub fn find_base(
             let [first, other] = [&description[first].name, second].map(|name| quoted(&name.text));
             errors.push_with_hint(
                 second.place,
-                format!("links {first}, {other}{more} hang on nothing"),
+                format!("links {first}, {other}{more} have no parent: a robot has one root"),
                 "connect them by joints, or name the base to model one part alone",
             );
             None

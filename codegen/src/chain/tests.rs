@@ -92,8 +92,8 @@ fn a_link_on_two_joints() {
     assert_eq!(
         said(arm),
         lines(&[
-            r#"error: link "upper" hangs on two joints, "left" and "right""#,
-            "  hint: closed loops are not modelled by a tree: leave one of the joints out"
+            r#"error: link "upper" has two parent joints, "left" and "right""#,
+            "  hint: leave one of the joints out, and describe it as a loop"
         ])
     );
 }
@@ -106,7 +106,7 @@ fn a_cycle_beside_the_base() {
         joint three: revolute(z) { from: c, to: a }";
     assert_eq!(
         said(arm),
-        lines(&[r#"error: joint "one" closes a cycle: link "a" hangs on itself"#])
+        lines(&[r#"error: joint "one" closes a cycle: link "a" is its own ancestor"#])
     );
 }
 
@@ -117,7 +117,7 @@ fn a_cycle_of_all_links() {
         joint two: revolute(z) { from: b, to: a }";
     assert_eq!(
         said(arm),
-        lines(&[r#"error: joint "one" closes a cycle: link "a" hangs on itself"#])
+        lines(&[r#"error: joint "one" closes a cycle: link "a" is its own ancestor"#])
     );
 }
 
@@ -128,7 +128,7 @@ fn several_roots() {
     assert_eq!(
         said(two),
         lines(&[
-            r#"error: links "base", "table" hang on nothing"#,
+            r#"error: links "base", "table" have no parent: a robot has one root"#,
             "  hint: connect them by joints, or name the base to model one part alone"
         ])
     );
@@ -136,7 +136,7 @@ fn several_roots() {
     assert_eq!(
         said(&four),
         lines(&[
-            r#"error: links "base", "table" and 2 more hang on nothing"#,
+            r#"error: links "base", "table" and 2 more have no parent: a robot has one root"#,
             "  hint: connect them by joints, or name the base to model one part alone"
         ])
     );
@@ -176,17 +176,17 @@ fn what_is_requested_must_be_downstream_of_the_base() {
     assert_eq!(
         said(&arm("base: upper, tip: base")),
         lines(&[
-            r#"error: the tip "base" does not hang on the base "upper""#,
-            "  hint: choose a base upstream of it, and do not drop it"
+            r#"error: the tip "base" is not a descendant of the base "upper""#,
+            "  hint: choose a base above it in the tree, and do not drop it"
         ])
     );
     assert_eq!(
         said(&arm("drop(fore), tip: tool, frames(fore)")),
         lines(&[
-            r#"error: the tip "tool" does not hang on the base "base""#,
-            "  hint: choose a base upstream of it, and do not drop it",
-            r#"error: the frame "fore" does not hang on the base "base""#,
-            "  hint: choose a base upstream of it, and do not drop it"
+            r#"error: the tip "tool" is not a descendant of the base "base""#,
+            "  hint: choose a base above it in the tree, and do not drop it",
+            r#"error: the frame "fore" is not a descendant of the base "base""#,
+            "  hint: choose a base above it in the tree, and do not drop it"
         ])
     );
     assert_eq!(
@@ -231,7 +231,7 @@ fn a_joint_with_two_coordinates_has_two_entries_and_is_held_as_one() {
         said(&plunger("lock(quill = 0.3)", "")),
         lines(&[
             r#"error: joint "quill" has several coordinates and is locked at one value"#,
-            "  hint: lock it without a value: all of them are zero then",
+            "  hint: lock it without a value, which sets all of them to 0",
         ])
     );
 }
@@ -242,8 +242,8 @@ fn no_joint_is_called_as_a_coordinate_of_another() {
     assert_eq!(
         said(&clash),
         lines(&[
-            r#"error: joint "quill.shift" is called as a coordinate of joint "quill""#,
-            "  hint: give one of them another name",
+            r#"error: joint "quill.shift" has the name of a coordinate of joint "quill""#,
+            "  hint: rename one of them",
         ])
     );
 }
@@ -257,8 +257,8 @@ fn limits_of_two_coordinates_are_left_out_with_a_warning() {
     let warnings: Vec<&str> = (chain.report.warnings.iter())
         .map(|warning| warning.message.as_str())
         .collect();
-    let limits = "joint \"quill\" is cylindrical and has limits, which are not modelled: of which \
-                  coordinate is not said";
+    let limits = "joint \"quill\" is cylindrical and has limits, which are not modelled: they do \
+                  not name a coordinate";
     assert!(warnings.contains(&limits), "{warnings:?}");
     let strict = said(&plunger("strict", "limits: [-1.0, 1.0]"));
     assert!(strict.contains(limits), "{strict}");
@@ -292,7 +292,7 @@ fn several_ends_need_a_tip_where_it_matters() {
     assert_eq!(
         said(&fork("generate(forward_kinematics)")),
         lines(&[
-            "error: which frame are poses and Jacobians of? The robot has more than one end",
+            "error: poses and Jacobians need a tip, and the robot has more than one end",
             r#"  hint: name one as the tip: "tool", "finger""#
         ])
     );

@@ -190,7 +190,7 @@ fn impossible_numbers_are_refused() {
         .expect_err("three mistakes")
         .to_string();
     for mistake in [
-        "has an angle so large that its digits end above a turn",
+        "has an angle so large that its digits do not resolve a revolution",
         "has an axis without a direction",
         "link \"rod\" has a number that is not finite",
     ] {
@@ -207,7 +207,7 @@ fn numbers_whose_products_would_overflow_are_refused_each() {
             joint hinge: revolute(z) {{ from: base, to: rod }}"
         )
     };
-    let mistake = r#"error: link "rod" has a number larger than anything is"#;
+    let mistake = r#"error: link "rod" has a number that is too large"#;
     assert_eq!(said(&arm("1e300", "1e50", "-1.1e30")), lines(&[mistake; 3]));
     fine(&arm("1e30", "-1e30", "1e30"));
 }
@@ -336,7 +336,7 @@ fn non_physical_inertias_are_reported_with_the_amount() {
     let told = chain.report.warnings.iter();
     let told: Vec<_> = told.map(|warning| warning.message.as_str()).collect();
     let expected = [
-        "no body has the inertia of link \"rod\": a second moment about its centre of mass is \
+        "the inertia of link \"rod\" is not physical: a second moment about its centre of mass is \
          -1.000e-1 kg m² (-33.3 % of the largest)",
         "link \"tip\" has no mass but an inertia",
     ];
@@ -358,7 +358,7 @@ fn places_in_a_file_reach_the_messages_of_the_chain() {
     let errors = build(&description, &Request::default()).expect_err("no such link");
     // Earlier warnings are listed beside the error.
     let expected = "error: arm.urdf:5:17: there is no link \"bas\"\n  hint: did you mean \"base\"? links: \"base\" and \"rod\"\n\
-        warning: arm.urdf:4:1: joint \"hinge\" has no <axis>: it moves about or along x, as URDF has it\n  \
+        warning: arm.urdf:4:1: joint \"hinge\" has no <axis>: its axis is x, as URDF defines\n  \
         hint: write <axis xyz=\"1 0 0\"/>\n";
     assert_eq!(errors.to_string(), expected);
 }

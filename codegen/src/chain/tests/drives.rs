@@ -52,9 +52,9 @@ fn impossible_actuators_are_refused() {
             "  hint: leave it out, or do not lock the joint",
             r#"error: there is no joint "elbo""#,
             r#"  hint: did you mean "elbow"? joints: "shoulder", "elbow" and "mount""#,
-            r#"error: the friction of joint "shoulder" is given twice"#,
+            r#"error: the friction of joint "shoulder" occurs twice"#,
             r#"error: the armature of joint "shoulder" is negative: -1"#,
-            r#"error: the rotor of joint "shoulder" is larger than anything is"#,
+            r#"error: the rotor of joint "shoulder" is too large"#,
             r#"error: the damping of joint "shoulder" has 2 numbers for 1 of its velocities"#,
             "  hint: give one number for all of them, or one for each",
         ])
@@ -65,8 +65,8 @@ fn impossible_actuators_are_refused() {
         )),
         lines(&[
             r#"error: joint "elbow" is not modelled"#,
-            r#"error: the ratio of joint "shoulder" is that of no rotor"#,
-            "  hint: give the inertia of the rotor, or the armature alone, which has the ratio in it",
+            r#"error: the ratio of joint "shoulder" has no rotor"#,
+            "  hint: set rotor as well, or only armature, which includes the ratio",
         ])
     );
 }
@@ -190,7 +190,7 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
             .expect_err("a rotor of which motor")
             .to_string();
         assert!(
-            refused.contains("the rotor of joint \"j\" is that of one motor, and the file has"),
+            refused.contains("the rotor of joint \"j\" is for one motor, but the file has"),
             "{refused}"
         );
         request.drives = vec![alone, ratio];
@@ -216,7 +216,7 @@ fn a_rotor_of_no_joint_is_reported_although_rotors_are_requested() {
         .iter()
         .map(|told| told.message.as_str())
         .collect();
-    let lost = "not modelled: the rotor of transmission \"t\", which is of no joint alone";
+    let lost = "not modelled: the rotor of transmission \"t\", which has no single joint";
     assert!(told.contains(&lost), "{told:?}");
 }
 
@@ -244,13 +244,13 @@ fn requested_and_undescribed_actuators_give_a_warning() {
     let chain = fine(&arm("friction, rotors"));
     let warnings = chain.report.warnings.iter();
     let warnings: Vec<&str> = warnings.map(|warning| warning.message.as_str()).collect();
-    let any = "is asked for, and no joint that moves is described with any";
+    let any = "is requested, but no moving joint has it in the description";
     assert!(
         warnings.contains(&format!("friction {any}").as_str()),
         "{warnings:?}"
     );
     assert!(
-        warnings.contains(&format!("an armature {any}").as_str()),
+        warnings.contains(&format!("armature {any}").as_str()),
         "{warnings:?}"
     );
 }

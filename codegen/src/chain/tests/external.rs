@@ -145,9 +145,9 @@ fn wrenches_without_effect_are_refused() {
         )),
         lines(&[
             r#"error: link "tool" is not modelled"#,
-            r#"error: link "base" does not move: an action on it changes nothing"#,
-            "  hint: leave it out, or choose a base upstream of the link",
-            r#"error: the action on link "fore" is asked for twice"#,
+            r#"error: link "base" does not move: a wrench on it changes nothing"#,
+            "  hint: leave it out, or choose a base above the link in the tree",
+            r#"error: the external wrench on link "fore" is requested twice"#,
             r#"error: there is no link "gripper""#,
             r#"  hint: did you mean "upper"? links: "base", "upper", "fore" and "tool""#,
         ])
@@ -155,15 +155,15 @@ fn wrenches_without_effect_are_refused() {
     assert_eq!(
         said(&arm("external(tool), generate(gravity, bias)")),
         lines(&[
-            "error: actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for",
-            "  hint: leave them out, or ask for inverse_dynamics or forward_dynamics",
+            "error: external wrenches enter inverse and forward dynamics and their derivatives, but none of these is generated",
+            "  hint: leave them out, or generate inverse_dynamics or forward_dynamics",
         ])
     );
     assert_eq!(
         said(&arm("external(frame = 0)")),
         lines(&[
-            "error: actions from outside are in frame 0, and there are none",
-            "  hint: name the links on which they act",
+            "error: external_in_frame_0 is set, but there are no external wrenches",
+            "  hint: name the links on which they act with external",
         ])
     );
 }

@@ -84,7 +84,7 @@ fn payloads_on_unknown_or_fixed_links_and_duplicates_are_refused() {
             r#"error: there is no link "flang""#,
             r#"  hint: did you mean "flange"? links: "base", "rod" and "flange""#,
             r#"error: link "base" does not move: a payload on it changes nothing"#,
-            "  hint: leave the field out, or choose a base upstream of the link"
+            "  hint: leave the field out, or choose a base above the link in the tree"
         ])
     );
     assert_eq!(
@@ -161,7 +161,7 @@ fn the_inertia_of_a_massless_link_gives_a_warning_and_of_a_fixed_one_is_refused(
         refused(ARM, of("base")),
         lines(&[
             r#"error: link "base" does not move: its inertia changes nothing"#,
-            "  hint: leave the field out, or choose a base upstream of the link"
+            "  hint: leave the field out, or choose a base above the link in the tree"
         ])
     );
     let tensor = Target::InertiaOf(named("rod"));

@@ -176,14 +176,14 @@ fn a_mimic_joint_is_locked_with_its_mimicked_joint() {
     );
     let dropped = fine(&hand("drop(left)", follower));
     assert_eq!(dropped.report.locked, [("other".to_owned(), 0.1)]);
-    let said = "joint \"other\" follows joint \"one\", which has no coordinate here: held where zero \
-                would take it";
+    let said = "joint \"other\" mimics joint \"one\", which has no coordinate here: held at its \
+                position for coordinate 0";
     assert!(
         warnings(&dropped).contains(&said),
         "{:?}",
         warnings(&dropped)
     );
-    // A joint that moves the tip through a mimic joint is not locked.
+    // What moves the tip by way of another joint is not locked.
     let path = fine(&hand("tip = right, path_only", follower));
     assert_eq!(entries(&path, Space::Coordinates), ["wrist", "one"]);
     let beside = fine(&hand("tip = palm, path_only", follower));
@@ -234,7 +234,7 @@ fn a_mimic_joint_must_have_one_coordinate_and_no_cycle() {
     assert_eq!(
         said(&hand("", "mimic: other")),
         lines(&[
-            r#"error: joint "other" follows itself"#,
+            r#"error: joint "other" mimics itself"#,
             "  hint: one of them must have its own coordinate",
         ])
     );
@@ -242,8 +242,8 @@ fn a_mimic_joint_must_have_one_coordinate_and_no_cycle() {
     assert_eq!(
         said(&ball),
         lines(&[
-            r#"error: joint "other" follows joint "one", and "one" has several coordinates"#,
-            "  hint: only joints with one coordinate can lead and follow",
+            r#"error: joint "other" mimics joint "one", and "one" has several coordinates"#,
+            "  hint: mimic joints and mimicked joints must have one coordinate",
         ])
     );
 }
@@ -258,7 +258,7 @@ fn in_a_file_a_joint_that_mimics_an_unknown_one_moves_independently_with_a_warni
     let chain = build(&description, &Request::default()).expect("a chain");
     assert_eq!(entries(&chain, Space::Coordinates), ["j"]);
     let said =
-        "joint \"j\" follows joint \"k\", which there is none of: it has a coordinate of its own";
+        "joint \"j\" mimics joint \"k\", which does not exist: it gets a coordinate of its own";
     assert!(warnings(&chain).contains(&said), "{:?}", warnings(&chain));
 }
 

@@ -77,7 +77,7 @@ fn impossible_loops_are_refused() {
     );
     assert!(
         reported.contains(
-            "loop \"pin\" joins links \"tool\" and \"rocker\", which do not move against each other"
+            "loop \"pin\" joins links \"tool\" and \"rocker\", which do not move relative to each other"
         ),
         "{reported}"
     );
@@ -148,8 +148,8 @@ fn loops_and_actuators_that_no_function_reads_give_a_warning() {
         let warnings = chain.report.warnings.into_iter();
         warnings.map(|warning| warning.message).collect()
     };
-    let open = "loop \"pin\" is left open: no function of loops is asked for";
-    let driven = "which joints are driven is told, and no function asks for it";
+    let open = "loop \"pin\" is left open: no function of loops is generated";
+    let driven = "actuated joints are named, but no function uses them";
     assert_eq!(reported(&[Function::ForwardDynamics]), [open, driven]);
     assert_eq!(
         reported(&[Function::Constraint, Function::Gravity]),
@@ -184,7 +184,7 @@ fn actuators_must_be_joints_that_move_independently() {
     };
     let found = reported(&locked);
     assert!(
-        found.contains("joint \"b\" does not move by itself"),
+        found.contains("joint \"b\" has no velocity of its own"),
         "{found}"
     );
     expand(&description, &with(&["a"])).unwrap_or_else(|errors| panic!("{errors}"));

@@ -38,6 +38,7 @@ use crate::robot;
 /// use homogen::batch::Batch;
 /// # use homogen::{Scalar, robot::Gravity};
 /// # struct Arm;
+/// # impl homogen::robot::Batched for Arm {}
 /// # impl<T: Scalar> Gravity<2, T> for Arm {
 /// #     fn gravity(&self, q: &[T; 2]) -> [T; 2] {
 /// #         let (sines, _) = T::sin_cos_all(*q);

@@ -168,7 +168,7 @@ pub(super) static JOINT: Content = Content {
         ),
         Entry::read("axis", "the direction of the axis"),
         Entry::read("range", "the range of the coordinate; of a ball, a warning"),
-        Entry::read("limited", "if `range` holds"),
+        Entry::read("limited", "`true` or `false`: if the range is a limit"),
         Entry::read("ref", "the coordinate of the described configuration"),
         Entry::read(
             "armature",
@@ -185,7 +185,10 @@ pub(super) static JOINT: Content = Content {
         Entry::read("stiffness", "a warning if it is not 0"),
         Entry::read("springdamper", "a warning if it is not 0"),
         Entry::read("actuatorfrcrange", "the effort limit"),
-        Entry::read("actuatorfrclimited", "if `actuatorfrcrange` holds"),
+        Entry::read(
+            "actuatorfrclimited",
+            "`true` or `false`: if that range is a limit",
+        ),
         Entry::ignored("springref", "part of a spring"),
         Entry::ignored("group", "visual"),
         Entry::ignored("margin", "a setting of the solver"),
@@ -228,7 +231,7 @@ pub(super) static GEOM: Content = Content {
         Entry::read("euler", "the rotation; only one of these five"),
         Entry::read("mass", "the mass"),
         Entry::read("density", "the density; 1000 kg/m³ if neither is written"),
-        Entry::read("shellinertia", "if it is hollow"),
+        Entry::read("shellinertia", "`true`: the shape is hollow"),
         Entry::read(
             "group",
             "the geom has mass if this is in `inertiagrouprange`",

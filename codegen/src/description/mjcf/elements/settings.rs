@@ -11,7 +11,7 @@ pub(in crate::description::mjcf) static COMPILER: Content = Content {
             "eulerseq",
             "the axes of `euler`; capital letters are fixed axes",
         ),
-        Entry::read("autolimits", "if `range` alone makes a limit"),
+        Entry::read("autolimits", "`true`: a range is a limit without `limited`"),
         Entry::read(
             "inertiafromgeom",
             "inertias from geoms: `false`, `true`, or `auto` (bodies without `<inertial>`)",
@@ -33,7 +33,7 @@ pub(in crate::description::mjcf) static COMPILER: Content = Content {
         Entry::read("coordinate", "`global` is an error"),
         Entry::read("assetdir", "the folder of meshes"),
         Entry::read("meshdir", "the folder of meshes"),
-        Entry::read("strippath", "if folders in the names of meshes are dropped"),
+        Entry::read("strippath", "`true` drops folders in the names of meshes"),
         Entry::read(
             "alignfree",
             "a warning if MuJoCo moves frames of free bodies",

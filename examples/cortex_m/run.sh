@@ -2,6 +2,7 @@
 # Builds the firmware for two boards, runs it under QEMU and checks the results.
 #
 #   run.sh              fails on any difference from the committed results
+#   run.sh --quick      the same on one board, without the tables of both
 #   run.sh --update     updates expected results and the README's tables, and lowers the budget
 #   run.sh --mutations  shows that a wrong literal, double precision and a path that panics are noticed
 #   run.sh --peer       measures the C of CasADi for the same arms, and updates the README's table
@@ -262,6 +263,11 @@ check | --update)
     current
     cat "$seen/table.md" "$seen/c99.md"
     ;;
+--quick)
+    boards=("${boards[0]}")
+    check
+    cat "$seen/table.md" "$seen/c99.md"
+    ;;
 --peer)
     beside
     cat "$seen/peer.md"
@@ -277,7 +283,7 @@ check | --update)
     say "=== every mutation was seen"
     ;;
 *)
-    say "usage: run.sh [--update | --mutations | --peer]"
+    say "usage: run.sh [--quick | --update | --mutations | --peer]"
     exit 2
     ;;
 esac

@@ -1,7 +1,7 @@
-//! The doors for the compiler: what `#[derive(Robot)]` and `chain!` become.
+//! Front end for the macros `#[derive(Robot)]` and `chain!`.
 //!
-//! In: the tokens of a struct or of a robot written in place. Out: the generated code; or every
-//! mistake under the word that caused it, and stubs that keep the rest of the program compiling.
+//! The tokens become the generated code. If there are errors, they become each error at the word that caused it, with
+//! stubs that keep the rest of the program compiling.
 
 use std::path::{Path, PathBuf};
 
@@ -40,7 +40,7 @@ pub fn chain(tokens: TokenStream) -> TokenStream {
     }
 }
 
-/// Where relative paths in macros begin: the folder of the user's `Cargo.toml`.
+/// The folder that relative paths in macros begin at: that of the user's `Cargo.toml`.
 fn folder() -> PathBuf {
     std::env::var_os("CARGO_MANIFEST_DIR")
         .map(PathBuf::from)
@@ -54,12 +54,11 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         generics: item.generics.clone(),
         declaration: declare(item),
     };
-    // Of what was misread the joints are not even counted: any number of them is better than a
-    // wrong one.
+    // After an error in the description, even the number of joints is uncertain, so the stubs accept any number.
     let read = item.description.as_ref().filter(|_| errors.is_empty());
     if let Some(description) = read.filter(|_| !item.names_functions) {
         let ident = &item.ident;
-        let message = format!("{ident} does not say which functions to generate");
+        let message = format!("{ident} does not name the functions to generate");
         errors.push_with_hint(Place::Token(ident.span()), message, HOW_TO_ASK);
         if let Err(mistakes) = understand(description, &item.request) {
             errors.append(mistakes);
@@ -85,13 +84,13 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
     quote! { #mistakes #stub }
 }
 
-/// What makes the compiler expand again when a file changes.
+/// Makes the compiler expand again when a file changes.
 fn watch(path: &Path) -> TokenStream {
     let path = path.to_string_lossy();
     quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); }
 }
 
-/// The warnings about a robot for the compiler, each with its hint and the word that silences it.
+/// The warnings about a robot for the compiler, each with its hint and the key that silences it.
 fn warnings(about: &About, item: &Item) -> TokenStream {
     if item.request.quiet {
         return TokenStream::new();
@@ -109,11 +108,12 @@ fn warnings(about: &About, item: &Item) -> TokenStream {
     });
     let warnings = warnings
         .chain(forgotten)
-        .map(|(text, at)| warning(&format!("{text}; the word `quiet` silences warnings"), at));
+        .map(|(text, at)| warning(&format!("{text}; the key `quiet` silences warnings"), at));
     warnings.collect()
 }
 
-/// Fields without an attribute beside fields with one, whose names are that of a link or a joint, or `payload`.
+/// Fields without an attribute that are probably meant as parameters: beside fields with an attribute, and named
+/// `payload` or like a link or a joint.
 fn forgotten_fields(item: &Item) -> impl Iterator<Item = &Ident> {
     let plain = |name: &str| {
         name.replace(|letter: char| !letter.is_alphanumeric(), "_")
@@ -132,9 +132,8 @@ fn forgotten_fields(item: &Item) -> impl Iterator<Item = &Ident> {
         .filter(move |field| is_beside_others && names.contains(&plain(&field.unraw().to_string())))
 }
 
-/// A warning of the compiler. Stable Rust has none for macros but that of a deprecated item, whose
-/// note can say anything, and what a derive wrote is not warned of unless it stands at a token of
-/// the user's.
+/// A warning of the compiler. On stable Rust a macro can only cause the warning of a deprecated item, whose note is any
+/// text, and only at a token of the user's.
 fn warning(text: &str, at: Span) -> TokenStream {
     quote_spanned! {at=>
         const _: () = {
@@ -145,8 +144,7 @@ fn warning(text: &str, at: Span) -> TokenStream {
     }
 }
 
-/// The lists of a robot, if the description holds together when no more is asked of it than what
-/// decides about them.
+/// The joints and coordinates of a robot, if the description is valid with the part of the request that decides them.
 fn spaces(description: &Description, request: &request::Request) -> Option<Spaces> {
     let shape = request::Request {
         base: request.base.clone(),

@@ -1,7 +1,6 @@
-//! The results of generated functions, taken apart.
+//! The entries of the results of generated functions.
 //!
-//! In: an array, a matrix, one of the typed matrices or a struct of several. Out: its numbers, row by row, in `f64`. It
-//! never computes any.
+//! In: an array, a matrix, one of the typed matrices or a struct of several. Out: its numbers, row by row, in `f64`.
 
 use homogen::{
     Acceleration, AccelerationDerivatives, Action, Momentum, Point, Pose, Real, Screw,

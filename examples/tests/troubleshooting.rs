@@ -1,7 +1,7 @@
-//! The messages of the guide's page on troubleshooting, held against those that users see.
+//! The messages of the guide's page on troubleshooting, compared with those that users get.
 //!
-//! In: the page, pinned messages of the compiler, and the texts of engine and runtime. Out: nothing where each message
-//! of a table is one of theirs; else those that are not.
+//! In: the page, pinned messages of the compiler, and the sources of engine and runtime. Each message of a table must be
+//! one of theirs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ fn texts() -> String {
     all
 }
 
-/// Whether a line has the parts of a message that stand between dots, in their order.
+/// True if a line has the parts of a message between its dots, in order.
 fn has(line: &str, message: &str) -> bool {
     let mut rest = line;
     message.split('…').all(|part| {
@@ -43,7 +43,7 @@ fn has(line: &str, message: &str) -> bool {
 }
 
 #[test]
-fn each_message_is_one_that_is_given() {
+fn each_message_exists() {
     let texts = texts();
     let mut tables = 0;
     let mut is_of_messages = false;
@@ -64,7 +64,7 @@ fn each_message_is_one_that_is_given() {
             };
             for message in messages {
                 let found = texts.lines().any(|line| has(line, message));
-                assert!(found, "nobody says: {message}");
+                assert!(found, "no such message: {message}");
             }
         }
     }

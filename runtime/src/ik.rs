@@ -112,7 +112,7 @@ pub struct Solution<T, const N: usize> {
     pub evaluations: usize,
 }
 
-/// The pose of a frame of the robot, and its geometric Jacobian (axes of frame 0, pole at the frame's origin).
+/// The pose of a frame of the robot, and its geometric Jacobian (axes of frame 0, reference point at the frame's origin).
 pub type PoseAndJacobian<T, const N: usize> = (Pose<T>, [Screw<T>; N]);
 
 /// The normal equations of an error e at a configuration: JᵗJ and Jᵗe.

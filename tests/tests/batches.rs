@@ -347,17 +347,17 @@ fn a_robot_has_batches_of_its_own_on_all_cores() {
     let refusal = batch.inverse_dynamics(q_columns, shorter, qdd, &mut results);
     assert_eq!(
         refusal.map_err(|error| error.to_string()),
-        Err("column 2 of `qd` has a length of 5002, and the first of `q` of 5003".to_owned())
+        Err("column 2 of `qd` has 5002 states, the first of `q` has 5003".to_owned())
     );
     let refusal = batch.inverse_dynamics(q_columns, qd, qdd, &mut results[1..]);
     assert_eq!(
         refusal.map_err(|error| error.to_string()),
-        Err("the result has 4 numbers, and `results` 3 columns".to_owned())
+        Err("`results` has 3 columns, a result has 4 numbers".to_owned())
     );
     assert_eq!(
         Puppet
             .gravity_batch(&q, &mut tau[1..])
             .map_err(|error| error.to_string()),
-        Err("`results` has a length of 5002, and `q` of 5003".to_owned())
+        Err("`results` has 5002 states, `q` has 5003".to_owned())
     );
 }

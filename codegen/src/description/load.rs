@@ -1,6 +1,4 @@
-//! The bytes of a file.
-//!
-//! In: a path. Out: its bytes, or why there are none. It reads no further than any description goes.
+//! Reads the bytes of a file, with a bound on its size.
 
 use std::fs::File;
 use std::io::Read;
@@ -8,8 +6,7 @@ use std::path::Path;
 
 use super::LARGEST_FILE;
 
-/// The bytes of a file of reasonable size, or why there are none, in words that are the same on
-/// every platform where they can be.
+/// The bytes of a file, or the reason for an error, in the same words on every platform where possible.
 pub(super) fn load(path: &Path) -> Result<Vec<u8>, String> {
     let reason = |error: std::io::Error| match error.kind() {
         std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -20,7 +17,7 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, String> {
     if file.metadata().is_ok_and(|about| about.is_dir()) {
         return Err("it is a folder".to_owned());
     }
-    // Read no further than that: a device may have no end.
+    // A device may have no end.
     let limit = LARGEST_FILE as u64 + 1;
     let mut bytes = Vec::new();
     file.take(limit).read_to_end(&mut bytes).map_err(reason)?;

@@ -1,10 +1,11 @@
 //! MJCF, the format of MuJoCo.
 //!
-//! In: the text of a file, and the folder that it stands in. Out: a [`Description`] with the numbers that MuJoCo's
-//! compiler makes of it, as far as rigid bodies go, and a complaint for every mistake, each at its file, line and column.
-//! Bodies are links, frames belong to what stands in them, sites are links without mass, and the world is the fixed base.
-//! What solver, contacts and pictures need is passed over; other mechanics that are not modelled are a warning each. It
-//! never takes time or memory out of proportion to the text, and never guesses a number that is not there.
+//! Reads the text of a file and the files that it includes into a [`Description`] with the numbers of MuJoCo's
+//! compiler, as far as rigid bodies go. Each mistake is an error with file, line and column.
+//! Bodies become links, sites become massless links, the world is the fixed base, and frames are merged into the
+//! placements of what they contain. Elements of the solver, contacts and visuals are ignored. Other mechanics that are
+//! not modelled are reported as warnings. Time and memory are proportional to the text, and no missing number is
+//! guessed.
 
 mod actuator;
 mod assets;
@@ -38,7 +39,7 @@ use self::assets::Meshes;
 use self::class::Defaults;
 use self::element::Element;
 use self::files::{Parsed, Text};
-use self::lost::Met;
+use self::lost::Noted;
 use self::names::Names;
 use self::reading::Mjcf;
 use self::settings::Compiler;
@@ -53,7 +54,7 @@ use crate::expression::Double;
 #[doc(hidden)]
 pub use self::elements::page;
 
-/// Whether a text is of this format, by its root element.
+/// True if the root element of a text is `<mujoco>`.
 #[must_use]
 pub fn is_meant(text: &str) -> bool {
     let mut rest = text.trim_start_matches('\u{feff}').trim_start();
@@ -72,10 +73,9 @@ pub fn is_meant(text: &str) -> bool {
     rest.starts_with("<mujoco")
 }
 
-/// Reads the text of a file named `file`, which stands in `folder`; `anchor` is the token that named it, for the compiler.
+/// Reads the text of the file `file` in `folder`; `anchor` is the token that named the file, for the compiler.
 ///
-/// Where something was pushed, the description holds what could be read all the same: enough to know how many joints
-/// there are, not to be computed with.
+/// A description returned together with errors is partial: good for counting joints, not for computing.
 pub fn read(
     text: &str,
     file: &str,
@@ -98,7 +98,7 @@ pub fn read(
     Some(description)
 }
 
-/// Where the description came from.
+/// The files from which a description was read, with their fingerprint.
 fn source(texts: &[Text], file: &str, folder: Option<&Path>, anchor: Option<Span>) -> Source {
     let included = files::names(texts);
     let paths = included.iter().map(|name| match folder {
@@ -114,7 +114,7 @@ fn source(texts: &[Text], file: &str, folder: Option<&Path>, anchor: Option<Span
     }
 }
 
-/// Reads what is parsed; with the paths of other files that were read.
+/// Reads the parsed files; returns the paths of further files that were read, too.
 fn read_files<'a>(
     files: &'a [Parsed<'a>],
     file: &str,
@@ -137,7 +137,7 @@ fn read_files<'a>(
         tree: Tree::default(),
         loop_names: Names::default(),
         meshes: Meshes::default(),
-        met: Met::default(),
+        noted: Noted::default(),
         folder: folder.map(Path::to_owned),
         beside: Vec::new(),
     };
@@ -157,12 +157,16 @@ fn read_files<'a>(
     mjcf.survey(root);
     let name = mjcf.robot_name(root, file);
     let warnings = std::mem::take(&mut mjcf.reader.warnings);
-    let mut warnings: Vec<_> = warnings.into_iter().chain(mjcf.met.warnings()).collect();
+    let mut warnings: Vec<_> = warnings.into_iter().chain(mjcf.noted.warnings()).collect();
     warnings.sort_by_key(|warning| warning.place.order());
     errors.append(mjcf.reader.errors);
     if let Some(place) = mjcf.reader.xacro {
-        let hint = "replace what stands in ${…}: MuJoCo reads numbers alone";
-        errors.push_with_hint(place, "this file has yet to be expanded", hint);
+        let hint = "replace each ${…} by its number: MuJoCo does not expand it either";
+        errors.push_with_hint(
+            place,
+            "this file contains ${…}, which is not expanded",
+            hint,
+        );
     }
     let description = Description {
         name,
@@ -178,7 +182,7 @@ fn read_files<'a>(
 }
 
 impl<'a> Mjcf<'a> {
-    /// The name of the model; that of the file where it has none.
+    /// The name of the model, or of the file if the model has none.
     fn robot_name(&mut self, root: Element<'a>, file: &str) -> Name {
         let written = root.attribute("model").map(|written| self.word(written));
         written
@@ -197,7 +201,7 @@ impl<'a> Mjcf<'a> {
             })
     }
 
-    /// Makes all bodies together as heavy as the compiler is told.
+    /// Scales all masses and inertias so that the total mass is that of `settotalmass`.
     fn scale_masses(&mut self) {
         let Some(total) = self.compiler.total_mass else {
             return;
@@ -214,7 +218,7 @@ impl<'a> Mjcf<'a> {
         }
         let factor = total.exact() / mass;
         let scale = |number: &mut Number| {
-            *number = spatial::written(number.exact() * factor, number.place);
+            *number = spatial::to_number(number.exact() * factor, number.place);
         };
         let links = self.tree.links.iter_mut();
         for inertial in links.filter_map(|link| link.inertial.as_mut()) {
@@ -223,7 +227,7 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// Warns of what is left out, file by file.
+    /// Warns of what is not modelled, file by file.
     fn survey(&mut self, root: Element<'a>) {
         survey::survey(self.at(root), root.node, &elements::MJCF);
         for (element, content) in elements::included(root) {

@@ -1,18 +1,16 @@
-//! Lines and columns.
+//! Lines and columns of offsets in a text, counted in characters from 1.
 //!
-//! In: a text, once, and offsets into it, as often as wished. Out: places, counted in lines and
-//! characters from 1. A mark every 64 bytes keeps each look-up short, however long the lines are:
-//! a file may well be one line of five megabytes.
+//! A mark every 64 bytes keeps each look-up fast, even if the file is a single line of megabytes.
 
 use crate::error::Place;
 
 /// Bytes between two marks.
 const STRIDE: usize = 64;
 
-/// A text and the places of its bytes.
+/// A text, and the lines and columns of its bytes.
 pub(super) struct Positions<'t> {
     text: &'t str,
-    /// The number of an included file; none of the description's own.
+    /// The number of an included file; `None` for the first file.
     file: Option<u32>,
     /// Line and column of every byte whose offset is a multiple of [`STRIDE`].
     marks: Vec<(u32, u32)>,
@@ -36,7 +34,7 @@ impl<'t> Positions<'t> {
         }
     }
 
-    /// The same of an included file.
+    /// The same, for an included file.
     pub(super) fn of_included(text: &'t str, file: u32) -> Self {
         Self {
             file: Some(file),
@@ -44,12 +42,12 @@ impl<'t> Positions<'t> {
         }
     }
 
-    /// The text whose places these are.
+    /// The text.
     pub(super) const fn text(&self) -> &'t str {
         self.text
     }
 
-    /// The place of the character at an offset; of the end for every offset beyond it.
+    /// The place of the character at an offset; offsets beyond the end give the end.
     pub(super) fn place(&self, offset: usize) -> Place {
         let offset = offset.min(self.text.len());
         let mark = offset / STRIDE;
@@ -67,7 +65,7 @@ impl<'t> Positions<'t> {
     }
 }
 
-/// Where one stands after some more bytes; the second and later bytes of a character count nothing.
+/// The position after some more bytes; continuation bytes of a character do not count.
 fn after((mut line, mut column): (u32, u32), bytes: &[u8]) -> (u32, u32) {
     for &byte in bytes {
         if byte == b'\n' {

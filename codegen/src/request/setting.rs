@@ -1,8 +1,5 @@
-//! Settings: each key with which something is asked for, one row a key.
-//!
-//! In: nothing; a shared noun. A row has the part of a [`Request`] that it sets, the key in attributes, whose values the
-//! description reads, the flag of the command line, whose values [`text`] reads and says again, and the words of help
-//! and guide.
+//! The table of keys: one row for each setting, from which attributes, the command line with its help, heads of files
+//! and the guide follow.
 
 #[cfg(feature = "files")]
 pub mod text;
@@ -14,31 +11,31 @@ use crate::name::Name;
 use crate::number::Number;
 use crate::request::Request;
 
-/// A key, and all that follows from it.
+/// A row of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting {
     /// The key in attributes.
     pub key: &'static str,
     /// The field that it sets, and the form of its values.
     pub form: SettingForm,
-    /// An example of it in attributes; empty where they have no such key.
+    /// An example in attributes; empty if they have no such key.
     pub example: &'static str,
-    /// The name on the command line, where that is not the key.
+    /// The option of the command line, if its name differs from the key.
     name: Option<&'static str>,
-    /// The group of flags, one of the bits below; none where a command reads the flag by itself, or has none.
+    /// The group of options, one of the bits below; 0 if a command reads the option itself, or there is none.
     pub group: u8,
-    /// Placeholder of the value in help; it ends with … where a flag takes several, with commas between them.
+    /// Placeholder of the value in help; it ends with … if several values with commas are allowed.
     pub value: &'static str,
     /// The sentence in help.
     pub help: &'static str,
-    /// The key of the flag that has to stand beside it.
+    /// The key of another option that this one requires.
     pub needs: Option<&'static str>,
 }
 
-/// The part of a request that a setting sets.
+/// Access to the field of a request that a setting sets.
 type Of<T> = fn(&mut Request) -> &mut T;
 
-/// The field that a setting sets, and the form of its values.
+/// The field that a setting sets, and the syntax of its values.
 #[derive(Clone, Copy, Debug)]
 pub enum SettingForm {
     /// The file that describes the robot.
@@ -51,13 +48,13 @@ pub enum SettingForm {
     Names(Of<Vec<Name>>),
     /// Joints, each with or without a coordinate.
     Positions(Of<Vec<(Name, Option<Number>)>>),
-    /// Joints, each with a number or one for each velocity; or the key alone, where that is a switch.
+    /// Joints, each with one number or one for each velocity; or the key alone, if it is a switch as well.
     Drive(Part, Option<Of<bool>>),
-    /// Links on which external forces act, and the frame of these.
+    /// Links with external wrenches, and their frame.
     External(Of<Vec<Name>>),
-    /// Three numbers, or none.
+    /// Three numbers, or `none`.
     Gravity,
-    /// A positive number, in these words.
+    /// A positive number, with a noun for messages.
     Count(Of<Option<usize>>, &'static str),
     /// Functions, alone or together.
     Functions,
@@ -65,28 +62,28 @@ pub enum SettingForm {
     Formulation,
     /// The name of a processor.
     Processor,
-    /// A type of number.
+    /// The type of numbers.
     Scalar,
     /// The path of the runtime.
     Runtime,
-    /// Loops, each as attributes have it behind the word `loop`.
+    /// Loops, each written as after the word `loop` in attributes.
     Loops,
 }
 
-/// Flags that say which part of a robot moves.
+/// Options of the part of the robot that moves.
 pub const SCOPE: u8 = 1;
-/// Flags that say which robot it is and how it is computed.
+/// Options of the robot and of its computation.
 pub const ROBOT: u8 = 1 << 1;
-/// Flags that name functions.
+/// Options with names of functions.
 pub const FUNCTIONS: u8 = 1 << 2;
-/// Flags that name further frames.
+/// Options with further frames.
 pub const FRAMES: u8 = 1 << 3;
-/// Flags beside the fields of a struct.
+/// Options about fields of the struct.
 pub const FIELDS: u8 = 1 << 4;
-/// Flags of a file in Rust, C or LLVM IR.
+/// Options of a file in Rust, C or LLVM IR.
 pub const FILE: u8 = 1 << 5;
 
-/// A row without what most have.
+/// A row with default values.
 const SETTING: Setting = Setting {
     key: "",
     form: SettingForm::File,
@@ -98,7 +95,7 @@ const SETTING: Setting = Setting {
     needs: None,
 };
 
-/// All of them, in the order in which help, the heads of files and messages list them.
+/// All keys, in the order of help, heads of files and messages.
 #[rustfmt::skip]
 pub const SETTINGS: [Setting; 32] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
@@ -141,7 +138,7 @@ pub const SETTINGS: [Setting; 32] = [
     Setting { key: "exact", form: SettingForm::Switch(|asked| &mut asked.exact), example: "exact", group: ROBOT,
         help: "Keep an angle such as 1.5708 as written instead of taking it as a right angle", ..SETTING },
     Setting { key: "strict", form: SettingForm::Switch(|asked| &mut asked.strict), example: "strict", group: ROBOT,
-        help: "Refuse doubtful input, such as non-physical inertias, instead of warning", ..SETTING },
+        help: "Make warnings errors, such as those of non-physical inertias", ..SETTING },
     Setting { key: "quiet", form: SettingForm::Switch(|asked| &mut asked.quiet), example: "quiet", ..SETTING },
     Setting { key: "processor", form: SettingForm::Processor, example: r#"processor = "cortex-m4""#, group: ROBOT, value: "NAME",
         help: "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]", ..SETTING },
@@ -156,7 +153,7 @@ pub const SETTINGS: [Setting; 32] = [
         help: "Compute once what depends on fields alone", ..SETTING },
     Setting { key: "batch", form: SettingForm::Switch(|asked| &mut asked.batch), example: "batch", group: FILE, needs: Some("runtime"),
         help: "Functions of slices of states in addition", ..SETTING },
-    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the most statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
+    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the maximum number of statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
         help: "Maximum number of statements of one compiled function: longer ones are cut into sections that are called in order [default: 2000, of functions with more than 8000]", ..SETTING },
     Setting { key: "crate", form: SettingForm::Runtime, example: r#"crate = "::homogen""#, name: Some("runtime"), ..SETTING },
 ];
@@ -168,7 +165,7 @@ pub fn of_attributes() -> impl Iterator<Item = &'static Setting> {
         .filter(|setting| !setting.example.is_empty())
 }
 
-/// The table of the guide: each flag, and the key of attributes that says the same.
+/// The table of the guide: each option, with the key of attributes.
 #[must_use]
 pub fn page() -> String {
     let mut page = "| option | in attributes | |\n|---|---|---|\n".to_owned();
@@ -185,7 +182,7 @@ pub fn page() -> String {
 }
 
 impl Setting {
-    /// The flag of the command line, without the dashes before it.
+    /// The option of the command line, without dashes.
     #[must_use]
     pub fn flag_name(&self) -> String {
         self.name.unwrap_or(self.key).replace('_', "-")

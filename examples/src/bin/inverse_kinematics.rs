@@ -1,8 +1,7 @@
 //! Inverse kinematics of three arms: success rate, time, and the outcome of targets that no arm reaches.
 //!
-//! Each arm is sent from the middle of its limits to ten thousand poses that it has at random coordinates within
-//! them, and to as many in the same directions that are 3 m away. Found are those that it comes to within
-//! 1e-6 rad and 1e-6 m.
+//! Each arm is sent from the middle of its limits to ten thousand poses of random coordinates within them, and to as
+//! many poses in the same directions at a distance of 3 m. A target is reached to within 1e-6 rad and 1e-6 m.
 
 use std::time::Instant;
 
@@ -13,7 +12,7 @@ use homogen_random::Random;
 
 const TARGETS: u16 = 10_000;
 
-/// Farther from the base than any of the arms is long \[m\].
+/// A distance from the base that is larger than the length of any of the arms \[m\].
 const BEYOND: f64 = 3.0;
 
 #[derive(Robot)]

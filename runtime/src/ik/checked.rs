@@ -41,7 +41,7 @@ pub(super) fn check<T: Real, const N: usize>(
 ) -> Result<(), Error> {
     for (coordinate, [least, most]) in solver.limits.iter().enumerate() {
         let infinite = T::constant(f64::INFINITY);
-        // A NaN is not within anything.
+        // False for NaN.
         let holds_a_number = least <= most && *least < infinite && *most > -infinite;
         if !holds_a_number {
             return Err(Error::NoRange {
@@ -61,7 +61,7 @@ pub(super) fn check<T: Real, const N: usize>(
         ("the orientation tolerance", solver.orientation_tolerance),
         ("the position tolerance", solver.position_tolerance),
     ] {
-        // An infinite tolerance asks for nothing.
+        // An infinite tolerance is allowed: any error is within it.
         if tolerance.to_f64().is_nan() {
             let value = f64::NAN;
             return Err(Error::NotFinite { quantity, value });

@@ -1,6 +1,6 @@
-//! The functions of a robot that batches compile for the processor at hand.
+//! Robots in batches: the names of the functions that batches compile for the processor at hand.
 //!
-//! In: a robot's list of their names. Out: a bound of the runtime's batches, and its lookup while the program is compiled.
+//! In: a robot's list of these names. Out: the trait bound of batches, and a lookup at compile time.
 
 use super::chain::Chain;
 
@@ -9,15 +9,15 @@ use super::chain::Chain;
 /// Robots that are generated implement it. A robot that implements the traits of functions by hand writes
 /// `impl homogen::robot::Batched for MyRobot {}`.
 pub trait Batched {
-    /// Names of the functions whose computation is inlined into its caller, all of it, and makes its numbers
-    /// [like](crate::Scalar::like) those of `q`. Batches compile these for the processor that the program runs on, and
-    /// hold their numbers in registers from the start.
+    /// Names of the functions that are inlined completely into their callers and make their constants
+    /// [like](crate::Scalar::like) the numbers of `q`. Batches compile these for the processor that the program runs on,
+    /// and hold their numbers in registers from the start.
     const INLINED: &'static [&'static str] = &[];
 }
 
 impl<const N: usize, const F: usize, const Q: usize, const B: usize> Batched for Chain<N, F, Q, B> {}
 
-/// True of a function in the list of a robot.
+/// True if a function is in the list of a robot.
 #[cfg(feature = "batch")]
 pub(crate) const fn is_inlined<R: Batched + ?Sized>(function: &str) -> bool {
     let mut rest = R::INLINED;

@@ -55,7 +55,7 @@ fn signs_are_counted() {
 fn mistakes_and_doubts_are_told() {
     let usage = homogen("check - --damping shoulder", ARM);
     assert_eq!(usage.code, 2);
-    let message = "a joint and its number have = between them";
+    let message = "write JOINT=NUMBER";
     assert!(usage.remarks.contains(message), "{}", usage.remarks);
     assert_eq!(
         refused("check - --friction=mount=1 --armature nobody=1", ARM),
@@ -64,7 +64,7 @@ fn mistakes_and_doubts_are_told() {
     );
     let doubtful = homogen("check - --friction --rotors", ARM);
     assert_eq!(doubtful.code, 0);
-    let any = "is asked for, and no joint that moves is described with any";
+    let any = "is requested, but no moving joint has it in the description";
     for what in ["friction", "an armature"] {
         let doubt = format!("{what} {any}");
         assert!(doubtful.output.contains(&doubt), "{}", doubtful.output);

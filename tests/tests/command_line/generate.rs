@@ -94,13 +94,16 @@ fn options_that_only_rust_has_are_told_together() {
         ARM,
     );
     for part in [
-        "--c-header is the header of functions that are written in Rust",
-        "can be named in Rust only",
+        "--c-header is for functions written in Rust",
+        "`sin_cos` is for Rust only",
     ] {
         assert!(said.contains(part), "{said}");
     }
     let said = refused("generate - --language c -o arm.h", ARM);
-    assert!(said.contains("arm.h is the name of the header"), "{said}");
+    assert!(
+        said.contains("arm.h would overwrite its own header"),
+        "{said}"
+    );
 }
 
 /// The options of the command in the head of a file, behind the name of the description.

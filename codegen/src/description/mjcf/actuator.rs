@@ -1,7 +1,8 @@
-//! `<actuator>`: what motors add to the joints that they drive.
+//! `<actuator>`: armature that actuators add to joints.
 //!
-//! In: the elements, once the tree is read. Out: motors of joints, where an actuator has an armature of its own, which
-//! its gear reflects; a note of each, and warnings of what drives otherwise than by a torque. It never looks at controls.
+//! Runs once the tree is read. An actuator with an armature of its own becomes a motor of its joint; its gear ratio
+//! reflects the armature. Transmissions other than to a single hinge or slide are reported as warnings. Control
+//! attributes are ignored.
 
 use super::class::{ACTUATOR, ACTUATORS};
 use super::element::Element;
@@ -37,7 +38,7 @@ impl<'a> Mjcf<'a> {
         let place = self.place(element);
         let damping = self.entries::<3>(&attributes, "damping", &subject);
         if damping.iter().flatten().any(|damping| damping.value != 0.0) {
-            self.met.note(&ACTUATOR_DAMPING, place, subject.clone());
+            self.noted.note(&ACTUATOR_DAMPING, place, subject.clone());
         }
         let armature = self.number(attributes.get("armature"), &subject);
         let Some(armature) = armature.filter(|armature| armature.value != 0.0) else {
@@ -47,10 +48,10 @@ impl<'a> Mjcf<'a> {
             .attribute("joint")
             .or(element.attribute("jointinparent"));
         let joint = joint.map(|written| self.word(written).text);
-        let driven = joint.and_then(|name| self.tree.joint(&name));
-        let driven = driven.filter(|joint| !self.tree.joints[*joint].kind.has_several());
-        let Some(driven) = driven else {
-            self.met.note(&ELSEWHERE, place, subject);
+        let target = joint.and_then(|name| self.tree.joint(&name));
+        let target = target.filter(|joint| !self.tree.joints[*joint].kind.has_several());
+        let Some(target) = target else {
+            self.noted.note(&ELSEWHERE, place, subject);
             return;
         };
         let [gear] = self
@@ -58,7 +59,7 @@ impl<'a> Mjcf<'a> {
             .first_chunk()
             .copied()
             .unwrap_or_default();
-        let joint = &mut self.tree.joints[driven];
+        let joint = &mut self.tree.joints[target];
         joint.drive.mount(Motor {
             rotor: Some(armature),
             ratio: gear,

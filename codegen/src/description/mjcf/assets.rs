@@ -1,6 +1,4 @@
-//! Meshes by name, and what those are that were measured.
-//!
-//! A shared noun.
+//! Meshes by name, and the inertias computed from them.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -9,17 +7,17 @@ use super::element::Element;
 use super::spatial::{Matrix, Vector};
 use crate::expression::Double;
 
-/// What a mesh is as a body of density 1.
+/// Inertia of a mesh at density 1.
 pub(super) struct Measured {
     /// The volume \[m³\], or the area of a shell \[m²\].
     pub(super) measure: Double,
     /// The centre of mass in the frame of the geom \[m\].
     pub(super) center: Vector,
-    /// About that, in the axes of the geom.
+    /// Inertia tensor about the centre of mass, in the axes of the geom.
     pub(super) tensor: Matrix,
 }
 
-/// The meshes of a file, by name; those that were measured, or refused.
+/// The meshes of a file by name, and the inertias computed so far; `None` for a mesh with an error.
 #[derive(Default)]
 pub(super) struct Meshes<'a> {
     pub(super) assets: HashMap<String, Element<'a>>,

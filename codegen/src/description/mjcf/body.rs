@@ -1,7 +1,7 @@
-//! `<body>`: the tree of bodies, with what stands in them.
+//! `<body>`: reads the tree of bodies.
 //!
-//! In: the worldbody. Out: links, the joints between them, and links without mass for sites; and complaints. A frame
-//! belongs to what stands in it, and is no link. What is replicated is read once for each copy.
+//! Yields links, the joints between them, and a massless link for each site. A `<frame>` is merged into the placements
+//! of the elements inside; the elements inside a `<replicate>` are read once for each copy.
 
 use std::rc::Rc;
 
@@ -10,7 +10,7 @@ use super::geom::Piece;
 use super::joint::Moving;
 use super::names::Names;
 use super::reading::Mjcf;
-use super::spatial::{Pose, exactly, plus, written};
+use super::spatial::{Pose, exactly, plus, to_number};
 use super::tree::{Item, WORLD};
 use super::values::Attributes;
 use crate::description::{Joint, Link, Name, Step, number};
@@ -20,17 +20,17 @@ use crate::joint::JointKind;
 use crate::joint::drive::Parts;
 use crate::wording::quoted;
 
-/// How deep frames may stand in each other.
+/// Maximum nesting depth of frames.
 const DEEPEST: usize = 100;
 
-/// The most links: a few words can replicate without end.
+/// Maximum number of links, because a few characters can replicate without bound.
 const MOST_LINKS: usize = 100_000;
 
-/// The most copies that one element makes.
+/// Maximum number of copies of one element.
 const MOST_COPIES: u32 = 100_000;
 
-/// A body that has yet to be read.
-struct Waiting<'a> {
+/// A body that is not read yet.
+struct PendingBody<'a> {
     item: Item<'a>,
     parent: Name,
 }
@@ -38,8 +38,8 @@ struct Waiting<'a> {
 impl<'a> Mjcf<'a> {
     /// Reads all bodies.
     pub(super) fn read_tree(&mut self, root: Element<'a>) {
-        self.tree.link_names = Names::written(root, &["body"]);
-        self.tree.joint_names = Names::written(root, &["joint", "freejoint"]);
+        self.tree.link_names = Names::of_elements(root, &["body"]);
+        self.tree.joint_names = Names::of_elements(root, &["joint", "freejoint"]);
         self.tree.link_names.take(WORLD);
         let place = self.place(root);
         let world = Name {
@@ -62,14 +62,14 @@ impl<'a> Mjcf<'a> {
             self.contents(&whole, 0, &mut items);
             for item in items {
                 match item.element.tag() {
-                    "body" => waiting.push(Waiting {
+                    "body" => waiting.push(PendingBody {
                         item,
                         parent: world.clone(),
                     }),
                     "site" => self.site(&item, &world),
                     tag @ ("joint" | "freejoint" | "inertial") => {
                         let message = format!("the world has a <{tag}>");
-                        self.refuse(item.element, message, "let it stand in a <body>");
+                        self.refuse(item.element, message, "move it into a <body>");
                     }
                     _ => {}
                 }
@@ -90,7 +90,7 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// The attributes of an item, with those of its class behind them.
+    /// The attributes of an item, with those of its class as defaults.
     pub(super) fn attributes(&mut self, item: &Item<'a>, kind: &'static str) -> Attributes<'a> {
         let class = self.class(item.element.attribute("class"));
         Attributes {
@@ -100,7 +100,7 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// A name with what it ends with.
+    /// The name of an item, with the suffix of its copy; `None` if it has no name.
     pub(super) fn name_of(&mut self, item: &Item<'a>) -> Option<Name> {
         let mut name = self.word(item.element.attribute("name")?);
         if name.text.is_empty() {
@@ -110,7 +110,7 @@ impl<'a> Mjcf<'a> {
         Some(name)
     }
 
-    /// What stands in a body, a frame or the world, in the order of the text, with all frames and copies.
+    /// Lists the elements of a body, a frame or the world in the order of the text, with frames and copies expanded.
     fn contents(&mut self, whole: &Item<'a>, depth: usize, items: &mut Vec<Item<'a>>) {
         let class = self.class(whole.element.attribute("childclass"));
         let class = class.unwrap_or_else(|| Rc::clone(&whole.class));
@@ -126,8 +126,8 @@ impl<'a> Mjcf<'a> {
                 continue;
             }
             if depth == DEEPEST {
-                let message = format!("frames stand more than {DEEPEST} deep in each other");
-                self.refuse(element, message, "write them as one");
+                let message = format!("frames are nested more than {DEEPEST} deep");
+                self.refuse(element, message, "combine them into one");
                 return;
             }
             if tag == "frame" {
@@ -142,7 +142,7 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// What `<replicate>` makes of what stands in it.
+    /// Lists the copies that a `<replicate>` makes of the elements inside.
     fn copies(&mut self, item: &Item<'a>, depth: usize, items: &mut Vec<Item<'a>>) {
         const SUBJECT: &str = "a <replicate>";
         let element = item.element;
@@ -176,16 +176,16 @@ impl<'a> Mjcf<'a> {
             if self.tree.copies > MOST_LINKS {
                 return;
             }
-            let turns = euler.map_or_else(Vec::new, |euler| {
+            let rotations = euler.map_or_else(Vec::new, |euler| {
                 let many = exactly(f64::from(copy));
-                self.euler(euler.map(|angle| written(angle.exact() * many, angle.place)))
+                self.euler(euler.map(|angle| to_number(angle.exact() * many, angle.place)))
             });
             let mut inner = item.clone();
-            let offset_of_copy = position.map(|entry| written(entry, place));
+            let offset_of_copy = position.map(|entry| to_number(entry, place));
             inner.frame.push(Step::Translate(offset_of_copy));
-            inner.frame.extend(&turns);
+            inner.frame.extend(&rotations);
             if let Some(offset) = offset {
-                position = plus(position, Pose::of(&turns).direction(offset));
+                position = plus(position, Pose::of(&rotations).direction(offset));
             }
             let separator = separator.as_deref().unwrap_or_default();
             inner.suffix = format!("{separator}{copy:0digits$}{}", item.suffix);
@@ -193,9 +193,9 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// Reads a body; those that stand in it.
-    fn body(&mut self, body: Waiting<'a>) -> Vec<Waiting<'a>> {
-        let Waiting { item, parent } = body;
+    /// Reads a body, and returns its child bodies.
+    fn body(&mut self, body: PendingBody<'a>) -> Vec<PendingBody<'a>> {
+        let PendingBody { item, parent } = body;
         let place = self.place(item.element);
         let name = self.name_of(&item).unwrap_or_else(|| {
             let number = self.tree.links.len();
@@ -235,7 +235,7 @@ impl<'a> Mjcf<'a> {
         let inertial = self.inertia(inertial, pieces, place, &subject);
         let joints = of_tag(&["joint", "freejoint"]);
         self.tree
-            .stands
+            .placements
             .insert(name.text.clone(), (parent.text.clone(), steps.clone()));
         let has_bodies = items.iter().any(|item| item.element.tag() == "body");
         self.connect(&Moving {
@@ -256,7 +256,7 @@ impl<'a> Mjcf<'a> {
         }
         let bodies = of_tag(&["body"]).into_iter();
         bodies
-            .map(|item| Waiting {
+            .map(|item| PendingBody {
                 item,
                 parent: name.clone(),
             })
@@ -273,7 +273,7 @@ impl<'a> Mjcf<'a> {
             .collect()
     }
 
-    /// A site is a link without mass.
+    /// Adds a massless link for a site.
     fn site(&mut self, item: &Item<'a>, on: &Name) {
         let Some(name) = self.name_of(item) else {
             return;
@@ -285,14 +285,14 @@ impl<'a> Mjcf<'a> {
             None => self.placement(&site, &subject),
             Some(ends) => {
                 let ends = self.numbers::<6>(Some(ends), &subject);
-                let stand = ends.and_then(|ends| self.between(&site, ends, &subject));
-                stand.map_or_else(Vec::new, |(steps, _)| steps)
+                let shape = ends.and_then(|ends| self.between(&site, ends, &subject));
+                shape.map_or_else(Vec::new, |(steps, _)| steps)
             }
         });
         let link = self.tree.link_names.of_site(&name.text);
         self.tree.sites.insert(name.text.clone(), link.clone());
         self.tree
-            .stands
+            .placements
             .insert(link.clone(), (on.text.clone(), steps.clone()));
         let link = Name {
             text: link,
@@ -305,7 +305,7 @@ impl<'a> Mjcf<'a> {
         });
     }
 
-    /// Fixes a link to another.
+    /// Adds a fixed joint that places a link on another.
     pub(super) fn weld(&mut self, link: &Name, to: &Name, origin: Vec<Step>, place: Place) {
         let zero = number::computed(Double::ZERO, place);
         let name = Name {

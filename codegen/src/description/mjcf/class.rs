@@ -1,16 +1,14 @@
-//! Classes of defaults.
-//!
-//! In: elements that say something of others. Out: what a class says of an attribute. It reads no value.
+//! Classes of defaults: for each attribute of a kind of element, the values that a class and its outer classes write.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::element::{Element, Written};
 
-/// The class that everything begins with.
+/// The outermost class.
 pub(super) const MAIN: &str = "main";
 
-/// The elements of actuators, which have one set of defaults.
+/// The elements of actuators, which share one set of defaults.
 pub(super) const ACTUATORS: [&str; 12] = [
     "general",
     "motor",
@@ -26,17 +24,17 @@ pub(super) const ACTUATORS: [&str; 12] = [
     "orientation",
 ];
 
-/// What actuators are called among defaults.
+/// The kind of all actuators in classes of defaults.
 pub(super) const ACTUATOR: &str = "actuator";
 
-/// A class.
+/// A class of defaults.
 #[derive(Clone, Default)]
 pub(super) struct Class<'a> {
-    /// Elements that say something, of outer classes first.
+    /// Elements with default attributes; those of outer classes come first.
     pub(super) elements: Vec<Element<'a>>,
 }
 
-/// All classes.
+/// All classes of defaults, by name.
 pub(super) struct Defaults<'a> {
     pub(super) main: Rc<Class<'a>>,
     pub(super) classes: BTreeMap<String, Rc<Class<'a>>>,
@@ -51,13 +49,13 @@ impl<'a> Class<'a> {
         self.elements.iter().filter(is_meant)
     }
 
-    /// All that is written of an attribute of such elements, the outermost class first.
+    /// All values of an attribute for a kind of element, the outermost class first.
     pub(super) fn attributes(&self, kind: &str, name: &str) -> Vec<Written<'a>> {
         let written = |element: &Element<'a>| element.attribute(name);
         self.elements(kind).filter_map(written).collect()
     }
 
-    /// The last that is written of any of some attributes.
+    /// The last value of any of the named attributes.
     pub(super) fn last_of(&self, kind: &str, names: &[&str]) -> Option<Written<'a>> {
         let of_names =
             |element: &Element<'a>| names.iter().find_map(|name| element.attribute(name));
@@ -66,7 +64,7 @@ impl<'a> Class<'a> {
 }
 
 impl<'a> Defaults<'a> {
-    /// The class that everything begins with.
+    /// The outermost class.
     pub(super) fn main(&self) -> Rc<Class<'a>> {
         Rc::clone(&self.main)
     }

@@ -1,7 +1,7 @@
-//! `<default>`: classes of attributes, each with those of the class that it stands in.
+//! `<default>`: reads classes of attributes by name.
 //!
-//! In: the sections of defaults, in the order of the text. Out: classes by name. A class begins with what the class
-//! around it has by then, as in MuJoCo: what a later section adds to that one does not reach it. It reads no value.
+//! A class inherits the attributes that its outer class has at that point of the text. As in MuJoCo, attributes that a
+//! later section adds to the outer class are not inherited.
 
 use std::rc::Rc;
 
@@ -10,21 +10,21 @@ use super::element::{Element, Written};
 use super::reading::Mjcf;
 use crate::wording::{known, quoted};
 
-/// How deep classes may stand in each other.
+/// Maximum nesting depth of classes.
 const DEEPEST: usize = 100;
 
 impl<'a> Mjcf<'a> {
-    /// Reads all sections.
+    /// Reads all sections of defaults.
     pub(super) fn read_defaults(&mut self, root: Element<'a>) {
         for section in root.named("default") {
             if let Some(written) = section.attribute("class") {
                 let name = self.word(written);
                 if name.text != MAIN && !name.text.is_empty() {
                     let message = format!(
-                        "the outermost class of defaults is called {}",
+                        "the outermost class of defaults has the name {}",
                         quoted(&name.text)
                     );
-                    let hint = "its name is main: leave it out, or let another class stand in it";
+                    let hint = "leave the name out (it is main), or nest this class in an unnamed <default>";
                     self.reader.errors.push_with_hint(name.place, message, hint);
                 }
             }
@@ -51,9 +51,12 @@ impl<'a> Mjcf<'a> {
         let class = Rc::new(Class { elements });
         for inner in nested {
             if depth == DEEPEST {
-                let message =
-                    format!("classes of defaults stand more than {DEEPEST} deep in each other");
-                self.refuse(inner, message, "give them names and use those");
+                let message = format!("classes of defaults are nested more than {DEEPEST} deep");
+                self.refuse(
+                    inner,
+                    message,
+                    "put classes beside each other, and name them in class or childclass",
+                );
                 break;
             }
             let read = self.read_class(inner, &class, depth + 1);
@@ -64,7 +67,10 @@ impl<'a> Mjcf<'a> {
                 continue;
             };
             if name.text == MAIN || self.defaults.classes.contains_key(&name.text) {
-                let message = format!("there is another class of defaults {}", quoted(&name.text));
+                let message = format!(
+                    "the class of defaults {} is defined twice",
+                    quoted(&name.text)
+                );
                 self.reader.errors.push(name.place, message);
             }
             self.defaults.classes.insert(name.text, read);
@@ -72,7 +78,7 @@ impl<'a> Mjcf<'a> {
         class
     }
 
-    /// The class that an attribute names; none where it is not written, or there is no such class.
+    /// The class named by an attribute. `None` if it is not written, or unknown, which is an error.
     pub(super) fn class(&mut self, written: Option<Written<'a>>) -> Option<Rc<Class<'a>>> {
         let name = self.word(written?);
         let found = self.defaults.classes.get(&name.text).cloned();

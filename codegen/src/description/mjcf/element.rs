@@ -1,13 +1,12 @@
-//! Elements of a file and of all that it includes, as one tree.
+//! Elements of a file and its included files, as one tree.
 //!
-//! In: parsed files. Out: handles of elements, whose children are those that they have once each `<include>` is
-//! replaced by what it includes. It reads no number.
+//! Each `<include>` is replaced by the children of the root element of the file that it names.
 
 use roxmltree::{Attribute, Node};
 
 use super::files::Parsed;
 
-/// An element, and the file that it stands in.
+/// An element with its file.
 #[derive(Clone, Copy)]
 pub(super) struct Element<'a> {
     files: &'a [Parsed<'a>],
@@ -15,7 +14,7 @@ pub(super) struct Element<'a> {
     pub(super) node: Node<'a, 'a>,
 }
 
-/// An attribute of an element, which may be that of a class of defaults.
+/// An attribute of an element or of its class of defaults.
 #[derive(Clone, Copy)]
 pub(super) struct Written<'a> {
     pub(super) element: Element<'a>,
@@ -32,7 +31,7 @@ impl<'a> Element<'a> {
         }
     }
 
-    /// The file that it stands in.
+    /// The file that contains the element.
     pub(super) fn file(self) -> &'a Parsed<'a> {
         &self.files[self.file]
     }
@@ -41,12 +40,12 @@ impl<'a> Element<'a> {
         self.node.tag_name().name()
     }
 
-    /// The elements in it, with those of included files in the place of what includes them.
+    /// The child elements, with each `<include>` replaced by the elements of its file.
     pub(super) fn children(self) -> Vec<Self> {
         let mut found = Vec::new();
         let mut waiting: Vec<Self> = self.own_children().collect();
         waiting.reverse();
-        // No file is included twice, so that this ends.
+        // This ends because no file is included twice.
         while let Some(element) = waiting.pop() {
             let Some(root) = element.included() else {
                 found.push(element);
@@ -59,27 +58,27 @@ impl<'a> Element<'a> {
         found
     }
 
-    /// The elements in it as they stand in its file.
+    /// The child elements as written in its file.
     pub(super) fn own_children(self) -> impl Iterator<Item = Self> {
         let children = self.node.children().filter(Node::is_element);
         children.map(move |node| Self { node, ..self })
     }
 
-    /// The root element of the file that it includes, if it is an `<include>`.
+    /// The root element of the included file, if the element is an `<include>`.
     pub(super) fn included(self) -> Option<Self> {
         let file = self.file().included(self.node)?;
         let node = self.files[file].document.root_element();
         Some(Self { file, node, ..self })
     }
 
-    /// The elements of a name in it.
+    /// The child elements with a tag.
     pub(super) fn named(self, tag: &str) -> Vec<Self> {
         let mut children = self.children();
         children.retain(|child| child.tag() == tag);
         children
     }
 
-    /// An attribute that it has itself.
+    /// An attribute of the element itself.
     pub(super) fn attribute(self, name: &str) -> Option<Written<'a>> {
         let attribute = self.node.attribute_node(name)?;
         Some(Written {

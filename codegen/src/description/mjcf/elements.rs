@@ -1,6 +1,4 @@
-//! Everything that may stand in an MJCF file, and what becomes of it.
-//!
-//! In: nothing. Out: the table of MuJoCo 4, and what of its mechanics is lost. It never reads a number.
+//! The table of all elements and attributes of MuJoCo 4: read, ignored, or reported as a warning.
 
 mod actors;
 mod bodies;
@@ -10,7 +8,7 @@ mod settings;
 use super::element::Element;
 use crate::description::xml::elements::{Content, Entry, Format, Others};
 
-/// The format.
+/// The format MJCF.
 pub(super) static MJCF: Format = Format {
     root: &MUJOCO,
     places: &PLACES,
@@ -26,7 +24,7 @@ pub(super) static MJCF: Format = Format {
     elsewhere: &["include"],
 };
 
-/// What is refused of coordinates that older versions had.
+/// Message for the global coordinates of older versions.
 pub(super) const GLOBAL: &str = "coordinates are global, which MuJoCo itself no longer reads";
 
 /// The root element.
@@ -40,33 +38,30 @@ static MUJOCO: Content = Content {
         .with(&settings::COMPILER),
         Entry::read("option", "gravity").with(&settings::OPTION),
         Entry::read("default", "classes of attributes").with(&settings::DEFAULT),
-        Entry::read("worldbody", "the fixed base, and what stands in it").with(&bodies::BODY),
-        Entry::read("asset", "meshes, whose volume is needed").with(&settings::ASSET),
+        Entry::read("worldbody", "the fixed base, with its bodies and sites").with(&bodies::BODY),
+        Entry::read("asset", "meshes, for inertias").with(&settings::ASSET),
         Entry::read("equality", "mimic joints and closed loops").with(&actors::EQUALITY),
-        Entry::read(
-            "actuator",
-            "armatures of actuators, where `rotors` asks for them",
-        )
-        .with(&actors::ACTUATORS),
-        Entry::nothing(
+        Entry::read("actuator", "armatures of actuators, with the key `rotors`")
+            .with(&actors::ACTUATORS),
+        Entry::ignored(
             "tendon",
-            "a transmission; its springs, friction and inertia are warned of",
+            "a transmission; a warning of springs, friction and inertia",
         )
         .with(&actors::TENDONS),
-        Entry::nothing("deformable", "the mechanics in it are warned of").with(&actors::DEFORMABLE),
-        Entry::nothing("size", "memory"),
-        Entry::nothing("statistic", "what is seen"),
-        Entry::nothing("visual", "what is seen"),
-        Entry::nothing("contact", "how it touches"),
-        Entry::nothing("sensor", "sensors"),
-        Entry::nothing("keyframe", "configurations by name"),
-        Entry::nothing("custom", "numbers of one's own"),
-        Entry::nothing("extension", "programs; where they act is warned of"),
+        Entry::ignored("deformable", "a warning of its mechanics").with(&actors::DEFORMABLE),
+        Entry::ignored("size", "memory"),
+        Entry::ignored("statistic", "visual"),
+        Entry::ignored("visual", "visual"),
+        Entry::ignored("contact", "contacts"),
+        Entry::ignored("sensor", "sensors"),
+        Entry::ignored("keyframe", "configurations by name"),
+        Entry::ignored("custom", "user data"),
+        Entry::ignored("extension", "plug-ins; a warning where they exert forces"),
     ],
     others: Others::Warned,
 };
 
-/// Each element that has content, as the guide calls it.
+/// Each element with attributes or children, under its heading in the guide.
 static PLACES: [(&str, &Content); 22] = [
     ("`<mujoco>`", &MUJOCO),
     ("`<compiler>`", &settings::COMPILER),
@@ -95,7 +90,7 @@ static PLACES: [(&str, &Content); 22] = [
     ("`<deformable>`", &actors::DEFORMABLE),
 ];
 
-/// The root element of each file that is included, with what may stand in the place of it.
+/// The root element of each included file, with the table of the elements allowed in its place.
 pub(super) fn included(root: Element<'_>) -> Vec<(Element<'_>, &'static Content)> {
     let mut found = Vec::new();
     let mut waiting: Vec<(Element<'_>, &'static Content)> = vec![(root, &MUJOCO)];
@@ -113,7 +108,7 @@ pub(super) fn included(root: Element<'_>) -> Vec<(Element<'_>, &'static Content)
     found
 }
 
-/// The table as the guide shows it, in Markdown: of each element what may stand in it, attributes first.
+/// The table of elements and attributes as a page of the guide, in Markdown.
 #[must_use]
 pub fn page() -> String {
     MJCF.page()

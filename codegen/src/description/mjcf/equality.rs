@@ -1,13 +1,13 @@
-//! `<equality>`: what MuJoCo's solver keeps equal, and holds exactly here.
+//! `<equality>`: constraints that MuJoCo's solver enforces approximately and that hold exactly here.
 //!
-//! In: the elements, once the tree is read. Out: mimic joints, of polynomials of first order; closed loops, of `connect`
-//! and `weld`; warnings of the others, and of what holds nothing. It never changes a body.
+//! A `joint` with a polynomial of first order becomes a mimic joint; `connect` and `weld` become closed loops. Other
+//! constraints are reported as warnings.
 
 use super::element::Element;
 use super::elements::lost::{HELD, POLYNOMIAL, SECOND};
 use super::orientation::of_mujoco;
 use super::reading::Mjcf;
-use super::spatial::{inverse, written};
+use super::spatial::{inverse, to_number};
 use super::tree::WORLD;
 use super::values::Attributes;
 use crate::closure::Closure;
@@ -16,7 +16,7 @@ use crate::error::Place;
 use crate::expression::Double;
 use crate::wording::quoted;
 
-/// A link that a loop holds, and where on it.
+/// One side of a loop: the link, and the placement of the joined frame on it.
 type End = (Name, Vec<Step>);
 
 impl<'a> Mjcf<'a> {
@@ -43,7 +43,7 @@ impl<'a> Mjcf<'a> {
                     continue;
                 }
                 if tag == "joint" {
-                    self.follow(element, &subject);
+                    self.mimic(element, &subject);
                 } else {
                     loops.extend(self.closed(element, &subject));
                 }
@@ -52,10 +52,10 @@ impl<'a> Mjcf<'a> {
         loops
     }
 
-    /// Lets a joint follow another.
-    fn follow(&mut self, element: Element<'a>, subject: &str) {
+    /// Makes a joint a mimic joint.
+    fn mimic(&mut self, element: Element<'a>, subject: &str) {
         let place = self.place(element);
-        let Some(follower) = self.joint_named(element, "joint1", subject) else {
+        let Some(mimic_joint) = self.joint_named(element, "joint1", subject) else {
             if element.attribute("joint1").is_none() {
                 self.refuse(
                     element,
@@ -74,39 +74,39 @@ impl<'a> Mjcf<'a> {
             (None, _) => Double::ZERO,
         };
         if (2..5).any(|k| !coefficient(k).is_zero()) {
-            self.met.note(&POLYNOMIAL, place, subject.to_owned());
+            self.noted.note(&POLYNOMIAL, place, subject.to_owned());
             return;
         }
         if element.attribute("joint2").is_none() {
-            self.met.note(&HELD, place, subject.to_owned());
+            self.noted.note(&HELD, place, subject.to_owned());
             return;
         }
-        let Some(leader) = self.joint_named(element, "joint2", subject) else {
+        let Some(mimicked) = self.joint_named(element, "joint2", subject) else {
             return;
         };
-        if self.tree.joints[follower].mimic.is_some() || self.leads_to(leader, follower) {
-            self.met.note(&SECOND, place, subject.to_owned());
+        if self.tree.joints[mimic_joint].mimic.is_some() || self.mimics(mimicked, mimic_joint) {
+            self.noted.note(&SECOND, place, subject.to_owned());
             return;
         }
         let reference = |mjcf: &Self, joint: JointId| {
             let name = &mjcf.tree.joints[joint].name.text;
-            let said = mjcf.tree.references.get(name);
-            said.map_or(Double::ZERO, Number::exact)
+            let reference = mjcf.tree.references.get(name);
+            reference.map_or(Double::ZERO, Number::exact)
         };
-        // y − y₀ = a₀ + a₁ (x − x₀)
-        let offset =
-            reference(self, follower) + coefficient(0) - coefficient(1) * reference(self, leader);
+        // y − y₀ = a₀ + a₁ (x − x₀), with the references x₀ and y₀ of both joints.
+        let offset = reference(self, mimic_joint) + coefficient(0)
+            - coefficient(1) * reference(self, mimicked);
         let mimic = Mimic {
-            leader: self.tree.joints[leader].name.clone(),
-            multiplier: written(coefficient(1), place),
-            offset: written(offset, place),
+            leader: self.tree.joints[mimicked].name.clone(),
+            multiplier: to_number(coefficient(1), place),
+            offset: to_number(offset, place),
             place,
         };
-        self.tree.joints[follower].mimic = Some(mimic);
+        self.tree.joints[mimic_joint].mimic = Some(mimic);
     }
 
-    /// Whether a joint is moved by another already, or is that.
-    fn leads_to(&self, joint: JointId, other: JointId) -> bool {
+    /// True if `joint` is `other`, or mimics it directly or through other joints.
+    fn mimics(&self, joint: JointId, other: JointId) -> bool {
         let mut at = Some(joint);
         for _ in 0..=self.tree.joints.len() {
             match at {
@@ -121,7 +121,7 @@ impl<'a> Mjcf<'a> {
         false
     }
 
-    /// The joint that an attribute names; it has one coordinate.
+    /// The joint that an attribute names; it must have one coordinate.
     fn joint_named(
         &mut self,
         element: Element<'a>,
@@ -137,7 +137,7 @@ impl<'a> Mjcf<'a> {
         let found = found.filter(is_scalar);
         if found.is_none() {
             let message = format!(
-                "{attribute} of {subject} is no hinge and no slide: {}",
+                "{attribute} of {subject} must be a hinge or a slide: {}",
                 quoted(&name.text)
             );
             self.reader.errors.push(name.place, message);
@@ -145,20 +145,24 @@ impl<'a> Mjcf<'a> {
         found
     }
 
-    /// A loop that holds a point, or everything.
+    /// A loop that constrains a point (`connect`) or a pose (`weld`).
     fn closed(&mut self, element: Element<'a>, subject: &str) -> Option<Loop> {
         let place = self.place(element);
         let has = |name: &str| element.attribute(name).is_some();
-        let holds_all = element.tag() == "weld";
+        let is_weld = element.tag() == "weld";
         let ends = if has("body1") {
-            self.on_bodies(element, holds_all, subject)
+            self.on_bodies(element, is_weld, subject)
         } else if has("site1") && has("site2") {
             let ends = ["site1", "site2"].map(|name| self.site_named(element, name, subject));
             let [from, to] = ends;
             from.zip(to)
         } else {
-            let hint = "name body1, or site1 and site2";
-            self.refuse(element, format!("{subject} holds nothing"), hint);
+            let hint = "write body1, or site1 and site2";
+            self.refuse(
+                element,
+                format!("{subject} has no body1 and no sites"),
+                hint,
+            );
             None
         };
         let ((from, at), (to, to_at)) = ends?;
@@ -166,7 +170,7 @@ impl<'a> Mjcf<'a> {
             .attribute("name")
             .map(|written| self.word(written).text);
         let name = name.unwrap_or_else(|| {
-            let word = if holds_all { "weld" } else { "connect" };
+            let word = if is_weld { "weld" } else { "connect" };
             format!("{word}_{}_{}", from.text, to.text)
         });
         let zero = number::computed(Double::ZERO, place);
@@ -175,7 +179,7 @@ impl<'a> Mjcf<'a> {
                 text: self.loop_names.fresh(&name),
                 place,
             },
-            closure: if holds_all {
+            closure: if is_weld {
                 Closure::Fixed
             } else {
                 Closure::Spherical
@@ -191,7 +195,7 @@ impl<'a> Mjcf<'a> {
     fn on_bodies(
         &mut self,
         element: Element<'a>,
-        holds_all: bool,
+        is_weld: bool,
         subject: &str,
     ) -> Option<(End, End)> {
         let place = self.place(element);
@@ -205,15 +209,15 @@ impl<'a> Mjcf<'a> {
             }
         };
         let anchor = self.numbers::<3>(element.attribute("anchor"), subject);
-        if anchor.is_none() && !holds_all {
+        if anchor.is_none() && !is_weld {
             let hint = "write anchor=\"…\", in the frame of body1";
             self.refuse(element, format!("{subject} has no anchor"), hint);
             return None;
         }
         let anchor: Vec<Step> = anchor.map(Step::Translate).into_iter().collect();
-        // The second body, as described, seen from the first.
+        // The pose of the second body in the first, in the described configuration.
         let mut between = self.tree.between(&first.text, &second.text);
-        if holds_all {
+        if is_weld {
             let pose = self.numbers::<7>(element.attribute("relpose"), subject);
             if let Some([x, y, z, quaternion @ ..]) = pose
                 && quaternion.iter().any(|entry: &Number| entry.value != 0.0)
@@ -230,11 +234,11 @@ impl<'a> Mjcf<'a> {
 
     fn body_named(&mut self, element: Element<'a>, attribute: &str, subject: &str) -> Option<Name> {
         let name = self.word(element.attribute(attribute)?);
-        if name.text == WORLD || self.tree.stands.contains_key(&name.text) {
+        if name.text == WORLD || self.tree.placements.contains_key(&name.text) {
             return Some(name);
         }
         let message = format!(
-            "{attribute} of {subject} is no body: {}",
+            "{attribute} of {subject} must be a body, but there is no body {}",
             quoted(&name.text)
         );
         self.reader.errors.push(name.place, message);
@@ -245,7 +249,7 @@ impl<'a> Mjcf<'a> {
         let name = self.word(element.attribute(attribute)?);
         let Some(link) = self.tree.sites.get(&name.text) else {
             let message = format!(
-                "{attribute} of {subject} is no site: {}",
+                "{attribute} of {subject} must be a site, but there is no site {}",
                 quoted(&name.text)
             );
             self.reader.errors.push(name.place, message);

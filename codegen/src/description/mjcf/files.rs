@@ -1,7 +1,7 @@
-//! The file and all that it includes.
+//! Loads the first file and all included files.
 //!
-//! In: the text of a file and the folder that it stands in. Out: texts, each read once, with the places where they are
-//! included. It never reads outside that folder, reads no file twice, and reads no more than one file may hold.
+//! Each file is read once, with the places where it is included. Files outside the folder of the first one are
+//! rejected, and so are files that are included twice, and more text than a single file may have.
 
 use std::collections::HashMap;
 use std::path::{Component, Path};
@@ -14,25 +14,25 @@ use crate::description::xml::{self, LARGEST_FILE, plain};
 use crate::error::Errors;
 use crate::wording::quoted;
 
-/// How a file begins.
+/// Hint for a text without the root element.
 const BEGINS: &str = "an MJCF file begins with <mujoco>";
 
-/// The most files.
+/// Maximum number of files.
 const MOST_FILES: usize = 1000;
 
-/// The element that another file replaces.
+/// The element that is replaced by another file.
 pub(super) const INCLUDE: &str = "include";
 
-/// A file as it was read.
+/// The text of a file.
 pub(super) struct Text {
-    /// Its path from the first file's folder, with `/` between names; the name of the first.
+    /// Its path from the first file's folder, with `/` between names; for the first file its name.
     pub(super) name: String,
     content: String,
-    /// The files that it includes, by the offsets of the elements that include them.
+    /// The indices of the included files, by the byte offsets of the `<include>` elements.
     includes: HashMap<usize, usize>,
 }
 
-/// A file as elements.
+/// A parsed file.
 pub(super) struct Parsed<'t> {
     name: &'t str,
     pub(super) positions: Positions<'t>,
@@ -41,18 +41,18 @@ pub(super) struct Parsed<'t> {
 }
 
 impl Parsed<'_> {
-    /// The folder that it stands in, seen from that of the first file.
+    /// The folder of the file, relative to that of the first file.
     pub(super) fn folder(&self) -> &str {
         self.name.rsplit_once('/').map_or("", |(folder, _)| folder)
     }
 
-    /// The file that an element includes.
+    /// The index of the file that an element includes.
     pub(super) fn included(&self, node: Node<'_, '_>) -> Option<usize> {
         self.includes.get(&node.range().start).copied()
     }
 }
 
-/// Reads a file and all that it includes; the first is the file itself. None where one cannot be read.
+/// Reads a file and all included files, the first file first. `None` if one of them cannot be read.
 pub(super) fn load(
     text: &str,
     file: &str,
@@ -83,17 +83,17 @@ pub(super) fn load(
     Some(texts)
 }
 
-/// The names of the files that are included.
+/// The names of the included files.
 pub(super) fn names(texts: &[Text]) -> Vec<String> {
     texts[1..].iter().map(|text| text.name.clone()).collect()
 }
 
-/// All that was read, in the order in which it was included.
+/// The bytes of all files, in the order in which they are included.
 pub(super) fn bytes(texts: &[Text]) -> Vec<u8> {
     texts.iter().flat_map(|text| text.content.bytes()).collect()
 }
 
-/// The plain texts of the files, for the XML reader.
+/// The texts of the files, prepared for the XML parser.
 pub(super) fn plains(texts: &[Text]) -> Vec<std::borrow::Cow<'_, str>> {
     texts
         .iter()
@@ -101,7 +101,7 @@ pub(super) fn plains(texts: &[Text]) -> Vec<std::borrow::Cow<'_, str>> {
         .collect()
 }
 
-/// The files as elements; all of them were parsed before.
+/// Parses the files.
 pub(super) fn parse<'t>(
     texts: &'t [Text],
     plains: &'t [std::borrow::Cow<'t, str>],
@@ -129,7 +129,7 @@ fn positions(texts: &[Text], at: usize) -> Positions<'_> {
     }
 }
 
-/// The files that one file includes, each with the offset of the element, its name and its text.
+/// The files that one file includes, each with the offset of its `<include>`, its name and its text.
 fn included(
     texts: &[Text],
     at: usize,
@@ -157,11 +157,14 @@ fn included(
                 .chain(found.iter().map(|(_, _, text)| text.len()))
                 .sum();
             if known.any(|known| *known == name) {
-                let hint = "include each file once; MuJoCo refuses a second time as well";
+                let hint = "include each file once, as MuJoCo requires";
                 Err((format!("{} is included twice", quoted(&name)), hint))
             } else if size + text.len() > LARGEST_FILE || texts.len() + found.len() >= MOST_FILES {
-                let hint = "a robot has at most 1000 files, of 64 MB together";
-                Err(("too much is included".to_owned(), hint))
+                let hint = "a robot may have 1000 files, of 64 MB together";
+                Err((
+                    "the included files are too many or too large".to_owned(),
+                    hint,
+                ))
             } else {
                 Ok((name, text))
             }
@@ -177,14 +180,14 @@ fn included(
     Some(found)
 }
 
-/// Opens a file that another includes: seen from the first file's folder, as MuJoCo looks for it first, or from that of
-/// the file that includes it. Its name is the path from the first file's folder.
+/// Opens an included file. As in MuJoCo, the path is relative to the first file's folder, or else to that of the
+/// including file. Returns the path from the first file's folder, and the text.
 fn open(
     written: &str,
     including: &str,
     folder: Option<&Path>,
 ) -> Result<(String, String), (String, &'static str)> {
-    const HINT: &str = "a path begins at the folder of the first file, and does not leave it";
+    const HINT: &str = "write a path inside the folder of the first file";
     let refuse = |reason: &str| {
         (
             format!("cannot include {}: {reason}", quoted(written)),
@@ -192,9 +195,9 @@ fn open(
         )
     };
     let folder = folder.ok_or_else(|| {
-        let hint = "give the file's path, so that it is known where others are";
+        let hint = "read the description from a file, so that paths are relative to its folder";
         let message = format!(
-            "cannot include {}: a text stands in no folder",
+            "cannot include {}: a text without a file has no folder",
             quoted(written)
         );
         (message, hint)
@@ -214,10 +217,10 @@ fn open(
     if let (Some(path), Some(folder)) = (real(&path), real(folder))
         && !path.starts_with(folder)
     {
-        return Err(refuse("it is a link to a place outside the folder"));
+        return Err(refuse("it is a link to a file outside the folder"));
     }
     let bytes = bytes_of(&path).map_err(|reason| refuse(&reason))?;
-    let text = String::from_utf8(bytes).map_err(|_| refuse("it is not written in UTF-8"))?;
+    let text = String::from_utf8(bytes).map_err(|_| refuse("it is not UTF-8"))?;
     let text = match text.strip_prefix('\u{feff}') {
         Some(text) => text.to_owned(),
         None => text,
@@ -225,7 +228,7 @@ fn open(
     Ok((name.clone(), text))
 }
 
-/// A path from the folder, without `.` and `..`; none where it leaves the folder.
+/// A path relative to the first file's folder, without `.` and `..`; `None` if it leaves that folder.
 fn within(beside: &str, written: &str) -> Option<String> {
     let written = written.replace('\\', "/");
     let mut names: Vec<&str> = beside.split('/').filter(|name| !name.is_empty()).collect();

@@ -1,7 +1,6 @@
-//! `<geom>`: the mass that a shape gives to its body.
+//! `<geom>`: the mass of a shape as a part of its body.
 //!
-//! In: a geom, with the class behind it and where it stands. Out: a [`Piece`], where it has mass; and complaints. It never
-//! looks at what is seen or touched.
+//! Visual and contact attributes are ignored.
 
 use std::rc::Rc;
 
@@ -9,21 +8,21 @@ use super::assets::Measured;
 use super::orientation::z_along;
 use super::reading::Mjcf;
 use super::shape::Shape;
-use super::spatial::{self, Matrix, Pose, Solid, Vector, diagonal, exactly, written};
+use super::spatial::{self, Matrix, Pose, Solid, Vector, diagonal, exactly, to_number};
 use super::values::Attributes;
 use crate::description::{Number, Step};
 use crate::error::Place;
 use crate::expression::Double;
 
-/// Below this, in kg and m³, MuJoCo takes a geom for none.
+/// Masses \[kg\] and volumes \[m³\] up to this are zero, as in MuJoCo.
 const NOTHING: f64 = 1e-14;
 
-/// The density of a geom of which none is said \[kg/m³\].
+/// Default density of a geom \[kg/m³\].
 const WATER: f64 = 1000.0;
 
-/// What a geom is.
+/// Type of a geom.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
+enum GeomType {
     Shape(Shape),
     Mesh,
     /// A signed distance field, which a plug-in makes.
@@ -33,30 +32,30 @@ enum Form {
     Plane,
 }
 
-const FORMS: [(&str, Form); 9] = [
-    ("sphere", Form::Shape(Shape::Sphere)),
-    ("capsule", Form::Shape(Shape::Capsule)),
-    ("cylinder", Form::Shape(Shape::Cylinder)),
-    ("ellipsoid", Form::Shape(Shape::Ellipsoid)),
-    ("box", Form::Shape(Shape::Box)),
-    ("mesh", Form::Mesh),
-    ("sdf", Form::Field),
-    ("hfield", Form::Heights),
-    ("plane", Form::Plane),
+const GEOM_TYPES: [(&str, GeomType); 9] = [
+    ("sphere", GeomType::Shape(Shape::Sphere)),
+    ("capsule", GeomType::Shape(Shape::Capsule)),
+    ("cylinder", GeomType::Shape(Shape::Cylinder)),
+    ("ellipsoid", GeomType::Shape(Shape::Ellipsoid)),
+    ("box", GeomType::Shape(Shape::Box)),
+    ("mesh", GeomType::Mesh),
+    ("sdf", GeomType::Field),
+    ("hfield", GeomType::Heights),
+    ("plane", GeomType::Plane),
 ];
 
-/// A part of a body.
+/// A part of a body: the mass of one geom.
 pub(super) struct Piece {
     pub(super) mass: Double,
-    /// From the body's frame to one at the part's centre.
+    /// From the body's frame to the principal or mesh frame at the part's centre of mass.
     pub(super) origin: Vec<Step>,
-    /// About that centre, in the axes of that frame.
+    /// Inertia tensor about the centre of mass, in the axes of that frame \[kg m²\].
     pub(super) tensor: Matrix,
     pub(super) place: Place,
 }
 
 impl Piece {
-    /// The same in the axes of the body's frame.
+    /// The part in the axes of the body's frame.
     pub(super) fn solid(&self) -> Solid {
         let pose = Pose::of(&self.origin);
         Solid {
@@ -68,7 +67,7 @@ impl Piece {
 }
 
 impl<'a> Mjcf<'a> {
-    /// The part of a body that a geom is, in frames from the body's outwards; none where it has no mass.
+    /// The part of the body that a geom contributes; `frame` is its placement in the body. `None` if it has no mass.
     pub(super) fn piece(
         &mut self,
         geom: &Attributes<'a>,
@@ -88,11 +87,11 @@ impl<'a> Mjcf<'a> {
         if group < least || group > most {
             return None;
         }
-        let sphere = Form::Shape(Shape::Sphere);
-        let form = self.choice(geom.get("type"), &FORMS, sphere, &subject);
+        let sphere = GeomType::Shape(Shape::Sphere);
+        let form = self.choice(geom.get("type"), &GEOM_TYPES, sphere, &subject);
         let mass = self.number(geom.get("mass"), &subject);
         let density = self.number(geom.get("density"), &subject);
-        // Nothing is looked for that has no mass anyhow.
+        // Nothing else of a massless geom is read, not even its mesh.
         let is_nothing = match (mass, density) {
             (Some(mass), _) => mass.value == 0.0,
             (None, Some(density)) => density.value == 0.0,
@@ -104,30 +103,30 @@ impl<'a> Mjcf<'a> {
         let place = self.place(geom.own);
         let mut origin = frame.to_vec();
         let (measure, moments): (Double, Box<dyn Fn(Double) -> Matrix>) = match form {
-            Form::Plane => return None,
-            Form::Field => {
+            GeomType::Plane => return None,
+            GeomType::Field => {
                 let hint = "give its body an <inertial>";
                 self.refuse(
                     geom.own,
-                    format!("{subject} is made by a plug-in, and its mass is not read"),
+                    format!("{subject} is a signed distance field of a plug-in, whose mass is not computed"),
                     hint,
                 );
                 return None;
             }
-            Form::Heights => {
+            GeomType::Heights => {
                 let hint = "give its body an <inertial>, or the geom mass=\"0\"";
                 self.refuse(
                     geom.own,
-                    format!("{subject} is a terrain, and its mass is not read"),
+                    format!("{subject} is a height field, whose mass is not computed"),
                     hint,
                 );
                 return None;
             }
-            Form::Mesh => {
+            GeomType::Mesh => {
                 let mesh = self.mesh_of(geom, &subject)?;
                 origin.extend(self.placement(geom, &subject));
                 origin.push(Step::Translate(
-                    mesh.center.map(|entry| written(entry, place)),
+                    mesh.center.map(|entry| to_number(entry, place)),
                 ));
                 let Measured {
                     measure, tensor, ..
@@ -135,8 +134,8 @@ impl<'a> Mjcf<'a> {
                 let of = move |mass: Double| tensor.map(|row| spatial::times(row, mass / measure));
                 (measure, Box::new(of))
             }
-            Form::Shape(shape) => {
-                let (steps, sizes) = self.stand(geom, shape, &subject)?;
+            GeomType::Shape(shape) => {
+                let (steps, sizes) = self.placement_of_shape(geom, shape, &subject)?;
                 origin.extend(steps);
                 let is_hollow = self.flag(geom.get("shellinertia"), false, &subject);
                 let of = move |mass: Double| diagonal(shape.moments(mass, sizes, is_hollow));
@@ -150,7 +149,11 @@ impl<'a> Mjcf<'a> {
             None => density.map_or(exactly(WATER), |density| density.exact()) * measure,
         };
         if mass.to_f64() < 0.0 {
-            self.refuse(geom.own, format!("{subject} has a negative mass"), "");
+            self.refuse(
+                geom.own,
+                format!("{subject} has a negative mass"),
+                "write a mass or density of 0 or more",
+            );
             return None;
         }
         (mass.to_f64() > NOTHING).then(|| Piece {
@@ -161,18 +164,18 @@ impl<'a> Mjcf<'a> {
         })
     }
 
-    /// Where a shape stands, and its sizes.
-    fn stand(
+    /// The placement and the sizes of a shape.
+    fn placement_of_shape(
         &mut self,
         geom: &Attributes<'a>,
         shape: Shape,
         subject: &str,
     ) -> Option<(Vec<Step>, Vector)> {
         if geom.get("mesh").is_some() {
-            let hint = "give its body an <inertial>, or the geom its own size";
+            let hint = "give its body an <inertial>, or remove mesh and give the geom a size";
             self.refuse(
                 geom.own,
-                format!("{subject} is fitted to a mesh, and its mass is not read"),
+                format!("{subject} is a shape fitted to a mesh, whose mass is not computed"),
                 hint,
             );
             return None;
@@ -184,7 +187,7 @@ impl<'a> Mjcf<'a> {
             Some(ends) => {
                 let ends = self.numbers::<6>(Some(ends), subject)?;
                 if shape == Shape::Sphere {
-                    let hint = "only capsules, cylinders, ellipsoids and boxes have ends";
+                    let hint = "fromto is for capsules, cylinders, ellipsoids and boxes";
                     self.refuse(
                         geom.own,
                         format!("{subject} is a sphere and has fromto"),
@@ -204,16 +207,16 @@ impl<'a> Mjcf<'a> {
         let needed = &sizes[..shape.sizes()];
         let is_positive = |size: &Option<Double>| size.is_some_and(|size| size.to_f64() > 0.0);
         if !needed.iter().all(is_positive) {
-            let message = format!("{subject} has no positive size");
+            let message = format!("{subject} needs a positive size");
             let count = shape.sizes();
-            let hint = format!("its type has {count}; or give its body an <inertial>");
+            let hint = format!("write {count} positive sizes, or give its body an <inertial>");
             self.refuse(geom.own, message, &hint);
             return None;
         }
         Some((steps, sizes.map(|size| size.unwrap_or(Double::ZERO))))
     }
 
-    /// Where something stands that lies between two points, and half of its length.
+    /// The placement of a shape between two points, and half of its length.
     pub(super) fn between(
         &mut self,
         geom: &Attributes<'a>,
@@ -231,15 +234,15 @@ impl<'a> Mjcf<'a> {
         let (from, to) = ([a, b, c], [d, e, f]);
         let half = exactly(1.0) / exactly(2.0);
         let along = spatial::minus(from, to);
-        let Some(turn) = z_along(along, place) else {
-            let hint = "its ends are one point";
+        let Some(rotation) = z_along(along, place) else {
+            let hint = "the two points of fromto must differ";
             self.refuse(geom.own, format!("{subject} has no length"), hint);
             return None;
         };
         let center = spatial::times(spatial::plus(from, to), half);
         let steps = vec![
-            Step::Translate(center.map(|entry| written(entry, place))),
-            turn,
+            Step::Translate(center.map(|entry| to_number(entry, place))),
+            rotation,
         ];
         let length = spatial::dot(along, along).sqrt();
         Some((steps, length * half))

@@ -1,19 +1,18 @@
-//! The inertia of a body: that of its `<inertial>`, or of its geoms.
+//! Inertia of a body: from its `<inertial>`, or from its geoms.
 //!
-//! In: what stands in a body. Out: an [`Inertial`], with what the compiler is told to mend; and complaints. It never
-//! looks at joints.
+//! Applies `boundmass`, `boundinertia` and `balanceinertia` of the compiler.
 
 use super::element::Element;
 use super::geom::Piece;
 use super::reading::Mjcf;
 use super::settings::FromGeoms;
-use super::spatial::{self, Matrix, Pose, diagonal, exactly, written};
+use super::spatial::{self, Matrix, Pose, diagonal, exactly, to_number};
 use super::values::Attributes;
 use crate::description::{Inertial, Number, Step, number};
 use crate::error::Place;
 use crate::expression::Double;
 
-/// An inertia before it is mended.
+/// An inertia before bounds and balance are applied.
 struct Found {
     mass: Number,
     origin: Vec<Step>,
@@ -23,7 +22,7 @@ struct Found {
 }
 
 impl<'a> Mjcf<'a> {
-    /// The inertia of a body; none where it has no mass.
+    /// The inertia of a body; `None` if it has none.
     pub(super) fn inertia(
         &mut self,
         inertial: Option<Element<'a>>,
@@ -43,7 +42,7 @@ impl<'a> Mjcf<'a> {
             None
         };
         let found = of_geoms.or(explicit).or_else(|| {
-            // Bodies without anything have the least mass.
+            // A body without inertia gets the minimum mass and moments.
             let bounds = [self.compiler.bound_mass, self.compiler.bound_inertia];
             let is_bounded = bounds.iter().any(|bound| bound.to_f64() > 0.0);
             let nothing = number::computed(Double::ZERO, place);
@@ -58,10 +57,10 @@ impl<'a> Mjcf<'a> {
             let message = format!("the mass of {subject} is negative: {}", found.mass.value);
             self.reader.errors.push(found.mass.place, message);
         }
-        Some(self.mended(found))
+        Some(self.bounded(found))
     }
 
-    /// What an `<inertial>` says.
+    /// The inertia in an `<inertial>`.
     fn explicit(&mut self, element: Element<'a>, body: &str) -> Option<Found> {
         let subject = format!("the <inertial> of {body}");
         let place = self.place(element);
@@ -70,7 +69,7 @@ impl<'a> Mjcf<'a> {
                 self.refuse(
                     element,
                     format!("{subject} has no {name}"),
-                    "MuJoCo needs both pos and mass",
+                    "write both pos and mass, as MuJoCo requires",
                 );
                 return None;
             }
@@ -98,12 +97,16 @@ impl<'a> Mjcf<'a> {
                 return None;
             }
             (Some(full), None) => {
-                let turned = ["axisangle", "euler", "xyaxes", "zaxis"];
-                if turned.iter().any(|name| element.attribute(name).is_some()) {
-                    let hint = "its axes are those of the body's frame";
+                let orientations = ["axisangle", "euler", "xyaxes", "zaxis"];
+                if orientations
+                    .iter()
+                    .any(|name| element.attribute(name).is_some())
+                {
+                    let hint =
+                        "fullinertia is in the axes of the body's frame: remove the orientation";
                     self.refuse(
                         element,
-                        format!("{subject} has fullinertia and is turned"),
+                        format!("{subject} has both fullinertia and an orientation"),
                         hint,
                     );
                     return None;
@@ -117,7 +120,7 @@ impl<'a> Mjcf<'a> {
             }
             (None, None) => [zero; 6],
         };
-        // A quaternion beside a full tensor means nothing.
+        // As in MuJoCo, a quaternion beside a full tensor is ignored.
         let origin = match full {
             Some(_) => origin
                 .into_iter()
@@ -133,8 +136,8 @@ impl<'a> Mjcf<'a> {
         })
     }
 
-    /// With the least mass and the least moments, and balanced, where the compiler is told so.
-    fn mended(&self, found: Found) -> Inertial {
+    /// Applies the minimum mass and moments, and balances the moments, as the compiler's settings say.
+    fn bounded(&self, found: Found) -> Inertial {
         let Found {
             mut mass,
             origin,
@@ -143,13 +146,13 @@ impl<'a> Mjcf<'a> {
         } = found;
         let compiler = &self.compiler;
         if (compiler.bound_mass - mass.exact()).sign().to_f64() > 0.0 {
-            mass = written(compiler.bound_mass, place);
+            mass = to_number(compiler.bound_mass, place);
         }
         let bound = compiler.bound_inertia;
         let inertia = if bound.to_f64() > 0.0 || compiler.balance {
             let [xx, xy, xz, yy, yz, zz] = tensor.map(|entry| entry.exact());
             let matrix = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-            match mended(&matrix, bound, compiler.balance) {
+            match bounded(&matrix, bound, compiler.balance) {
                 Some(matrix) => spatial::entries(&matrix, place),
                 None => tensor,
             }
@@ -165,13 +168,14 @@ impl<'a> Mjcf<'a> {
     }
 }
 
-/// A tensor whose principal moments are no less than a bound, and balanced where no body has them; none where it stays.
-fn mended(tensor: &Matrix, bound: Double, balance: bool) -> Option<Matrix> {
+/// A tensor with principal moments of at least `bound`, and balanced if they are non-physical; `None` if it stays the
+/// same.
+fn bounded(tensor: &Matrix, bound: Double, balance: bool) -> Option<Matrix> {
     let (moments, axes) = spatial::principal(tensor);
     let is_below = |moment: &Double| (bound - *moment).sign().to_f64() > 0.0;
     let is_changed = moments.iter().any(is_below);
     let moments = moments.map(|moment| if is_below(&moment) { bound } else { moment });
-    // As MuJoCo decides it: thin bodies lie on the edge.
+    // In `f64`, as MuJoCo decides it: thin bodies fulfil the triangle inequality with equality.
     let [a, b, c] = moments.map(Double::to_f64);
     let is_of_no_body = a + b < c || a + c < b || b + c < a;
     if balance && is_of_no_body {
@@ -185,13 +189,13 @@ fn mended(tensor: &Matrix, bound: Double, balance: bool) -> Option<Matrix> {
     is_changed.then(|| frame.tensor(&diagonal(moments)))
 }
 
-/// The inertia of parts together: of one as it stands, of several in the axes of the body.
+/// The inertia of all parts: of a single part in its own frame, of several in the axes of the body.
 fn of_pieces(pieces: &[Piece]) -> Option<Found> {
     let first = pieces.first()?;
     let place = first.place;
     if pieces.len() == 1 {
         return Some(Found {
-            mass: written(first.mass, place),
+            mass: to_number(first.mass, place),
             origin: first.origin.clone(),
             tensor: spatial::entries(&first.tensor, place),
             place,
@@ -199,9 +203,9 @@ fn of_pieces(pieces: &[Piece]) -> Option<Found> {
     }
     let solids: Vec<_> = pieces.iter().map(Piece::solid).collect();
     let whole = spatial::together(&solids);
-    let center = whole.center.map(|entry| written(entry, place));
+    let center = whole.center.map(|entry| to_number(entry, place));
     Some(Found {
-        mass: written(whole.mass, place),
+        mass: to_number(whole.mass, place),
         origin: vec![Step::Translate(center)],
         tensor: spatial::entries(&whole.tensor, place),
         place,

@@ -1,15 +1,14 @@
-//! `<joint>` and `<freejoint>`: how a body moves against the one that it stands in.
+//! `<joint>` and `<freejoint>`: joints of a body, relative to its parent.
 //!
-//! In: the joints of a body, in the order of the text. Out: as many joints here, each on a link without mass that the
-//! one before it carries; the last carries the body, or a link that the body is fixed to, where its axis does not go
-//! through the body's origin. A coordinate that is not 0 as described (`ref`) turns or moves the frame that the joint
-//! begins at.
+//! The joints of a body become joints in series, in the order of the text, with massless links between them. The last
+//! joint carries the body. If its axis does not pass through the body's origin, it carries a massless link, to which
+//! the body is fixed. A reference (`ref`) other than 0 rotates or translates the frame of the joint.
 
 mod drive;
 
-use super::orientation::turn;
+use super::orientation::rotation_about;
 use super::reading::Mjcf;
-use super::spatial::{Pose, dot, written};
+use super::spatial::{Pose, dot, to_number};
 use super::tree::{Item, WORLD};
 use super::values::Attributes;
 use crate::description::{Joint, Limits, Link, Name, Number, Step, axis, number};
@@ -19,44 +18,44 @@ use crate::joint::JointKind;
 use crate::joint::drive::Parts;
 use crate::wording::quoted;
 
-/// A body, as far as its joints need it.
+/// A body, as needed to connect it to its parent.
 pub(super) struct Moving<'m, 'a> {
     pub(super) link: &'m Name,
     pub(super) parent: &'m Name,
     /// From the parent's frame to the body's, as described.
     pub(super) steps: Vec<Step>,
     pub(super) subject: &'m str,
-    /// Whether bodies stand in it.
+    /// True if the body contains other bodies.
     pub(super) has_bodies: bool,
     pub(super) joints: &'m [Item<'a>],
     pub(super) place: Place,
 }
 
-/// What a joint allows.
+/// Type of a joint in MJCF.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
+enum JointType {
     Free,
     Ball,
     Slide,
     Hinge,
 }
 
-const FORMS: [(&str, Form); 4] = [
-    ("free", Form::Free),
-    ("ball", Form::Ball),
-    ("slide", Form::Slide),
-    ("hinge", Form::Hinge),
+const JOINT_TYPES: [(&str, JointType); 4] = [
+    ("free", JointType::Free),
+    ("ball", JointType::Ball),
+    ("slide", JointType::Slide),
+    ("hinge", JointType::Hinge),
 ];
 
-/// A joint before it is known between which links.
+/// A joint whose links are not known yet.
 struct Read {
     name: Name,
-    form: Form,
+    form: JointType,
     kind: JointKind,
-    /// Where its axis goes through, in the frame of the body.
+    /// A point of its axis, in the frame of the body \[m\].
     anchor: [Number; 3],
     axis: [Number; 3],
-    /// To where the joint is at 0.
+    /// The motion from the described configuration to coordinate 0.
     reference: Option<Step>,
     limits: Option<Limits>,
     drive: Parts,
@@ -64,25 +63,25 @@ struct Read {
 }
 
 impl<'a> Mjcf<'a> {
-    /// Lets a body move by its joints, or fixes it.
+    /// Connects a body to its parent by its joints, or fixes it.
     pub(super) fn connect(&mut self, body: &Moving<'_, 'a>) {
         let mut read = Vec::new();
         for item in body.joints {
             read.extend(self.joint(item, body));
         }
-        let free = read.iter().position(|joint| joint.form == Form::Free);
+        let free = read.iter().position(|joint| joint.form == JointType::Free);
         if let Some(free) = free {
             let element = body.joints[free].element;
             if body.parent.text != WORLD {
-                let hint = "let the body stand in the world, or give it other joints";
+                let hint = "move the body to the top level of <worldbody>, or give it other joints";
                 self.refuse(
                     element,
-                    format!("{} is free and stands in another body", body.subject),
+                    format!("{} has a free joint inside another body", body.subject),
                     hint,
                 );
             }
             if read.len() > 1 {
-                let message = format!("{} has a free joint and others", body.subject);
+                let message = format!("{} has a free joint beside other joints", body.subject);
                 self.refuse(element, message, "leave the others out");
                 return;
             }
@@ -93,19 +92,19 @@ impl<'a> Mjcf<'a> {
         }
         let count = read.len();
         let mut parent = body.parent.clone();
-        // What is left to the frame of the next, or of the body.
+        // The placement still to be applied before the next joint, or before the body.
         let mut steps = body.steps.clone();
-        // Where the joint before goes through, in the frame of the body.
+        // The point of the previous joint's axis, in the frame of the body.
         let mut before: Option<[Number; 3]> = None;
         for (k, joint) in read.into_iter().enumerate() {
             let anchor = match joint.form {
-                Form::Slide => before,
-                Form::Free => {
-                    // Its coordinates say where it is.
+                JointType::Slide => before,
+                JointType::Free => {
+                    // The coordinates of a free joint are its pose, so its frame is that of the parent.
                     steps.clear();
                     None
                 }
-                Form::Ball | Form::Hinge => Some(joint.anchor).filter(is_not_zero),
+                JointType::Ball | JointType::Hinge => Some(joint.anchor).filter(is_not_zero),
             };
             move_anchor(&mut steps, before, anchor);
             before = anchor;
@@ -156,7 +155,7 @@ impl<'a> Mjcf<'a> {
             Some(name) => format!("joint {}", quoted(&name.text)),
             None => format!("a joint of {}", body.subject),
         };
-        // A `<freejoint>` has nothing of any class.
+        // Classes of defaults do not apply to a `<freejoint>`.
         let attributes = if is_free {
             Attributes {
                 own: element,
@@ -167,15 +166,20 @@ impl<'a> Mjcf<'a> {
             self.attributes(item, "joint")
         };
         let form = if is_free {
-            Form::Free
+            JointType::Free
         } else {
-            self.choice(attributes.get("type"), &FORMS, Form::Hinge, &subject)
+            self.choice(
+                attributes.get("type"),
+                &JOINT_TYPES,
+                JointType::Hinge,
+                &subject,
+            )
         };
         let name = written_name.unwrap_or_else(|| {
             let wanted = if body.joints.len() == 1 {
                 body.link.text.clone()
             } else {
-                let word = FORMS.iter().find(|(_, known)| *known == form);
+                let word = JOINT_TYPES.iter().find(|(_, known)| *known == form);
                 format!("{}_{}", body.link.text, word.map_or("", |(word, _)| word))
             };
             Name {
@@ -186,30 +190,30 @@ impl<'a> Mjcf<'a> {
         let axis = self.axis(&attributes, form, &item.frame, &subject)?;
         let zero = number::computed(Double::ZERO, place);
         let mut anchor = [zero; 3];
-        if form != Form::Free {
+        if form != JointType::Free {
             let pos = self.numbers::<3>(attributes.get("pos"), &subject);
             anchor = pos.unwrap_or(anchor);
             if !item.frame.is_empty() {
                 let exact = anchor.map(|entry| entry.exact());
                 let seen = Pose::of(&item.frame).point(exact);
-                anchor = seen.map(|entry| written(entry, place));
+                anchor = seen.map(|entry| to_number(entry, place));
             }
         }
         let reference = self.reference(&attributes, form, &axis, &name, &subject);
         let limits = self.limits(&attributes, form, &subject);
         let kind = match form {
-            Form::Free => JointKind::Floating,
-            Form::Ball => JointKind::Spherical,
-            Form::Slide => JointKind::Prismatic,
-            Form::Hinge if limits.is_some_and(|limits| limits.lower.is_finite()) => {
+            JointType::Free => JointKind::Floating,
+            JointType::Ball => JointKind::Spherical,
+            JointType::Slide => JointKind::Prismatic,
+            JointType::Hinge if limits.is_some_and(|limits| limits.lower.is_finite()) => {
                 JointKind::Revolute
             }
-            Form::Hinge => JointKind::Continuous,
+            JointType::Hinge => JointKind::Continuous,
         };
-        if form == Form::Free && !body.has_bodies && body.joints.len() == 1 {
+        if form == JointType::Free && !body.has_bodies && body.joints.len() == 1 {
             self.aligned(&attributes, &subject);
         }
-        let drive = self.drive(&attributes, form, &subject);
+        let drive = self.friction_and_armature(&attributes, form, &subject);
         Some(Read {
             name,
             form,
@@ -223,22 +227,22 @@ impl<'a> Mjcf<'a> {
         })
     }
 
-    /// The direction of an axis; z where none is written.
+    /// The direction of the axis; z if none is written.
     fn axis(
         &mut self,
         attributes: &Attributes<'a>,
-        form: Form,
+        form: JointType,
         frame: &[Step],
         subject: &str,
     ) -> Option<[Number; 3]> {
         let place = self.place(attributes.own);
         let z = [0.0, 0.0, 1.0].map(|entry| number::computed(entry, place));
-        if matches!(form, Form::Ball | Form::Free) {
+        if matches!(form, JointType::Ball | JointType::Free) {
             return Some(z);
         }
-        let said = attributes.get("axis");
-        let entries = match said {
-            Some(_) => self.numbers::<3>(said, subject)?,
+        let written = attributes.get("axis");
+        let entries = match written {
+            Some(_) => self.numbers::<3>(written, subject)?,
             None => z,
         };
         let entries = if frame.is_empty() {
@@ -246,13 +250,13 @@ impl<'a> Mjcf<'a> {
         } else {
             let exact = entries.map(|entry| entry.exact());
             let seen = Pose::of(frame).direction(exact);
-            seen.map(|entry| written(entry, place))
+            seen.map(|entry| to_number(entry, place))
         };
-        // MuJoCo makes its length 1 without a word.
+        // MuJoCo normalises axes without a warning.
         match axis::direction(entries) {
             Ok((direction, _)) => Some(direction),
             Err(refusal) => {
-                let place = said.map_or(place, |said| self.place_of(said));
+                let place = written.map_or(place, |written| self.place_of(written));
                 let message = format!("the axis of {subject} {}", refusal.what);
                 self.reader
                     .errors
@@ -262,32 +266,32 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// From where a joint is as described to where it is at 0.
+    /// The motion from the described configuration to coordinate 0; `None` if there is none.
     fn reference(
         &mut self,
         attributes: &Attributes<'a>,
-        form: Form,
+        form: JointType,
         axis: &[Number; 3],
         name: &Name,
         subject: &str,
     ) -> Option<Step> {
-        let said = self.number(attributes.get("ref"), subject)?;
-        let said = match form {
-            Form::Hinge => self.angle(said),
-            Form::Slide => said,
-            Form::Ball | Form::Free => return None,
+        let reference = self.number(attributes.get("ref"), subject)?;
+        let reference = match form {
+            JointType::Hinge => self.angle(reference),
+            JointType::Slide => reference,
+            JointType::Ball | JointType::Free => return None,
         };
-        self.tree.references.insert(name.text.clone(), said);
-        if said.value == 0.0 {
+        self.tree.references.insert(name.text.clone(), reference);
+        if reference.value == 0.0 {
             return None;
         }
         let back = Number {
-            value: -said.value,
-            rest: -said.rest,
-            ..said
+            value: -reference.value,
+            rest: -reference.rest,
+            ..reference
         };
-        if form == Form::Hinge {
-            return turn(axis, back);
+        if form == JointType::Hinge {
+            return rotation_about(axis, back);
         }
         let direction = axis.map(|entry| entry.exact());
         let length = dot(direction, direction).sqrt();
@@ -299,7 +303,7 @@ impl<'a> Mjcf<'a> {
             }
         });
         Some(Step::Translate(
-            offset.map(|entry| written(entry, said.place)),
+            offset.map(|entry| to_number(entry, reference.place)),
         ))
     }
 }
@@ -308,7 +312,7 @@ fn is_not_zero(offset: &[Number; 3]) -> bool {
     offset.iter().any(|entry| entry.value != 0.0)
 }
 
-/// From one point of a body to another, where they differ.
+/// Moves from one point of a body to another, if they differ.
 fn move_anchor(steps: &mut Vec<Step>, from: Option<[Number; 3]>, to: Option<[Number; 3]>) {
     let values = |point: Option<[Number; 3]>| {
         point.map_or([[0.0; 2]; 3], |point| {

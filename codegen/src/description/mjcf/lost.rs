@@ -1,25 +1,25 @@
-//! Mechanics that a file has and the model has not.
+//! Warnings of mechanics that are not modelled.
 //!
-//! In: each thing that was met. Out: a warning for each kind, at the first of its things. What the table of elements
-//! tells by itself is not noted here, but what takes the defaults of a class, or other elements, to see.
+//! One warning for each kind, at its first occurrence. Kinds that the table of elements reports by itself are not noted
+//! here.
 
-use crate::description::xml::elements::Lost;
+use crate::description::xml::elements::NotModelled;
 use crate::error::{Complaint, Place};
 
-/// What was met, each kind once.
+/// The noted kinds.
 #[derive(Default)]
-pub(super) struct Met(Vec<Kind>);
+pub(super) struct Noted(Vec<Kind>);
 
 struct Kind {
-    lost: &'static Lost,
+    lost: &'static NotModelled,
     place: Place,
     item: String,
     others: usize,
 }
 
-impl Met {
-    /// Notes a thing of a kind.
-    pub(super) fn note(&mut self, lost: &'static Lost, place: Place, item: String) {
+impl Noted {
+    /// Notes an occurrence.
+    pub(super) fn note(&mut self, lost: &'static NotModelled, place: Place, item: String) {
         match self.0.iter_mut().find(|kind| kind.lost.what == lost.what) {
             Some(known) => known.others += 1,
             None => self.0.push(Kind {

@@ -1,7 +1,6 @@
-//! `<mesh>` of the assets: the volume of a mesh, its centre and its moments.
+//! `<mesh>` of the assets: volume, centre of mass and inertia tensor of a mesh.
 //!
-//! In: the name of a mesh whose mass is needed. Out: what it is as a body of density 1, read once; or a complaint that
-//! names it. Files are looked for in the folder of meshes, and opened only where their volume is needed.
+//! A file is opened only if its mass is needed, and each mesh is computed once.
 
 mod file;
 mod measure;
@@ -17,30 +16,30 @@ use crate::description::Name;
 use crate::description::load::load;
 use crate::wording::{known, quoted};
 
-/// The most numbers of a mesh that is written in the file.
+/// Maximum number of values in a mesh that is written in the XML file.
 const MOST_NUMBERS: usize = 10_000_000;
 
-/// How the inertia of a mesh is computed.
+/// Method for the inertia of a mesh: MuJoCo's `inertia`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Way {
-    /// By signed volumes, of a mesh without holes.
+enum InertiaMethod {
+    /// Signed volumes, for a mesh without holes.
     Exact,
-    /// By volumes of pyramids that are all taken as positive.
+    /// Absolute volumes of pyramids.
     Legacy,
-    /// By the area of its faces.
+    /// Areas of faces.
     Shell,
-    /// By its convex hull.
+    /// The convex hull.
     Convex,
 }
 
-const WAYS: [(&str, Way); 4] = [
-    ("exact", Way::Exact),
-    ("legacy", Way::Legacy),
-    ("shell", Way::Shell),
-    ("convex", Way::Convex),
+const INERTIA_METHODS: [(&str, InertiaMethod); 4] = [
+    ("exact", InertiaMethod::Exact),
+    ("legacy", InertiaMethod::Legacy),
+    ("shell", InertiaMethod::Shell),
+    ("convex", InertiaMethod::Convex),
 ];
 
-/// Corners, and the three of each face.
+/// Vertices, and the indices of the three vertices of each face.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Mesh {
     corners: Vec<[f64; 3]>,
@@ -48,7 +47,7 @@ struct Mesh {
 }
 
 impl<'a> Mjcf<'a> {
-    /// Finds all meshes.
+    /// Collects the `<mesh>` elements by name.
     pub(super) fn list_meshes(&mut self, root: Element<'a>) {
         for section in root.named("asset") {
             for element in section.named("mesh") {
@@ -67,14 +66,14 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// The mesh of a name.
+    /// The inertia of a named mesh at density 1.
     pub(super) fn measured(&mut self, name: &Name, subject: &str) -> Option<Rc<Measured>> {
         if let Some(known) = self.meshes.measured.get(&name.text) {
             return known.clone();
         }
         let Some(&element) = self.meshes.assets.get(&name.text) else {
             let message = format!(
-                "{subject} is of mesh {}, which there is not",
+                "{subject} names a mesh that does not exist: {}",
                 quoted(&name.text)
             );
             let mut names: Vec<&str> = self.meshes.assets.keys().map(String::as_str).collect();
@@ -98,9 +97,14 @@ impl<'a> Mjcf<'a> {
             kind: "mesh",
             class: class.unwrap_or_else(|| self.defaults.main()),
         };
-        let way = self.choice(attributes.get("inertia"), &WAYS, Way::Legacy, &what);
-        let read = if way == Way::Convex {
-            Err("its inertia is that of its convex hull".to_owned())
+        let method = self.choice(
+            attributes.get("inertia"),
+            &INERTIA_METHODS,
+            InertiaMethod::Legacy,
+            &what,
+        );
+        let read = if method == InertiaMethod::Convex {
+            Err("inertia=\"convex\" is not supported".to_owned())
         } else {
             self.corners(element, &what)
         };
@@ -108,21 +112,24 @@ impl<'a> Mjcf<'a> {
             let scale = self.numbers::<3>(attributes.get("scale"), &what);
             let scale = scale.map_or([1.0; 3], |scale| scale.map(|factor| factor.value));
             let origin = self.numbers::<3>(element.attribute("refpos"), &what);
-            let turn = self.numbers::<4>(element.attribute("refquat"), &what);
+            let axes = self.numbers::<4>(element.attribute("refquat"), &what);
             let origin = origin.map_or([0.0; 3], |origin| origin.map(|entry| entry.value));
-            let turn = turn.map_or([1.0, 0.0, 0.0, 0.0], |turn| turn.map(|entry| entry.value));
+            let axes = axes.map_or([1.0, 0.0, 0.0, 0.0], |axes| axes.map(|entry| entry.value));
             let edges = measure::twice_used(&mesh);
-            if way == Way::Exact && edges {
-                return Err("its faces are not oriented alike".to_owned());
+            if method == InertiaMethod::Exact && edges {
+                return Err(
+                    "its faces are not consistently oriented, as inertia=\"exact\" requires"
+                        .to_owned(),
+                );
             }
             let is_mirrored = scale[0].signum() * scale[1].signum() * scale[2].signum() < 0.0;
-            mesh.place(origin, turn, scale, is_mirrored && !is_swapped);
-            mesh.measured(way)
+            mesh.place(origin, axes, scale, is_mirrored && !is_swapped);
+            mesh.measured(method)
         });
         match measured {
             Ok(measured) => Some(measured),
             Err(reason) => {
-                let message = format!("the mass of {subject} is not read from {what}: {reason}");
+                let message = format!("cannot compute the mass of {subject} from {what}: {reason}");
                 let hint = "give its body an <inertial>, or the geom mass=\"0\"";
                 self.refuse(element, message, hint);
                 None
@@ -130,10 +137,10 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// Corners and faces, and whether those of a mirrored mesh are turned round twice.
+    /// Vertices and faces, and true if the faces of a mirrored mesh must not be reversed.
     fn corners(&mut self, element: Element<'a>, what: &str) -> Result<(Mesh, bool), String> {
         if element.attribute("builtin").is_some() || !element.named("plugin").is_empty() {
-            return Err("it is made by MuJoCo".to_owned());
+            return Err("meshes generated by MuJoCo are not supported".to_owned());
         }
         if let Some(written) = element.attribute("file") {
             let written = self.word(written).text;
@@ -149,9 +156,9 @@ impl<'a> Mjcf<'a> {
                     .collect::<Vec<f64>>(),
             )
         };
-        let corners = list("vertex").ok_or("it has neither a file nor vertices")?;
-        let faces = list("face").ok_or("it has no faces, and its convex hull is not computed")?;
-        file::written(&corners, &faces).map(|mesh| (mesh, false))
+        let corners = list("vertex").ok_or("it has neither file nor vertex")?;
+        let faces = list("face").ok_or("it has no face, and convex hulls are not computed")?;
+        file::of_numbers(&corners, &faces).map(|mesh| (mesh, false))
     }
 
     fn corners_of_file(
@@ -160,13 +167,13 @@ impl<'a> Mjcf<'a> {
         written: &str,
     ) -> Result<(Mesh, bool), String> {
         let folder = self.folder.clone();
-        let folder = folder.ok_or("its file is not beside a text")?;
+        let folder = folder.ok_or("a text without a file has no folder")?;
         let mut name = written.replace('\\', "/");
         if self.compiler.strip {
             name = name.rsplit('/').next().unwrap_or_default().to_owned();
         }
         let meshes = folder.join(self.compiler.meshes.replace('\\', "/"));
-        // As MuJoCo looks for it: seen from the first file, and from the one that it stands in.
+        // As in MuJoCo: relative to the first file, or else to the file that contains the element.
         let beside = element.file().folder();
         let paths: [PathBuf; 2] = [meshes.join(&name), meshes.join(beside).join(&name)];
         let path = paths.iter().find(|path| path.exists()).unwrap_or(&paths[0]);

@@ -1,20 +1,20 @@
-//! Names of links and joints, which every body and every joint needs here, and only few of a file have.
+//! Unique names of links and joints.
 //!
-//! In: the names that are written, and what wants one. Out: those, and others that nothing else has. It reads nothing.
+//! In MJCF few bodies and joints have a name; here each one needs one.
 
 use std::collections::HashSet;
 
 use super::element::Element;
 
-/// The names of one kind.
+/// The names of one kind that are in use.
 #[derive(Default)]
 pub(super) struct Names {
     taken: HashSet<String>,
 }
 
 impl Names {
-    /// The names that elements of some tags have, wherever they stand.
-    pub(super) fn written(root: Element<'_>, tags: &[&str]) -> Self {
+    /// Collects the names of all elements with these tags.
+    pub(super) fn of_elements(root: Element<'_>, tags: &[&str]) -> Self {
         let mut names = Self::default();
         let mut waiting = vec![root];
         while let Some(element) = waiting.pop() {
@@ -27,12 +27,12 @@ impl Names {
         names
     }
 
-    /// A name that is written somewhere.
+    /// Reserves a name.
     pub(super) fn take(&mut self, name: &str) {
         self.taken.insert(name.to_owned());
     }
 
-    /// The name of the link that a site is: its own where no body has it.
+    /// Reserves a name for the link of a site: the site's own name, unless a body has it.
     pub(super) fn of_site(&mut self, site: &str) -> String {
         if self.taken.contains(site) {
             self.fresh(&format!("{site}_site"))
@@ -41,7 +41,7 @@ impl Names {
         }
     }
 
-    /// This name, or where something else has it the first of those that begin with it.
+    /// Reserves the wanted name, or the first unused one of `wanted_2`, `wanted_3`, ….
     pub(super) fn fresh(&mut self, wanted: &str) -> String {
         let mut name = wanted.to_owned();
         let mut count = 1;

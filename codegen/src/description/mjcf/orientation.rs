@@ -1,22 +1,21 @@
 //! Placements: `pos`, and one of `quat`, `axisangle`, `euler`, `xyaxes` and `zaxis`.
 //!
-//! In: the attributes of an element. Out: the steps of its placement, and complaints. What MuJoCo makes of length 1 may
-//! have any. A class of defaults may have one form of orientation and the element another: the element's own counts, as
-//! in MuJoCo 4; in former versions a quaternion gave way.
+//! Quaternions and axes need not be normalised. If an element and its class of defaults write different forms of
+//! orientation, the element's own counts, as in MuJoCo 4; in former versions another form overrode a quaternion.
 
 use super::element::Written;
 use super::reading::Mjcf;
-use super::spatial::{self, Matrix, Vector, exactly, written};
+use super::spatial::{self, Matrix, Vector, exactly, to_number};
 use super::values::Attributes;
 use crate::description::{Axis, Number, Step};
 use crate::error::Place;
 use crate::expression::Double;
 
-/// The forms.
+/// The attributes of orientation.
 const FORMS: [&str; 5] = ["quat", "axisangle", "xyaxes", "zaxis", "euler"];
 
 impl<'a> Mjcf<'a> {
-    /// Where an element's frame is.
+    /// The placement of an element's frame.
     pub(super) fn placement(&mut self, attributes: &Attributes<'a>, subject: &str) -> Vec<Step> {
         let mut steps = Vec::new();
         let position = self.numbers::<3>(attributes.get("pos"), subject);
@@ -25,19 +24,23 @@ impl<'a> Mjcf<'a> {
         steps
     }
 
-    /// How it is turned.
+    /// The rotation of an element's frame.
     pub(super) fn orientation(&mut self, attributes: &Attributes<'a>, subject: &str) -> Vec<Step> {
         let own = attributes.own;
-        let said = FORMS.into_iter().filter_map(|form| own.attribute(form));
-        let said: Vec<Written<'a>> = said.collect();
-        if said.len() > 1 {
-            let message = format!("{subject} is oriented in more than one way");
-            self.refuse(own, message, "leave all but one of them out");
+        let own_forms = FORMS.into_iter().filter_map(|form| own.attribute(form));
+        let own_forms: Vec<Written<'a>> = own_forms.collect();
+        if own_forms.len() > 1 {
+            let message = format!("{subject} has more than one orientation");
+            self.refuse(
+                own,
+                message,
+                "write only one of quat, axisangle, xyaxes, zaxis and euler",
+            );
             return Vec::new();
         }
-        // The last that is said, from the outermost class to the element.
+        // The element's own attribute, or else the last one of its classes.
         let of_class = || attributes.class.last_of(attributes.kind, &FORMS);
-        let Some(form) = said.first().copied().or_else(of_class) else {
+        let Some(form) = own_forms.first().copied().or_else(of_class) else {
             return Vec::new();
         };
         match form.attribute.name() {
@@ -47,11 +50,12 @@ impl<'a> Mjcf<'a> {
             "zaxis" => {
                 let axis = self.numbers::<3>(Some(form), subject);
                 let place = self.place_of(form);
-                let turn = axis.and_then(|axis| z_along(axis.map(|entry| entry.exact()), place));
-                if turn.is_none() && axis.is_some() {
+                let rotation =
+                    axis.and_then(|axis| z_along(axis.map(|entry| entry.exact()), place));
+                if rotation.is_none() && axis.is_some() {
                     self.refuse_length(form, subject);
                 }
-                turn.into_iter().collect()
+                rotation.into_iter().collect()
             }
             _ => {
                 let angles = self.numbers::<3>(Some(form), subject);
@@ -65,8 +69,8 @@ impl<'a> Mjcf<'a> {
         let place = self.place_of(written);
         self.reader.errors.push_with_hint(
             place,
-            format!("{name} of {subject} has no direction"),
-            "give it a length that is not zero",
+            format!("{name} of {subject} has length 0"),
+            "give a direction or a quaternion that is not 0",
         );
     }
 
@@ -80,17 +84,17 @@ impl<'a> Mjcf<'a> {
         is_turned.then(|| of_mujoco(entries))
     }
 
-    /// An angle in radians.
+    /// An angle of the file in radians.
     pub(super) fn angle(&self, angle: Number) -> Number {
         if self.compiler.degrees {
             let exact = angle.exact() * Double::PI / exactly(180.0);
-            written(exact, angle.place)
+            to_number(exact, angle.place)
         } else {
             angle
         }
     }
 
-    /// Angles about the axes that the compiler names.
+    /// Rotations by Euler angles about the axes of `eulerseq`.
     pub(super) fn euler(&self, angles: [Number; 3]) -> Vec<Step> {
         let mut steps = Vec::new();
         for (letter, angle) in self.compiler.euler.into_iter().zip(angles) {
@@ -116,11 +120,11 @@ impl<'a> Mjcf<'a> {
         let Some([x, y, z, angle]) = self.numbers::<4>(Some(form), subject) else {
             return Vec::new();
         };
-        let turn = turn(&[x, y, z], self.angle(angle));
-        if turn.is_none() {
+        let rotation = rotation_about(&[x, y, z], self.angle(angle));
+        if rotation.is_none() {
             self.refuse_length(form, subject);
         }
-        turn.into_iter().collect()
+        rotation.into_iter().collect()
     }
 
     fn axes(&mut self, form: Written<'a>, subject: &str) -> Vec<Step> {
@@ -141,13 +145,13 @@ fn is_not_zero(offset: &[Number; 3]) -> bool {
     offset.iter().any(|entry| entry.value != 0.0)
 }
 
-/// A quaternion that begins with w.
+/// A rotation by a quaternion in MuJoCo's order w, x, y, z.
 pub(super) fn of_mujoco([w, x, y, z]: [Number; 4]) -> Step {
     Step::Turn([x, y, z, w])
 }
 
-/// A rotation about an axis of any length; none about one without a direction.
-pub(super) fn turn(axis: &[Number; 3], angle: Number) -> Option<Step> {
+/// A rotation about an axis of any length; `None` if the length is 0.
+pub(super) fn rotation_about(axis: &[Number; 3], angle: Number) -> Option<Step> {
     let along = |k: usize| {
         let others = [axis[(k + 1) % 3], axis[(k + 2) % 3]];
         others.iter().all(|entry| entry.value == 0.0)
@@ -172,10 +176,12 @@ pub(super) fn turn(axis: &[Number; 3], angle: Number) -> Option<Step> {
     let (sine, cosine) = (angle.exact() / exactly(2.0)).sin_cos();
     let [x, y, z] = spatial::times(axis, sine);
     let entries = [x, y, z, cosine * length];
-    Some(Step::Turn(entries.map(|entry| written(entry, angle.place))))
+    Some(Step::Turn(
+        entries.map(|entry| to_number(entry, angle.place)),
+    ))
 }
 
-/// The shortest rotation that takes z along a direction; about x where that is −z. None of no direction.
+/// The shortest rotation of the z axis to a direction; about x if the direction is −z. `None` if its length is 0.
 pub(super) fn z_along([x, y, z]: Vector, place: Place) -> Option<Step> {
     let across = x * x + y * y;
     let length = (across + z * z).sqrt();
@@ -192,15 +198,16 @@ pub(super) fn z_along([x, y, z]: Vector, place: Place) -> Option<Step> {
         [-y, x, Double::ZERO, w]
     } else if z.sign().to_f64() > 0.0 {
         return Some(Step::Turn(
-            [0.0, 0.0, 0.0, 1.0].map(|entry| written(exactly(entry), place)),
+            [0.0, 0.0, 0.0, 1.0].map(|entry| to_number(exactly(entry), place)),
         ));
     } else {
         [exactly(1.0), Double::ZERO, Double::ZERO, Double::ZERO]
     };
-    Some(Step::Turn(entries.map(|entry| written(entry, place))))
+    Some(Step::Turn(entries.map(|entry| to_number(entry, place))))
 }
 
-/// The rotation whose x is along the first, and whose y is along the second as far as that is across it.
+/// The rotation to the frame with this x axis and with y in the plane of both vectors. `None` if they are parallel or
+/// 0.
 fn of_axes(x: Vector, y: Vector, place: Place) -> Option<Step> {
     let normal = spatial::cross(x, y);
     let y = spatial::cross(normal, x);
@@ -215,5 +222,5 @@ fn of_axes(x: Vector, y: Vector, place: Place) -> Option<Step> {
     }
     let rotation: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]));
     let entries = spatial::quaternion(&rotation);
-    Some(Step::Turn(entries.map(|entry| written(entry, place))))
+    Some(Step::Turn(entries.map(|entry| to_number(entry, place))))
 }

@@ -1,18 +1,16 @@
-//! What is known while a file is read.
-//!
-//! A shared noun: each part of the reader adds to it what it reads, and finds in it what others have read.
+//! State of the reader, shared by its parts.
 
 use std::path::PathBuf;
 
 use super::assets::Meshes;
 use super::class::Defaults;
-use super::lost::Met;
+use super::lost::Noted;
 use super::names::Names;
 use super::settings::Compiler;
 use super::tree::Tree;
 use crate::description::xml::element::Reader;
 
-/// What reading has found so far.
+/// State of the reader.
 pub(super) struct Mjcf<'a> {
     pub(super) reader: Reader<'a, 'a>,
     pub(super) compiler: Compiler,
@@ -20,9 +18,9 @@ pub(super) struct Mjcf<'a> {
     pub(super) tree: Tree,
     pub(super) loop_names: Names,
     pub(super) meshes: Meshes<'a>,
-    pub(super) met: Met,
-    /// Where other files are looked for.
+    pub(super) noted: Noted,
+    /// The folder of the first file, which paths of other files are relative to.
     pub(super) folder: Option<PathBuf>,
-    /// Other files that were read, beside those that are included.
+    /// Paths of further files that were read, such as meshes; included files are not among them.
     pub(super) beside: Vec<PathBuf>,
 }

@@ -1,46 +1,47 @@
-//! What `<compiler>` says of everything else.
-//!
-//! A shared noun, which begins as MuJoCo has it where a file says nothing.
+//! Settings of `<compiler>`, with MuJoCo's defaults.
 
 use crate::description::Number;
 use crate::expression::Double;
 
-/// Whether inertias are those of geoms.
+/// Source of inertias: `inertiafromgeom`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum FromGeoms {
     Never,
     Always,
-    /// Where a body has no `<inertial>`.
+    /// Only for bodies without `<inertial>`.
     Otherwise,
 }
 
 /// The settings.
-#[expect(clippy::struct_excessive_bools, reason = "each is a word of its own")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is an attribute of its own"
+)]
 pub(super) struct Compiler {
-    /// Angles are in degrees.
+    /// True if angles are in degrees.
     pub(super) degrees: bool,
     /// The axes of Euler angles; capital letters are fixed axes.
     pub(super) euler: [char; 3],
-    /// A range is a limit where nothing else is said.
+    /// True if a range makes a limit, unless `limited` is `false`.
     pub(super) autolimits: bool,
     pub(super) from_geoms: FromGeoms,
-    /// The groups of geoms that have mass.
+    /// Minimum and maximum group of the geoms that have mass.
     pub(super) groups: [f64; 2],
-    /// The least mass of a body \[kg\].
+    /// Minimum mass of a body \[kg\].
     pub(super) bound_mass: Double,
-    /// The least principal inertia of a body \[kg m²\].
+    /// Minimum principal moment of inertia of a body \[kg m²\].
     pub(super) bound_inertia: Double,
-    /// Inertias that no body has are replaced by their mean.
+    /// True if non-physical principal moments are replaced by their mean.
     pub(super) balance: bool,
-    /// The mass of all bodies together \[kg\].
+    /// Mass that all bodies together are scaled to \[kg\].
     pub(super) total_mass: Option<Number>,
     /// The folder of meshes.
     pub(super) meshes: String,
-    /// Folders in names of meshes are left out.
+    /// True if folders in the names of meshes are dropped.
     pub(super) strip: bool,
-    /// Shapes are fitted to meshes by their extents.
+    /// True if shapes are fitted to meshes by their bounding boxes.
     pub(super) fit_extents: bool,
-    /// Free bodies without children move with their inertial frame.
+    /// True if frames of free bodies without children are moved to their inertial frames.
     pub(super) align_free: bool,
 }
 

@@ -1,30 +1,29 @@
-//! Volumes and moments of inertia of shapes, solid or hollow.
+//! Volumes and moments of inertia of solid and hollow shapes.
 //!
-//! In: a shape and its sizes \[m\], as MuJoCo has them: radii and half lengths. Out: its volume, or the area of a hollow
-//! one, and the moments of a mass about its axes. The ends of capsules and cylinders belong to hollow ones; a hollow
-//! ellipsoid is what lies between it and one that is a micrometre larger, and its area Thomsen's approximation. It knows
-//! no element, and rounds nothing to `f64`.
+//! Sizes are MuJoCo's: radii and half lengths \[m\]. Hollow capsules and cylinders include their ends. A hollow
+//! ellipsoid is the layer between it and one that is 1 µm larger, and its area is Thomsen's approximation. Results are
+//! in 106 bits.
 
 use super::spatial::{Vector, exactly};
 use crate::expression::Double;
 
-/// A shape, with as many sizes as it has.
+/// A shape, with the sizes that it has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
-    /// A radius.
+    /// Radius.
     Sphere,
-    /// A radius, and half the length between the centres of its ends; along z.
+    /// Radius, and half the distance between the centres of its ends; along z.
     Capsule,
-    /// A radius and half the length; along z.
+    /// Radius, and half the length; along z.
     Cylinder,
-    /// Half of each axis.
+    /// Semi-axes.
     Ellipsoid,
-    /// Half of each side.
+    /// Half the side lengths.
     Box,
 }
 
 impl Shape {
-    /// How many sizes it has.
+    /// The number of its sizes.
     pub(super) const fn sizes(self) -> usize {
         match self {
             Self::Sphere => 1,
@@ -54,7 +53,7 @@ impl Shape {
         }
     }
 
-    /// The moments of inertia of a mass \[kg m²\].
+    /// The principal moments of inertia \[kg m²\] of a mass \[kg\] about the centre of mass.
     pub(super) fn moments(self, mass: Double, sizes: Vector, is_hollow: bool) -> Vector {
         let [a, b, c] = sizes;
         let [aa, bb, cc] = sizes.map(|size| size * size);
@@ -98,16 +97,16 @@ impl Shape {
     }
 }
 
-/// The moments about x, y and z, of the squares along them.
+/// Moments about x, y and z from the second moments ∫x²dm, ∫y²dm and ∫z²dm, each times `factor`.
 fn quadratic(factor: Double, [x, y, z]: Vector) -> Vector {
     [factor * (y + z), factor * (x + z), factor * (x + y)]
 }
 
-/// A cylinder between two half balls, or hollow ones.
+/// Moments of a cylinder between two half balls, solid or hollow.
 fn capsule(mass: Double, radius: Double, half: Double, is_hollow: bool) -> Vector {
     let rr = radius * radius;
     let [two, three, five, eight] = [2.0, 3.0, 5.0, 8.0].map(exactly);
-    // Volumes, or areas, in the same unit.
+    // Volumes or areas, divided by a common factor.
     let (ball, tube) = if is_hollow {
         (radius, half)
     } else {
@@ -133,7 +132,7 @@ fn capsule(mass: Double, radius: Double, half: Double, is_hollow: bool) -> Vecto
     [across, across, along_tube + along_ball]
 }
 
-/// A tube with two discs at its ends.
+/// Moments of a tube with a disc at each end.
 fn hollow_cylinder(mass: Double, radius: Double, half: Double) -> Vector {
     let rr = radius * radius;
     let [two, three, four] = [2.0, 3.0, 4.0].map(exactly);
@@ -143,15 +142,15 @@ fn hollow_cylinder(mass: Double, radius: Double, half: Double) -> Vector {
     [across, across, tube * rr + discs * rr / two]
 }
 
-/// xᵖ of a positive number.
+/// xᵖ for x > 0.
 fn power(x: Double, p: Double) -> Double {
     exponential(p * logarithm(x))
 }
 
-/// eˣ, by its series after halving.
+/// eˣ, by its series after halvings of x.
 fn exponential(x: Double) -> Double {
     const HALVINGS: i32 = 10;
-    /// Of an argument below 1: 2⁻¹⁰ⁿ/n! is below 2⁻¹¹⁰.
+    /// Arguments are below 1 before the halvings: 2⁻¹⁰ⁿ/n! is below 2⁻¹¹⁰ here.
     const TERMS: i32 = 12;
     let halvings = HALVINGS + (x.exponent() + 1).max(0);
     let small = x.scaled(-halvings);
@@ -166,10 +165,10 @@ fn exponential(x: Double) -> Double {
     sum
 }
 
-/// ln x of a positive number, by Newton's method from x = 2ⁿ.
+/// ln x for x > 0, by iterations from n ln 2 with x ≈ 2ⁿ.
 fn logarithm(x: Double) -> Double {
     const STEPS: usize = 9;
-    // From ln 2 to a start that is never off by more than a half.
+    // The error of the start is below 1/2.
     const LN_2: f64 = std::f64::consts::LN_2;
     let mut found = exactly(f64::from(x.exponent()) * LN_2);
     for _ in 0..STEPS {
@@ -213,13 +212,13 @@ mod tests {
         assert!(off.to_f64().abs() < 1e-26, "{off:?}");
     }
 
-    /// A shell is what a solid gains where it grows a little.
+    /// The volume of a shell is the derivative of the solid's by the size.
     #[test]
     fn hollow_shapes_are_derivatives_of_solid_ones() {
         let step = exactly(1.0).scaled(-53);
         for shape in [Shape::Sphere, Shape::Capsule, Shape::Cylinder, Shape::Box] {
             let sizes = SIZES.map(exactly);
-            // The half length of a capsule is that of its axis, which does not grow.
+            // The half length of a capsule ends at the centres of its half balls, so it does not grow.
             let grown = std::array::from_fn(|k| match (shape, k) {
                 (Shape::Capsule, 1) => sizes[1],
                 _ => sizes[k] + step,

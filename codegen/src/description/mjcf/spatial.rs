@@ -1,7 +1,4 @@
-//! Placements and inertias of numbers, in 106 bits.
-//!
-//! In: steps of placements, masses, tensors. Out: rotation matrices and positions, tensors in other axes, about other
-//! points, and by their principal axes. It knows no element, and rounds nothing to `f64`.
+//! Poses and inertias in 106 bits.
 
 use crate::description::{Axis, Number, Step, number};
 use crate::error::Place;
@@ -10,15 +7,15 @@ use crate::expression::Double;
 pub(super) type Vector = [Double; 3];
 pub(super) type Matrix = [[Double; 3]; 3];
 
-/// Where a frame is, seen from another.
+/// Pose of a frame relative to another.
 #[derive(Clone, Copy)]
 pub(super) struct Pose {
-    /// The axes of the frame are its columns.
+    /// Columns are the axes of the frame.
     pub(super) rotation: Matrix,
     pub(super) position: Vector,
 }
 
-/// A mass, its centre, and its inertia tensor about that.
+/// Mass, centre of mass, and inertia tensor about it.
 #[derive(Clone, Copy)]
 pub(super) struct Solid {
     pub(super) mass: Double,
@@ -26,13 +23,13 @@ pub(super) struct Solid {
     pub(super) tensor: Matrix,
 }
 
-/// A small whole number, or a half.
+/// The exact value of an `f64`.
 pub(super) fn exactly(value: f64) -> Double {
     Double::from(value)
 }
 
-/// A number of the description; exactly 0 where 106 bits do not tell it from 0.
-pub(super) fn written(value: Double, place: Place) -> Number {
+/// A number of the description; rounding residues below 106 bits become exactly 0.
+pub(super) fn to_number(value: Double, place: Place) -> Number {
     let value = if value.is_zero() { Double::ZERO } else { value };
     number::computed(value, place)
 }
@@ -76,7 +73,7 @@ pub(super) fn diagonal(entries: Vector) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { entries[i] } else { Double::ZERO }))
 }
 
-/// A rotation by a quaternion x, y, z, w of any length but 0.
+/// The rotation matrix of a quaternion x, y, z, w of any length but 0.
 pub(super) fn of_quaternion([x, y, z, w]: [Double; 4]) -> Matrix {
     let two = exactly(2.0) / (x * x + y * y + z * z + w * w);
     let one = exactly(1.0);
@@ -99,7 +96,7 @@ pub(super) fn of_quaternion([x, y, z, w]: [Double; 4]) -> Matrix {
     ]
 }
 
-/// A quaternion x, y, z, w of a rotation, made by the largest of its entries.
+/// A quaternion x, y, z, w of a rotation, of any length, computed from its largest entry.
 pub(super) fn quaternion(r: &Matrix) -> [Double; 4] {
     let one = exactly(1.0);
     let squares = [
@@ -108,7 +105,7 @@ pub(super) fn quaternion(r: &Matrix) -> [Double; 4] {
         one - r[0][0] - r[1][1] + r[2][2],
         one + r[0][0] + r[1][1] + r[2][2],
     ];
-    // Each row is the quaternion times four times one of its entries.
+    // Row k is the quaternion times 4 times its entry k.
     let [x, y, z] = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
     let [xy, yz, zx] = [r[1][0] + r[0][1], r[2][1] + r[1][2], r[0][2] + r[2][0]];
     let rows = [
@@ -143,31 +140,31 @@ impl Pose {
                     position: pose.point(offset.map(|entry| entry.exact())),
                     ..pose
                 },
-                Step::Rotate(axis, angle) => pose.turned(&about(*axis, angle.exact())),
+                Step::Rotate(axis, angle) => pose.rotated(&about(*axis, angle.exact())),
                 Step::Turn(entries) => {
-                    pose.turned(&of_quaternion(entries.map(|entry| entry.exact())))
+                    pose.rotated(&of_quaternion(entries.map(|entry| entry.exact())))
                 }
             })
     }
 
-    fn turned(self, rotation: &Matrix) -> Self {
+    fn rotated(self, rotation: &Matrix) -> Self {
         Self {
             rotation: product(&self.rotation, rotation),
             ..self
         }
     }
 
-    /// A point of the frame, seen from the other.
+    /// Coordinates of a point of the frame, in the other frame.
     pub(super) fn point(&self, point: Vector) -> Vector {
         plus(applied(&self.rotation, point), self.position)
     }
 
-    /// A direction of the frame, seen from the other.
+    /// Coordinates of a direction of the frame, in the other frame.
     pub(super) fn direction(&self, direction: Vector) -> Vector {
         applied(&self.rotation, direction)
     }
 
-    /// A tensor of the frame in the axes of the other.
+    /// A tensor of the frame, in the axes of the other frame.
     pub(super) fn tensor(&self, tensor: &Matrix) -> Matrix {
         product(
             &product(&self.rotation, tensor),
@@ -186,7 +183,7 @@ fn about(axis: Axis, angle: Double) -> Matrix {
     }
 }
 
-/// The steps in the opposite order, each backwards.
+/// The inverse placement: the steps in reverse order, each inverted.
 pub(super) fn inverse(steps: &[Step]) -> Vec<Step> {
     let negated = |number: Number| Number {
         value: -number.value,
@@ -202,7 +199,7 @@ pub(super) fn inverse(steps: &[Step]) -> Vec<Step> {
     backwards.collect()
 }
 
-/// Several solids as one.
+/// The inertia of several solids together.
 pub(super) fn together(solids: &[Solid]) -> Solid {
     let mut mass = Double::ZERO;
     let mut moment = [Double::ZERO; 3];
@@ -229,11 +226,11 @@ pub(super) fn together(solids: &[Solid]) -> Solid {
     }
 }
 
-/// Principal moments and axes (as columns) of a symmetric tensor, by Jacobi's rotations.
+/// Principal moments and axes (columns) of a symmetric tensor, by Jacobi rotations.
 pub(super) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
-    /// Each sweep squares what is left: ten are more than 106 bits need.
+    /// Each sweep squares the off-diagonal entries: ten suffice for 106 bits.
     const SWEEPS: usize = 20;
-    /// 2⁻¹⁰³: what rounding leaves beside the diagonal.
+    /// 2⁻¹⁰³: rounding errors of off-diagonal entries, relative to the diagonal.
     const NOTHING: f64 = f64::from_bits((1023 - 103) << 52);
     let (mut d, mut axes) = (*tensor, Pose::identity().rotation);
     for _ in 0..SWEEPS {
@@ -249,26 +246,31 @@ pub(super) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
             let t = exactly(sign) / (exactly(sign) * h + root);
             let c = exactly(1.0) / (t * t + exactly(1.0)).sqrt();
             let s = t * c;
-            let mut turn = Pose::identity().rotation;
-            (turn[p][p], turn[q][q], turn[p][q], turn[q][p]) = (c, c, s, -s);
-            d = product(&product(&transposed(&turn), &d), &turn);
-            axes = product(&axes, &turn);
+            let mut rotation = Pose::identity().rotation;
+            (
+                rotation[p][p],
+                rotation[q][q],
+                rotation[p][q],
+                rotation[q][p],
+            ) = (c, c, s, -s);
+            d = product(&product(&transposed(&rotation), &d), &rotation);
+            axes = product(&axes, &rotation);
         }
     }
     ([0, 1, 2].map(|k| d[k][k]), axes)
 }
 
-/// A tensor of the description: xx, xy, xz, yy, yz, zz.
+/// The entries of a tensor as numbers of the description: xx, xy, xz, yy, yz, zz.
 pub(super) fn entries(tensor: &Matrix, place: Place) -> [Number; 6] {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = *tensor;
-    [xx, xy, xz, yy, yz, zz].map(|entry| written(entry, place))
+    [xx, xy, xz, yy, yz, zz].map(|entry| to_number(entry, place))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A tensor is that of its principal moments about its principal axes, whatever it looks like.
+    /// Any tensor, however close its moments are, is restored from its principal moments and axes.
     #[test]
     fn tensors_are_made_of_principal_moments() {
         for [a, b, c, d, e, f] in [

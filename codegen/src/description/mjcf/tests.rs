@@ -1,4 +1,4 @@
-//! What the reader makes of files, and every message of its own: a file for each part; here is a whole robot.
+//! Tests of the reader and of each of its messages, with a file for each part. This file reads a whole robot.
 
 mod defaults;
 mod equality;
@@ -14,7 +14,7 @@ use super::*;
 use crate::description::{Inertial, Joint, Link, Modelled, Step};
 use crate::expression::Double as Exact;
 
-/// A robot with a part of every kind.
+/// A robot with an element of each important kind.
 const ARM: &str = r#"<mujoco model="arm">
   <compiler angle="radian"/>
   <default>
@@ -41,7 +41,7 @@ const ARM: &str = r#"<mujoco model="arm">
 </mujoco>
 "#;
 
-/// Reads, and gives back all that was complained of as the command line shows it.
+/// The errors of a text, as the command line prints them.
 fn errors(text: &str) -> String {
     let mut errors = Errors::new();
     let _ = read(text, "arm.xml", None, None, &mut errors);
@@ -55,23 +55,25 @@ fn fine(text: &str) -> Description {
     description.unwrap()
 }
 
-/// A file with such bodies, in radians.
+/// A file with these bodies, in radians.
 fn in_world(bodies: &str) -> String {
     format!("<mujoco><compiler angle=\"radian\"/><worldbody>\n{bodies}</worldbody></mujoco>")
 }
 
-/// What is doubted of a file, each doubt as the command line shows it.
-fn doubts(text: &str) -> Vec<String> {
+/// The warnings of a text, as the command line prints them.
+fn warnings(text: &str) -> Vec<String> {
     let robot = fine(text);
     let modelled = Modelled {
         friction: true,
         armature: true,
         has_rotor: &|_| true,
     };
-    let doubts = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
+    let warnings = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
     let source = robot.source;
-    let doubts = doubts.iter();
-    doubts.map(|doubt| source.errors().locate(doubt)).collect()
+    let warnings = warnings.iter();
+    warnings
+        .map(|warning| source.errors().locate(warning))
+        .collect()
 }
 
 fn link<'d>(robot: &'d Description, name: &str) -> &'d Link {
@@ -145,7 +147,7 @@ fn an_arm_is_read() {
         [limits.lower, limits.upper].map(f64::to_bits),
         [-1.0_f64, 1.0].map(f64::to_bits)
     );
-    // It is described at 0.25.
+    // Its placement is given at q = 0.25.
     let (rotation, position) = pose(&shoulder.origin);
     all_near(position, [0.0, 0.0, 0.4]);
     all_near(rotation[0], [0.25_f64.cos(), 0.0, (-0.25_f64).sin()]);

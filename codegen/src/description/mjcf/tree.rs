@@ -1,6 +1,4 @@
-//! What was read of the tree of bodies.
-//!
-//! A shared noun: links and joints, and where everything stands as described.
+//! Links and joints read so far, with their poses in the described configuration.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -12,44 +10,44 @@ use super::spatial::inverse;
 use crate::description::{Joint, JointId, Link, Number, Step};
 use crate::list::List;
 
-/// The link that is fixed.
+/// The name of the fixed link.
 pub(super) const WORLD: &str = "world";
 
-/// What was read of the tree.
+/// The links and joints read so far.
 #[derive(Default)]
 pub(super) struct Tree {
     pub(super) links: Vec<Link>,
     pub(super) joints: List<JointId, Joint>,
-    /// Of each link that is a body or a site: the link that it stands in, and where it is there as described.
-    pub(super) stands: HashMap<String, (String, Vec<Step>)>,
-    /// The links that sites are, by the names of these.
+    /// For each body and site, by link name: its parent, and its placement there in the described configuration.
+    pub(super) placements: HashMap<String, (String, Vec<Step>)>,
+    /// The link names of sites, by site name.
     pub(super) sites: HashMap<String, String>,
-    /// The coordinate that a joint has as described, by its name.
+    /// The coordinates of joints in the described configuration (`ref`), by joint name.
     pub(super) references: HashMap<String, Number>,
-    /// How many copies were made.
+    /// The number of copies made so far.
     pub(super) copies: usize,
     pub(super) link_names: Names,
     pub(super) joint_names: Names,
 }
 
-/// An element of a body, in the frames that stand around it.
+/// An element of a body, with the placement of the frames around it.
 #[derive(Clone)]
 pub(super) struct Item<'a> {
     pub(super) element: Element<'a>,
-    /// From the frame of the body.
+    /// The placement of the frames between the body and the element.
     pub(super) frame: Vec<Step>,
     pub(super) class: Rc<Class<'a>>,
-    /// What names end with.
+    /// The suffix of names in this copy.
     pub(super) suffix: String,
 }
 
 impl Tree {
-    /// The joint of a name.
+    /// The joint with a name.
     pub(super) fn joint(&self, name: &str) -> Option<JointId> {
         self.joints.find(|joint| joint.name.text == name)
     }
 
-    /// Where a link is as described, seen from another.
+    /// The pose of one link in another, in the described configuration.
     pub(super) fn between(&self, from: &str, to: &str) -> Vec<Step> {
         let (mut from, mut to) = (self.path(from), self.path(to));
         let shared = from.iter().zip(&to).take_while(|(a, b)| a.0 == b.0).count();
@@ -64,13 +62,13 @@ impl Tree {
         steps
     }
 
-    /// The links from the world to one of them, each with where it is in the one before.
+    /// The links from the world to `link`, each with its placement in the previous one.
     fn path<'t>(&'t self, link: &str) -> Vec<(&'t str, &'t [Step])> {
         let mut path = Vec::new();
-        let mut at = self.stands.get_key_value(link);
+        let mut at = self.placements.get_key_value(link);
         while let Some((name, (parent, steps))) = at {
             path.push((name.as_str(), steps.as_slice()));
-            at = self.stands.get_key_value(parent);
+            at = self.placements.get_key_value(parent);
         }
         path.reverse();
         path

@@ -1,7 +1,6 @@
 //! Values of attributes: numbers, words and names, each with its place.
 //!
-//! In: attributes of elements, and of the classes of defaults behind them. Out: what they say, and complaints about
-//! those that are not what they should be. It never knows what an element is for.
+//! Missing attributes are looked up in the classes of defaults. Malformed values are reported as errors.
 
 use std::ops::RangeInclusive;
 use std::rc::Rc;
@@ -14,23 +13,23 @@ use crate::description::{Name, Number};
 use crate::error::Place;
 use crate::wording::{known, quoted};
 
-/// The attributes of an element, with those of its class behind them.
+/// The attributes of an element, with its class of defaults.
 #[derive(Clone)]
 pub(super) struct Attributes<'a> {
     pub(super) own: Element<'a>,
-    /// What the element is called among defaults.
+    /// The tag of such elements in classes of defaults.
     pub(super) kind: &'static str,
     pub(super) class: Rc<Class<'a>>,
 }
 
 impl<'a> Attributes<'a> {
-    /// An attribute: the element's own, or that of the class.
+    /// The value of an attribute: the element's own, or else that of the class.
     pub(super) fn get(&self, name: &str) -> Option<Written<'a>> {
         let own = self.own.attribute(name);
         own.or_else(|| self.class.attributes(self.kind, name).last().copied())
     }
 
-    /// All that is written of an attribute, the outermost class first.
+    /// All values of an attribute, from the outermost class to the element itself.
     pub(super) fn all(&self, name: &str) -> Vec<Written<'a>> {
         let mut found = self.class.attributes(self.kind, name);
         found.extend(self.own.attribute(name));
@@ -39,29 +38,29 @@ impl<'a> Attributes<'a> {
 }
 
 impl<'a> Mjcf<'a> {
-    /// The reader of the file that an element stands in.
+    /// The reader, set to the file of an element.
     pub(super) fn at(&mut self, element: Element<'a>) -> &mut Reader<'a, 'a> {
         self.reader.positions = &element.file().positions;
         &mut self.reader
     }
 
-    /// Where an element begins.
+    /// The place of an element.
     pub(super) fn place(&mut self, element: Element<'a>) -> Place {
         self.at(element).place(element.node)
     }
 
-    /// Where the value of an attribute begins.
+    /// The place of an attribute's value.
     pub(super) fn place_of(&mut self, written: Written<'a>) -> Place {
         self.at(written.element).value_place(&written.attribute)
     }
 
-    /// A mistake at an element.
+    /// Reports an error at an element.
     pub(super) fn refuse(&mut self, element: Element<'a>, message: String, hint: &str) {
         let place = self.place(element);
         self.reader.errors.push_with_hint(place, message, hint);
     }
 
-    /// So many numbers; none where there are none, or something is wrong with them.
+    /// Exactly `N` numbers. `None` if the attribute is missing or malformed; the latter is an error.
     pub(super) fn numbers<const N: usize>(
         &mut self,
         written: Option<Written<'a>>,
@@ -71,12 +70,12 @@ impl<'a> Mjcf<'a> {
         list.try_into().ok()
     }
 
-    /// One number.
+    /// A single number.
     pub(super) fn number(&mut self, written: Option<Written<'a>>, subject: &str) -> Option<Number> {
         self.numbers(written, subject).map(|[number]| number)
     }
 
-    /// Between so many numbers and so many.
+    /// A list of numbers whose count is within bounds.
     pub(super) fn list(
         &mut self,
         written: Written<'a>,
@@ -88,7 +87,7 @@ impl<'a> Mjcf<'a> {
         reader.number_list(&written.attribute, counts, &subject)
     }
 
-    /// Numbers of which an element may give the first alone, and its class the others.
+    /// Up to `N` numbers: entries that the element leaves out are those of its class.
     pub(super) fn entries<const N: usize>(
         &mut self,
         attributes: &Attributes<'a>,
@@ -105,7 +104,7 @@ impl<'a> Mjcf<'a> {
         entries
     }
 
-    /// A word.
+    /// A word, without surrounding spaces.
     pub(super) fn word(&mut self, written: Written<'a>) -> Name {
         let place = self.place_of(written);
         let text = self.at(written.element).value(&written.attribute);
@@ -115,7 +114,7 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// What one of some words means; `otherwise` where none is written, or another.
+    /// The meaning of one of several words; `otherwise` if the attribute is missing or malformed.
     pub(super) fn choice<T: Copy>(
         &mut self,
         written: Option<Written<'a>>,

@@ -1,15 +1,13 @@
-//! Everything that may stand in a URDF file, and what becomes of it.
-//!
-//! In: nothing. Out: the table of URDF 1.0 and 1.1, and of the extensions of ROS, Gazebo, Drake, MuJoCo, Bullet and
-//! Isaac. It never reads a number.
+//! The table of all elements and attributes of URDF 1.0 and 1.1 and of the extensions of ROS, Gazebo, Drake, MuJoCo,
+//! Bullet and Isaac: read, ignored, or reported as a warning.
 
 mod actuators;
 mod format;
 mod simulators;
 
-use crate::description::xml::elements::{Content, Entry, Format, Lost, Others, When};
+use crate::description::xml::elements::{Content, Entry, Format, NotModelled, Others, When};
 
-/// The format.
+/// The format URDF.
 pub(super) const URDF: Format = Format {
     root: &format::ROBOT,
     places: &PLACES,
@@ -32,7 +30,7 @@ const VALUE: Content = Content {
     others: Others::WarnedLikeText,
 };
 
-/// Each element that has content, as the guide calls it.
+/// Each element with content, under its heading in the guide.
 const PLACES: [(&str, &Content); 18] = [
     ("`<robot>`", &format::ROBOT),
     ("`<link>`", &format::LINK),
@@ -60,7 +58,7 @@ const PLACES: [(&str, &Content); 18] = [
     ),
 ];
 
-/// The table as the guide shows it, in Markdown: of each element what may stand in it, attributes first.
+/// The table of elements and attributes as a page of the guide, in Markdown.
 #[must_use]
 pub fn page() -> String {
     URDF.page()

@@ -1,17 +1,15 @@
-//! Placements as URDF writes them: `xyz` and `rpy`, or the quaternion of URDF 1.1.
-//!
-//! In: elements. Out: the steps of a placement, and complaints. It never knows whose placement it is.
+//! Placements of URDF: `xyz` and `rpy`, or the quaternion of URDF 1.1.
 
 use roxmltree::{Attribute, Node};
 
 use crate::description::xml::element::Reader;
 use crate::description::{Axis, Number, Step, axis};
 
-/// 2π, and what people round it to.
-const MORE_THAN_A_TURN: f64 = 6.3;
+/// 2π, with room for rounded values of it.
+const MORE_THAN_A_REVOLUTION: f64 = 6.3;
 
 impl<'t> Reader<'_, 't> {
-    /// The placement in `<origin xyz="…" rpy="…"/>`; none means that frames coincide.
+    /// The placement in `<origin xyz="…" rpy="…"/>`; without the element, the frames coincide.
     pub(in crate::description::urdf) fn origin(
         &mut self,
         origin: Option<Node<'_, 't>>,
@@ -20,7 +18,7 @@ impl<'t> Reader<'_, 't> {
         origin.map_or_else(Vec::new, |node| self.placement(node, subject))
     }
 
-    /// The placement that an element has in its own `xyz`, and `rpy` or `quat_xyzw`.
+    /// The placement in an element's own `xyz`, and `rpy` or `quat_xyzw`.
     pub(in crate::description::urdf) fn placement(
         &mut self,
         node: Node<'_, 't>,
@@ -51,15 +49,15 @@ impl<'t> Reader<'_, 't> {
         steps
     }
 
-    /// Roll, pitch and yaw turn about fixed axes, which is the reverse order about moving ones.
+    /// Roll, pitch and yaw are rotations about fixed axes, which equal rotations about moving axes in reverse order.
     fn angles(&mut self, rpy: &Attribute<'_, 't>, subject: &str) -> Option<[Step; 3]> {
         let [roll, pitch, yaw]: [Number; 3] = self.numbers(rpy, subject)?;
         let mut angles = [roll, pitch, yaw].into_iter();
-        if let Some(angle) = angles.find(|angle| angle.value.abs() > MORE_THAN_A_TURN) {
+        if let Some(angle) = angles.find(|angle| angle.value.abs() > MORE_THAN_A_REVOLUTION) {
             let degrees = angle.value;
             self.warn(
                 angle.place,
-                format!("{subject} has an angle of {degrees} rad, more than a turn"),
+                format!("{subject} has an angle of {degrees} rad, more than one revolution"),
                 Some(format!(
                     "angles are in radians: {degrees} degrees are {}",
                     degrees.to_radians()
@@ -77,9 +75,13 @@ impl<'t> Reader<'_, 't> {
         let entries = self.numbers(written, subject)?;
         let place = self.value_place(written);
         match axis::quaternion(&entries) {
-            Ok(doubt) => {
-                if let Some(doubt) = doubt {
-                    self.warn(place, format!("{subject} {}", doubt.what), Some(doubt.hint));
+            Ok(warning) => {
+                if let Some(warning) = warning {
+                    self.warn(
+                        place,
+                        format!("{subject} {}", warning.what),
+                        Some(warning.hint),
+                    );
                 }
             }
             Err(refusal) => {
@@ -91,8 +93,8 @@ impl<'t> Reader<'_, 't> {
         if std::mem::take(&mut self.is_of_version_1_0) {
             self.warn(
                 self.positions.place(written.range().start),
-                format!("{subject} is of URDF 1.1, which the robot does not name as its version"),
-                Some("write <robot version=\"1.1\">: other readers may pass over it".to_owned()),
+                format!("{subject} needs URDF 1.1, but the robot has no such version"),
+                Some("write <robot version=\"1.1\">: other readers may ignore it".to_owned()),
             );
         }
         Some(entries)

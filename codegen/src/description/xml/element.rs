@@ -1,8 +1,7 @@
-//! Elements and attributes with their places.
+//! Reads elements and attributes with their places.
 //!
-//! In: nodes of the document. Out: names and numbers that know where they stand; complaints about
-//! those that are missing, given twice, or not what they should be. It never knows what a link or
-//! a joint is.
+//! Errors about missing, repeated and malformed elements and attributes are reported here. The reader is independent of
+//! the format.
 
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
@@ -16,10 +15,10 @@ use crate::description::{Name, Number, Unmodelled};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
-/// The most warnings.
+/// Maximum number of warnings.
 pub(in crate::description) const MOST_WARNINGS: usize = 1000;
 
-/// The elements of xacro itself; of any other name is the call of a macro.
+/// The elements of xacro itself; any other name with its prefix is a call of a macro.
 const OF_XACRO: [&str; 10] = [
     "arg",
     "attribute",
@@ -33,31 +32,31 @@ const OF_XACRO: [&str; 10] = [
     "unless",
 ];
 
-/// Why a number alone should end with its last digit.
+/// Reason for the warning of trailing white space.
 const ENDS_IN_SPACE: &str =
-    "urdfdom, with which ROS reads, takes it for no number and leaves out what it is part of";
+    "urdfdom, which ROS uses, rejects such a number and drops the element around it";
 
-/// What reading has found so far.
+/// State of the reader.
 pub(in crate::description) struct Reader<'r, 't> {
     pub(in crate::description) positions: &'r Positions<'t>,
     pub(in crate::description) errors: Errors,
     pub(in crate::description) warnings: Vec<Complaint>,
     pub(in crate::description) unmodelled: Unmodelled,
-    /// Whether the robot has no version, or 1.0, and nobody has said yet that it should have another.
+    /// True if the robot's version is missing or 1.0, until the warning of a newer element is reported.
     pub(in crate::description) is_of_version_1_0: bool,
-    /// Where something stands that xacro should have replaced.
+    /// The first place that xacro should have replaced.
     pub(in crate::description) xacro: Option<Place>,
-    /// Where a macro is called that xacro may have left because it did not know it.
+    /// The first call of a macro, which xacro leaves in place if it does not know the macro.
     pub(in crate::description) call: Option<Place>,
 }
 
 impl<'t> Reader<'_, 't> {
-    /// Where an element begins.
+    /// The place of an element.
     pub(in crate::description) fn place(&self, node: Node<'_, 't>) -> Place {
         self.positions.place(node.range().start)
     }
 
-    /// Where the value of an attribute begins.
+    /// The place of an attribute's value.
     pub(in crate::description) fn value_place(&self, attribute: &Attribute<'_, 't>) -> Place {
         self.positions.place(self.raw(attribute).0)
     }
@@ -78,8 +77,8 @@ impl<'t> Reader<'_, 't> {
         });
     }
 
-    /// An element that xacro should have replaced, unless it is the call of a macro that it did not know: those it
-    /// leaves, and every other reader passes over them.
+    /// Reports an element that xacro left. Calls of macros that xacro does not know are left by it and ignored by every
+    /// other reader, so they are warnings.
     pub(in crate::description) fn left_by_xacro(
         &mut self,
         place: Place,
@@ -94,19 +93,19 @@ impl<'t> Reader<'_, 't> {
         self.warn(
             place,
             format!(
-                "macro {} that xacro left in {subject} is ignored",
+                "macro {} in {subject} was not expanded by xacro and is ignored",
                 quoted(name)
             ),
-            Some("xacro knew no macro of that name: what it adds is missing".to_owned()),
+            Some("xacro found no macro of that name: the elements it adds are missing".to_owned()),
         );
     }
 
-    /// The elements within an element.
+    /// The child elements of an element.
     pub(in crate::description) fn children<'a>(node: Node<'a, 't>) -> Vec<Node<'a, 't>> {
         node.children().filter(Node::is_element).collect()
     }
 
-    /// The one element of that name; complains of a second one that says anything else.
+    /// The only child element with a tag. A second one is a warning if it is equal, and an error if not.
     pub(in crate::description) fn only<'a>(
         &mut self,
         children: &[Node<'a, 't>],
@@ -134,7 +133,7 @@ impl<'t> Reader<'_, 't> {
         first.copied()
     }
 
-    /// The element of that name; complains where it is missing.
+    /// The child element with a tag; an error if it is missing.
     pub(in crate::description) fn required<'a>(
         &mut self,
         parent: Node<'a, 't>,
@@ -154,7 +153,7 @@ impl<'t> Reader<'_, 't> {
         found
     }
 
-    /// A name that must not be missing or empty.
+    /// A name; an error if it is missing or empty.
     pub(in crate::description) fn name(
         &mut self,
         node: Node<'_, 't>,
@@ -187,7 +186,7 @@ impl<'t> Reader<'_, 't> {
         })
     }
 
-    /// One number that must not be missing.
+    /// A number; an error if it is missing.
     pub(in crate::description) fn number(
         &mut self,
         node: Node<'_, 't>,
@@ -202,7 +201,7 @@ impl<'t> Reader<'_, 't> {
         self.numbers(&found, subject).map(|[number]| number)
     }
 
-    /// As many numbers as are needed.
+    /// Exactly `N` numbers.
     pub(in crate::description) fn numbers<const N: usize>(
         &mut self,
         attribute: &Attribute<'_, 't>,
@@ -213,14 +212,14 @@ impl<'t> Reader<'_, 't> {
         if N == 1 && text.ends_with(|end: char| end.is_ascii_whitespace()) {
             self.warn(
                 self.positions.place(start),
-                format!("{subject} ends in white space, which is passed over"),
+                format!("{subject} ends in white space, which is ignored"),
                 Some(ENDS_IN_SPACE.to_owned()),
             );
         }
         list.try_into().ok()
     }
 
-    /// Between so many numbers and so many.
+    /// A list of numbers whose count is within bounds.
     pub(in crate::description) fn number_list(
         &mut self,
         attribute: &Attribute<'_, 't>,
@@ -233,7 +232,7 @@ impl<'t> Reader<'_, 't> {
             return None;
         }
         if let Some((offset, what, hint)) = number::look_alike(&text) {
-            // In a value with references, offsets are not those of the file.
+            // With character references, offsets in the value are not those of the file.
             let offset = if matches!(text, Cow::Borrowed(_)) {
                 offset
             } else {
@@ -274,7 +273,7 @@ impl<'t> Reader<'_, 't> {
         (read.len() == count).then_some(read)
     }
 
-    /// Complains of a number.
+    /// Reports an error of a number.
     pub(in crate::description) fn refuse(
         &mut self,
         place: Place,
@@ -288,7 +287,7 @@ impl<'t> Reader<'_, 't> {
         }
     }
 
-    /// The value of an attribute in one line.
+    /// The value of an attribute, with line breaks as spaces.
     pub(in crate::description) fn value<'a>(&self, attribute: &Attribute<'a, 't>) -> Cow<'a, str>
     where
         't: 'a,
@@ -301,12 +300,12 @@ impl<'t> Reader<'_, 't> {
         }
     }
 
-    /// Where the value of an attribute begins, and the value with offsets as in the file.
+    /// The place of an attribute's value, and the value with the offsets of the file.
     fn raw<'a>(&self, attribute: &Attribute<'a, 't>) -> (usize, Cow<'a, str>)
     where
         't: 'a,
     {
-        // Found anew: `range_value` counts the blanks around `=` in a byte.
+        // Searched anew, because `range_value` stores the number of blanks around `=` in one byte.
         let range = attribute.range();
         let text = &self.positions.text()[range.clone()];
         let equals = text.find('=').map_or(0, |at| at + 1);
@@ -315,7 +314,7 @@ impl<'t> Reader<'_, 't> {
         let value = &self.positions.text()[start.min(range.end)..range.end];
         let value = value.strip_suffix(['"', '\'']).unwrap_or(value);
         if value.contains('&') {
-            // Offsets within a value with character references would be off by their lengths.
+            // Character references would shift the offsets.
             (start, Cow::Owned(unescaped(value)))
         } else {
             (start, Cow::Borrowed(value))
@@ -323,12 +322,12 @@ impl<'t> Reader<'_, 't> {
     }
 }
 
-/// Whether xacro should have replaced something in this value.
+/// True if the value contains an expression that xacro should have replaced.
 fn is_xacro(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }
 
-/// The words of a text and their offsets.
+/// The words of a text with their offsets.
 fn words(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut rest = 0;
     text.split_ascii_whitespace().map(move |word| {

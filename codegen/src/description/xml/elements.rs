@@ -1,54 +1,53 @@
-//! Everything that may stand in a format of XML, and what becomes of it.
+//! Tables of the elements and attributes of an XML format, and the treatment of each.
 //!
-//! In: nothing. Out: the rows of which the reader of a format makes one table, the only list of elements and
-//! attributes that it knows. [`survey`](super::survey) warns by it of what is left out, and the guide's page "What is
-//! read and what is not" is printed from it. It never reads a number.
+//! [`survey`](super::survey) reports warnings by these tables, and the guide's page "What is read" is printed from
+//! them.
 
 use std::fmt::Write;
 
-/// A format.
+/// A format of XML.
 pub(in crate::description) struct Format {
-    /// What may stand in the root element.
+    /// Content of the root element.
     pub(in crate::description) root: &'static Content,
-    /// Each element that has content, as the guide calls it.
+    /// Each element with content, under its heading in the guide.
     pub(in crate::description) places: &'static [(&'static str, &'static Content)],
-    /// The words before the name of an element that messages do not write in angle brackets.
+    /// Elements that messages call by a word instead of their tag, with this word.
     pub(in crate::description) called: &'static [(&'static str, &'static str)],
-    /// The elements that are counted in one that is ignored, because they are mechanics.
+    /// Mechanical elements, which are counted inside an ignored element for the hint.
     pub(in crate::description) counted: &'static [&'static str],
-    /// Elements that may stand anywhere, and are no part of what they stand in.
+    /// Elements that are allowed anywhere, and are not part of the element around them.
     pub(in crate::description) elsewhere: &'static [&'static str],
 }
 
-/// What may stand in an element.
+/// Attributes and elements that an element may contain.
 pub(in crate::description) struct Content {
     pub(in crate::description) attributes: &'static [Entry],
     pub(in crate::description) elements: &'static [Entry],
     pub(in crate::description) others: Others,
 }
 
-/// What becomes of elements and attributes that have no row.
+/// Treatment of elements and attributes without a row.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::description) enum Others {
-    /// They are ignored, with a warning.
+    /// Ignored, with a warning.
     Warned,
-    /// The same; and the element's values are attributes, so that text in it is one of them gone astray.
+    /// As `Warned`; text is a warning, too, because the element's values are attributes.
     WarnedLikeText,
-    /// They are settings without mechanics, but what stands in them is looked at by the same rows.
-    PassedOver,
+    /// Ignored as settings without mechanics. Elements inside are surveyed by the same rows.
+    Ignored,
 }
 
-/// An element or an attribute.
+/// A row: an element or an attribute.
 pub(in crate::description) struct Entry {
-    /// As it is written; a name with Drake's prefix is known without it as well.
+    /// The name in the file; a name with Drake's prefix is recognised without it, too.
     pub(in crate::description) name: &'static str,
     pub(in crate::description) when: When,
     pub(in crate::description) becomes: Becomes,
-    /// What may stand in it; none where nobody looks.
+    /// Content of the element; `None` if it is not surveyed.
     pub(in crate::description) content: Option<&'static Content>,
 }
 
-/// Values for which a warning is due: of an attribute, or of an element's attribute `value` or text.
+/// Values that cause a warning: of an attribute, or of an element's attribute `value` or text.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::description) enum When {
     Always,
@@ -64,22 +63,22 @@ pub(in crate::description) enum When {
     NotStandardGravity,
 }
 
-/// What the reader makes of it.
+/// Treatment of an element or attribute.
 #[derive(Clone, Copy)]
 pub(in crate::description) enum Becomes {
-    /// This, in the words of the guide.
+    /// Read as this, in the words of the guide.
     Read(&'static str),
-    /// Nothing: it has no mechanics.
-    Nothing(&'static str),
-    /// Nothing, though it is mechanics: a warning.
-    Lost(&'static Lost),
+    /// Ignored for this reason: it has no mechanics.
+    Ignored(&'static str),
+    /// Mechanics that are not modelled: a warning.
+    NotModelled(&'static NotModelled),
 }
 
-/// Mechanics that are left out.
-pub(in crate::description) struct Lost {
-    /// What it is, with its article.
+/// Mechanics that are not modelled.
+pub(in crate::description) struct NotModelled {
+    /// A noun with its article, for the message.
     pub(in crate::description) what: &'static str,
-    /// What the user can do about it.
+    /// Advice for the user.
     pub(in crate::description) hint: &'static str,
 }
 
@@ -93,19 +92,22 @@ impl Entry {
         }
     }
 
-    /// What is read.
+    /// A row that is read as `what`.
     pub(in crate::description) const fn read(name: &'static str, what: &'static str) -> Self {
         Self::new(name, Becomes::Read(what))
     }
 
-    /// What has no mechanics.
-    pub(in crate::description) const fn nothing(name: &'static str, what: &'static str) -> Self {
-        Self::new(name, Becomes::Nothing(what))
+    /// A row without mechanics, ignored because of `what`.
+    pub(in crate::description) const fn ignored(name: &'static str, what: &'static str) -> Self {
+        Self::new(name, Becomes::Ignored(what))
     }
 
-    /// Mechanics that are left out.
-    pub(in crate::description) const fn lost(name: &'static str, what: &'static Lost) -> Self {
-        Self::new(name, Becomes::Lost(what))
+    /// A row of mechanics that are not modelled.
+    pub(in crate::description) const fn not_modelled(
+        name: &'static str,
+        what: &'static NotModelled,
+    ) -> Self {
+        Self::new(name, Becomes::NotModelled(what))
     }
 
     pub(in crate::description) const fn when(self, when: When) -> Self {
@@ -119,7 +121,7 @@ impl Entry {
         }
     }
 
-    /// As the guide writes it, with the values that are warned of.
+    /// The name as the guide shows it, with the values that cause a warning.
     fn shown(&self, is_attribute: bool) -> String {
         let name = self.name;
         let when = match self.when {
@@ -137,7 +139,7 @@ impl Entry {
         }
     }
 
-    /// Whether an element or attribute of this name is meant.
+    /// True if `written` is the name of this row.
     pub(in crate::description) fn is(&self, written: &str) -> bool {
         self.name == written || self.name.strip_prefix("drake:") == Some(written)
     }
@@ -148,12 +150,12 @@ impl Becomes {
         matches!(self, Self::Read(_))
     }
 
-    /// In the words of the guide, in which only what is code begins with `<`.
+    /// The treatment as the guide shows it. `<` is escaped outside of code.
     fn text(self) -> String {
         match self {
             Self::Read(what) => what.to_owned(),
-            Self::Nothing(what) => format!("nothing: {what}"),
-            Self::Lost(Lost { what, hint }) => {
+            Self::Ignored(what) => format!("ignored: {what}"),
+            Self::NotModelled(NotModelled { what, hint }) => {
                 let text = format!("**a warning**: {what}; {hint}");
                 text.replace('<', "&lt;")
             }
@@ -171,11 +173,11 @@ impl Content {
     }
 }
 
-/// Attributes that many elements have.
+/// Attributes of many elements, for which no other place is suggested.
 const NAMES: [&str; 3] = ["name", "type", "version"];
 
 impl Format {
-    /// Where an element that stands elsewhere would be read: as an element, or as an attribute.
+    /// A hint: the place where a misplaced element would be read, as an element or as an attribute.
     pub(in crate::description) fn home(&self, written: &str) -> Option<String> {
         let place = |reads: &dyn Fn(&Content) -> bool| {
             let place = self.places.iter().find(|(_, content)| reads(content));
@@ -183,13 +185,13 @@ impl Format {
         };
         let read = |entry: Option<&Entry>| entry.is_some_and(|entry| entry.becomes.is_read());
         let element = place(&|content| read(content.element(written)));
-        let element = element.map(|place| format!("it stands in {place}: move it there"));
+        let element = element.map(|place| format!("move it into {place}"));
         let attribute =
             place(&|content| !NAMES.contains(&written) && read(content.attribute(written)));
         element.or_else(|| attribute.map(|place| format!("write it as an attribute of {place}")))
     }
 
-    /// The table as the guide shows it, in Markdown: of each element what may stand in it, attributes first.
+    /// The table as Markdown for the guide; attributes come before elements.
     #[must_use]
     pub(in crate::description) fn page(&self) -> String {
         let mut page = String::new();
@@ -198,7 +200,7 @@ impl Format {
             let _ = write!(page, "## In {place}\n\n| | becomes |\n|---|---|\n");
             let rows = content.attributes.iter().map(|entry| (entry, true));
             let rows = rows.chain(content.elements.iter().map(|entry| (entry, false)));
-            // Rows of one fate are one.
+            // Adjacent rows with the same treatment are merged.
             let mut written: Vec<(String, String)> = Vec::new();
             for (entry, is_attribute) in rows {
                 let name = entry.shown(is_attribute);
@@ -214,9 +216,9 @@ impl Format {
             let others = match content.others {
                 Others::Warned => "Anything else is ignored, with a warning.",
                 Others::WarnedLikeText => {
-                    "Anything else is ignored, with a warning; so are values that stand in it as elements or text."
+                    "Anything else is ignored, with a warning; so are values written as elements or text."
                 }
-                Others::PassedOver => "Anything else is a setting, and passed over.",
+                Others::Ignored => "Anything else is a setting and is ignored.",
             };
             let _ = writeln!(page, "\n{others}\n");
         }

@@ -45,15 +45,15 @@ const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
-        from: "u * second + base.cross(turning)",
-        to: "u * second - base.cross(turning)",
+        from: "u * second + base.cross(angular)",
+        to: "u * second - base.cross(angular)",
         noticed_by: engine(OBLIQUE),
     },
     Mutation {
         name: "Newton-Euler: of a joint with several velocities, ω × v left out",
         file: "codegen/src/model/newton_euler.rs",
-        from: "let coriolis = turning.cross(outer.relative) + before.cross(sliding);",
-        to: "let coriolis = before.cross(sliding);",
+        from: "let coriolis = angular.cross(outer.relative) + before.cross(linear);",
+        to: "let coriolis = before.cross(linear);",
         noticed_by: engine(KINDS),
     },
     Mutation {
@@ -118,7 +118,7 @@ const MUTATIONS: [Mutation; 46] = [
         from: "for _ in 0..=refinements {\n        let needed",
         to: "for _ in 0..refinements.max(1) {\n        let needed",
         noticed_by: engine(
-            "plan::forward::tests::a_refinement_brings_back_the_digits_that_the_mass_matrix_lost",
+            "plan::forward::tests::a_refinement_restores_the_digits_that_the_mass_matrix_lost",
         ),
     },
     Mutation {
@@ -189,7 +189,7 @@ const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "merging: a fixed link's inertia where its body's is",
         file: "codegen/src/chain/merge/seat.rs",
-        from: "bodies[body].inertia + inertia.change_frame(seat.pose)",
+        from: "bodies[body].inertia + inertia.change_frame(attachment.pose)",
         to: "bodies[body].inertia + inertia",
         noticed_by: engine(CHECKED),
     },
@@ -210,8 +210,8 @@ const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "mass matrix: an entry left out of the lower half",
         file: "codegen/src/model/composite.rs",
-        from: "entries.set_both((at, column), seen);",
-        to: "entries[(at, column)] = seen;",
+        from: "entries.set_both((at, column), entry);",
+        to: "entries[(at, column)] = entry;",
         noticed_by: engine(CHECKED),
     },
     Mutation {
@@ -255,7 +255,7 @@ const MUTATIONS: [Mutation; 46] = [
         from: "let factor = self.difference(k, l);",
         to: "let factor = self.difference(l, k);",
         noticed_by: engine(
-            "expression::graph::tests::multiples_of_one_thing_are_gathered_whatever_else_uses_them",
+            "expression::graph::tests::multiples_of_one_expression_are_collected_whatever_else_uses_them",
         ),
     },
     Mutation {
@@ -291,7 +291,7 @@ const MUTATIONS: [Mutation; 46] = [
         file: "codegen/src/schedule/order.rs",
         from: "Node::Taken(a, _) => return self.positive(a)",
         to: "Node::Taken(a, _) => return self.at(a)",
-        noticed_by: engine("model::alike::tests::nothing_else_changes"),
+        noticed_by: engine("model::alike::tests::other_columns_are_unchanged"),
     },
     Mutation {
         name: "columns: a round that reads another",
@@ -363,7 +363,7 @@ const MUTATIONS: [Mutation; 46] = [
         from: "const LEAST: f64 = 1.0 / 1024.0;",
         to: "const LEAST: f64 = 0.0;",
         noticed_by: engine(
-            "expand::closure::tests::singular::a_four_bar_that_is_mounted_askew_keeps_the_residuals_of_its_plane",
+            "expand::closure::tests::singular::a_four_bar_mounted_askew_keeps_the_residuals_of_its_plane",
         ),
     },
     Mutation {
@@ -371,9 +371,7 @@ const MUTATIONS: [Mutation; 46] = [
         file: "codegen/src/expand/closure/measured.rs",
         from: "rate.abs() / motion.max(LEAST_MOTION * size)",
         to: "rate.abs()",
-        noticed_by: engine(
-            "expand::closure::tests::singular::small_mechanisms_keep_their_residuals",
-        ),
+        noticed_by: engine("expand::closure::tests::singular::small_loops_keep_their_residuals"),
     },
     Mutation {
         name: "loops: γ with the other sign",
@@ -389,11 +387,12 @@ const MUTATIONS: [Mutation; 46] = [
 ];
 
 /// What makes expansion itself fail, whatever else would notice.
-const CHECKED: &str = "check::tests::every_function_of_many_robots_is_what_the_description_says";
+const CHECKED: &str = "check::tests::every_function_of_many_robots_agrees_with_the_description";
 
-const KINDS: &str = "chain::tests::joints::every_kind_has_every_function";
+const KINDS: &str = "chain::tests::joints::every_type_has_every_function";
 
-const FOLLOWERS: &str = "chain::tests::joints::branches_that_only_a_follower_connects_are_coupled";
+const FOLLOWERS: &str =
+    "chain::tests::joints::branches_connected_only_by_a_mimic_joint_are_coupled";
 
 const OBLIQUE: &str = "layout::tests::a_tree_of_oblique_axes_has_the_same_torques_in_every_layout";
 

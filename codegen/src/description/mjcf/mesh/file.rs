@@ -1,28 +1,27 @@
-//! Files of meshes: binary STL, OBJ, and MuJoCo's MSH.
+//! Reads files of meshes: binary STL, OBJ, and MuJoCo's MSH.
 //!
-//! In: the bytes of a file. Out: corners and faces, in single precision as MuJoCo has them; or why there are none. Time
-//! and memory are in proportion to the bytes.
+//! Vertices are rounded to single precision, as in MuJoCo. Time and memory are proportional to the size of the file.
 
 use super::Mesh;
 
-/// The most faces of a binary STL file, as in MuJoCo.
+/// Maximum number of faces of a binary STL file, as in MuJoCo.
 const MOST_FACES: usize = 200_000;
 
-/// Reads a file by its ending.
+/// Reads a file in the format of its ending.
 pub(super) fn read(bytes: &[u8], ending: &str) -> Result<Mesh, String> {
     let mesh = match ending.to_ascii_lowercase().as_str() {
         "stl" => stl(bytes),
         "obj" => obj(bytes),
         "msh" => msh(bytes),
-        _ => return Err("it is no STL, OBJ or MSH file".to_owned()),
+        _ => return Err("it is not an STL, OBJ or MSH file".to_owned()),
     }?;
     checked(mesh)
 }
 
-/// A mesh that is written as numbers.
-pub(super) fn written(corners: &[f64], faces: &[f64]) -> Result<Mesh, String> {
+/// A mesh of numbers in the XML file.
+pub(super) fn of_numbers(corners: &[f64], faces: &[f64]) -> Result<Mesh, String> {
     if !corners.len().is_multiple_of(3) || !faces.len().is_multiple_of(3) {
-        return Err("its vertices or faces are not three numbers each".to_owned());
+        return Err("the number of entries of vertex or face is not a multiple of 3".to_owned());
     }
     let corners = corners
         .chunks_exact(3)
@@ -32,11 +31,11 @@ pub(super) fn written(corners: &[f64], faces: &[f64]) -> Result<Mesh, String> {
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
-                reason = "looked at before"
+                reason = "checked in the condition"
             )]
             let index =
                 (number >= 0.0 && number.fract() == 0.0 && number < 1e9).then_some(number as usize);
-            index.ok_or_else(|| "a corner of a face is no whole number".to_owned())
+            index.ok_or_else(|| "a vertex index of a face is not a whole number".to_owned())
         };
         Ok([corner(face[0])?, corner(face[1])?, corner(face[2])?])
     };
@@ -50,7 +49,7 @@ pub(super) fn written(corners: &[f64], faces: &[f64]) -> Result<Mesh, String> {
     })
 }
 
-/// A number in single precision.
+/// Rounds to single precision.
 fn single(number: f64) -> f64 {
     #[expect(
         clippy::cast_possible_truncation,
@@ -70,11 +69,11 @@ fn checked(mesh: Mesh) -> Result<Mesh, String> {
         .flatten()
         .any(|entry| !entry.is_finite())
     {
-        return Err("it has a number that is not finite".to_owned());
+        return Err("it has an infinite or NaN coordinate".to_owned());
     }
     let mut indices = mesh.faces.iter().flatten();
     if indices.any(|&corner| corner >= mesh.corners.len()) {
-        return Err("a face has a corner that there is not".to_owned());
+        return Err("a face has a vertex that does not exist".to_owned());
     }
     Ok(mesh)
 }
@@ -97,12 +96,12 @@ fn corner(bytes: &[u8], at: usize) -> Option<[f64; 3]> {
     ])
 }
 
-/// Binary STL: each face with its normal and its own three corners.
+/// Binary STL: each face with its normal and its own three vertices.
 fn stl(bytes: &[u8]) -> Result<Mesh, String> {
     const HEAD: usize = 84;
     const FACE: usize = 50;
     let faces = count(bytes, HEAD - 4).filter(|faces| bytes.len() == HEAD + FACE * faces);
-    let faces = faces.ok_or("it is no binary STL file, and others are not read")?;
+    let faces = faces.ok_or("it is not a binary STL file; text files are not supported")?;
     if faces > MOST_FACES {
         return Err(format!("it has more than {MOST_FACES} faces"));
     }
@@ -118,11 +117,11 @@ fn stl(bytes: &[u8]) -> Result<Mesh, String> {
     Ok(mesh)
 }
 
-/// OBJ: the first group that has faces, of three or four corners.
+/// OBJ: the first group that has faces, of three or four vertices.
 fn obj(bytes: &[u8]) -> Result<Mesh, String> {
     let text = String::from_utf8_lossy(bytes);
     let mut mesh = Mesh::default();
-    // Corners of all groups count.
+    // Indices count the vertices of all groups.
     let mut polygons: Vec<Vec<usize>> = Vec::new();
     let mut is_over = false;
     for line in text.lines() {
@@ -131,7 +130,7 @@ fn obj(bytes: &[u8]) -> Result<Mesh, String> {
             Some("v") => {
                 let mut entry = || words.next()?.parse().ok().map(single);
                 let corner = entry().zip(entry()).zip(entry());
-                let ((x, y), z) = corner.ok_or("a vertex has no three numbers")?;
+                let ((x, y), z) = corner.ok_or("a vertex has fewer than three numbers")?;
                 mesh.corners.push([x, y, z]);
             }
             Some("g" | "o") => is_over |= !polygons.is_empty(),
@@ -147,7 +146,7 @@ fn obj(bytes: &[u8]) -> Result<Mesh, String> {
                     usize::try_from(index).ok()
                 };
                 let corners: Option<Vec<usize>> = words.map(corner).collect();
-                let corners = corners.ok_or("a face has a corner that there is not")?;
+                let corners = corners.ok_or("a face has a vertex that does not exist")?;
                 polygons.push(corners);
             }
             _ => {}
@@ -159,7 +158,7 @@ fn obj(bytes: &[u8]) -> Result<Mesh, String> {
             [a, b, c, d] => mesh.faces.extend(cut(&mesh.corners, [a, b, c, d])?),
             _ => {
                 return Err(
-                    "it has a face with fewer than three or more than four corners".to_owned(),
+                    "it has a face with fewer than three or more than four vertices".to_owned(),
                 );
             }
         }
@@ -167,7 +166,7 @@ fn obj(bytes: &[u8]) -> Result<Mesh, String> {
     Ok(mesh)
 }
 
-/// A face of four corners along its shorter diagonal.
+/// Splits a face of four vertices along its shorter diagonal.
 fn cut(corners: &[[f64; 3]], [a, b, c, d]: [usize; 4]) -> Result<[[usize; 3]; 2], String> {
     let length = |from: usize, to: usize| {
         let (from, to) = (corners.get(from)?, corners.get(to)?);
@@ -175,7 +174,7 @@ fn cut(corners: &[[f64; 3]], [a, b, c, d]: [usize; 4]) -> Result<[[usize; 3]; 2]
         Some(parts.map(|part| single(part * part)).sum::<f64>())
     };
     let lengths = length(a, c).zip(length(b, d));
-    let (first, second) = lengths.ok_or("a face has a corner that there is not")?;
+    let (first, second) = lengths.ok_or("a face has a vertex that does not exist")?;
     Ok(if first < second {
         [[a, b, c], [a, c, d]]
     } else {
@@ -183,7 +182,7 @@ fn cut(corners: &[[f64; 3]], [a, b, c, d]: [usize; 4]) -> Result<[[usize; 3]; 2]
     })
 }
 
-/// MSH: counts, corners, normals, places in pictures, faces.
+/// MSH: counts, vertices, normals, texture coordinates, faces.
 fn msh(bytes: &[u8]) -> Result<Mesh, String> {
     const HEAD: usize = 16;
     let read = || {
@@ -210,7 +209,7 @@ fn msh(bytes: &[u8]) -> Result<Mesh, String> {
             faces: faces.collect::<Option<_>>()?,
         })
     };
-    read().ok_or_else(|| "its size is not what its counts say".to_owned())
+    read().ok_or_else(|| "its size does not match its counts".to_owned())
 }
 
 #[cfg(test)]
@@ -272,7 +271,7 @@ mod tests {
             .flatten()
             .map(|corner| corner as f64)
             .collect();
-        assert_eq!(written(&corners, &numbers).unwrap(), wanted);
+        assert_eq!(of_numbers(&corners, &numbers).unwrap(), wanted);
     }
 
     #[test]
@@ -285,16 +284,16 @@ mod tests {
     #[test]
     fn damaged_files_are_refused() {
         let refusal = |bytes: &[u8], ending: &str| read(bytes, ending).unwrap_err();
-        assert!(refusal(b"solid a", "stl").contains("no binary STL"));
-        assert!(refusal(&binary_stl()[..200], "stl").contains("no binary STL"));
+        assert!(refusal(b"solid a", "stl").contains("not a binary STL"));
+        assert!(refusal(&binary_stl()[..200], "stl").contains("not a binary STL"));
         assert!(refusal(&counts([4, 0, 0, 4]), "msh").contains("size"));
         assert!(refusal(&counts([usize::from(u16::MAX) << 16, 0, 0, 0]), "msh").contains("size"));
         assert!(refusal(b"v 0 0\n", "obj").contains("three numbers"));
-        assert!(refusal(b"v 0 0 0\nf 1 2 3\n", "obj").contains("corner that there is not"));
-        assert!(refusal(b"v 0 0 0\nf 0 1 1\n", "obj").contains("corner that there is not"));
+        assert!(refusal(b"v 0 0 0\nf 1 2 3\n", "obj").contains("vertex that does not exist"));
+        assert!(refusal(b"v 0 0 0\nf 0 1 1\n", "obj").contains("vertex that does not exist"));
         assert!(refusal(b"v 0 0 0\nf 1 1 1 1 1\n", "obj").contains("more than four"));
-        assert!(refusal(b"v 0 0 1e99\nf 1 1 1\n", "obj").contains("not finite"));
+        assert!(refusal(b"v 0 0 1e99\nf 1 1 1\n", "obj").contains("infinite or NaN"));
         assert!(refusal(b"v 0 0 0\n", "obj").contains("no faces"));
-        assert!(refusal(b"", "dae").contains("no STL"));
+        assert!(refusal(b"", "dae").contains("not an STL"));
     }
 }

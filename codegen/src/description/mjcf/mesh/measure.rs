@@ -1,16 +1,16 @@
-//! Volume, centre and moments of a mesh.
+//! Volume, centre of mass and inertia tensor of a mesh.
 //!
-//! In: corners and faces of single precision. Out: sums over its faces in `f64`, as MuJoCo's: what a mesh says of a body
-//! is known to a few digits, and the sums are what is described. Volumes are those of pyramids over the faces, whose
-//! tip is the centre of all faces, and then the centre of mass.
+//! Sums over the faces in `f64`, as in MuJoCo: a mesh describes a body to a few digits, so more precision has no use.
+//! Volumes are those of pyramids over the faces, with the apex at the centre of the surface, and then at the centre of
+//! mass.
 
 use std::collections::HashSet;
 
-use super::{Mesh, Way};
+use super::{InertiaMethod, Mesh};
 use crate::description::mjcf::assets::Measured;
 use crate::description::mjcf::spatial::exactly;
 
-/// Below this, in m³ or m², there is nothing.
+/// Areas \[m²\] and volumes \[m³\] below this are zero.
 const NOTHING: f64 = 1e-15;
 
 type Point = [f64; 3];
@@ -23,7 +23,7 @@ fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// The middle of a triangle, and its area times its normal; of one that is too small nothing.
+/// Centroid of a triangle, and its area times its normal; a zero vector for a degenerate triangle.
 fn triangle([a, b, c]: [Point; 3]) -> (Point, Point) {
     let middle = [0, 1, 2].map(|k| (a[k] + b[k] + c[k]) / 3.0);
     let ([bx, by, bz], [cx, cy, cz]) = (minus(b, a), minus(c, a));
@@ -34,7 +34,7 @@ fn triangle([a, b, c]: [Point; 3]) -> (Point, Point) {
     (middle, cross.map(|entry| entry / 2.0))
 }
 
-/// Whether two faces go along an edge in the same direction, those left out that are next to nothing.
+/// True if two faces run along an edge in the same direction; degenerate faces are ignored.
 pub(super) fn twice_used(mesh: &Mesh) -> bool {
     let key = |corner: usize| mesh.corners[corner].map(|entry| (entry + 0.0).to_bits());
     let mut edges = HashSet::new();
@@ -47,13 +47,13 @@ pub(super) fn twice_used(mesh: &Mesh) -> bool {
 }
 
 impl Mesh {
-    /// Moves it to the origin and the axes that it is to have, and scales it.
+    /// Transforms vertices to the frame of the mesh, and scales them; `reversed` reverses the faces.
     pub(super) fn place(
         &mut self,
         origin: Point,
         [w, x, y, z]: [f64; 4],
         scale: Point,
-        turns: bool,
+        reversed: bool,
     ) {
         let length = (w * w + x * x + y * y + z * z).sqrt();
         let [w, x, y, z] = if length > 0.0 {
@@ -61,7 +61,7 @@ impl Mesh {
         } else {
             [1.0, 0.0, 0.0, 0.0]
         };
-        // The axes, as columns of the matrix of the quaternion.
+        // The axes of the frame: the columns of the quaternion's rotation matrix.
         let axes = [
             [
                 w * w + x * x - y * y - z * z,
@@ -81,28 +81,28 @@ impl Mesh {
         ];
         for corner in &mut self.corners {
             let from_origin = minus(*corner, origin);
-            let turned = axes.map(|axis| dot(axis, from_origin));
-            *corner = [0, 1, 2].map(|k| turned[k] * scale[k]);
+            let rotated = axes.map(|axis| dot(axis, from_origin));
+            *corner = [0, 1, 2].map(|k| rotated[k] * scale[k]);
         }
-        if turns {
+        if reversed {
             for face in &mut self.faces {
                 face.swap(1, 2);
             }
         }
     }
 
-    /// The triangles, seen from a point.
+    /// The triangles relative to a point.
     fn triangles(&self, from: Point) -> impl Iterator<Item = [Point; 3]> {
         let seen = move |face: &[usize; 3]| face.map(|corner| minus(self.corners[corner], from));
         self.faces.iter().map(seen)
     }
 
-    /// What it is as a body of density 1.
-    pub(super) fn measured(&self, way: Way) -> Result<Measured, String> {
-        let weight = |middle: Point, area: Point| match way {
-            Way::Shell => dot(area, area).sqrt(),
-            Way::Legacy => (dot(middle, area) / 3.0).abs(),
-            Way::Exact | Way::Convex => dot(middle, area) / 3.0,
+    /// The inertia at density 1.
+    pub(super) fn measured(&self, method: InertiaMethod) -> Result<Measured, String> {
+        let weight = |middle: Point, area: Point| match method {
+            InertiaMethod::Shell => dot(area, area).sqrt(),
+            InertiaMethod::Legacy => (dot(middle, area) / 3.0).abs(),
+            InertiaMethod::Exact | InertiaMethod::Convex => dot(middle, area) / 3.0,
         };
         let (mut total, mut sum) = (0.0, [0.0; 3]);
         for corners in self.triangles([0.0; 3]) {
@@ -114,25 +114,25 @@ impl Mesh {
         if total < NOTHING {
             return Err("it has no area".to_owned());
         }
-        let tip = sum.map(|entry| entry / total);
+        let apex = sum.map(|entry| entry / total);
         let (mut total, mut sum) = (0.0, [0.0; 3]);
-        for corners in self.triangles(tip) {
+        for corners in self.triangles(apex) {
             let (middle, area) = triangle(corners);
             let weight = weight(middle, area);
             total += weight;
-            // Of a pyramid the centre is a quarter of its height above its base.
+            // The centre of a pyramid is at a quarter of its height above the base.
             sum = [0, 1, 2].map(|k| sum[k] + weight * (0.75 * middle[k]));
         }
         if total < NOTHING {
             let reason = if total < 0.0 {
-                "its volume is negative: its faces look inwards"
+                "its volume is negative: its faces are oriented inwards"
             } else {
-                "it has no volume; inertia=\"shell\" takes its area"
+                "it has no volume; inertia=\"shell\" uses its area"
             };
             return Err(reason.to_owned());
         }
-        let center = [0, 1, 2].map(|k| tip[k] + sum[k] / total);
-        let (measure, tensor) = self.moments(center, way, weight);
+        let center = [0, 1, 2].map(|k| apex[k] + sum[k] / total);
+        let (measure, tensor) = self.moments(center, method, weight);
         if measure < NOTHING {
             return Err("it has no volume about its centre".to_owned());
         }
@@ -147,10 +147,14 @@ impl Mesh {
     fn moments(
         &self,
         about: Point,
-        way: Way,
+        method: InertiaMethod,
         weight: impl Fn(Point, Point) -> f64,
     ) -> (f64, [Point; 3]) {
-        let parts = if way == Way::Shell { 12.0 } else { 20.0 };
+        let parts = if method == InertiaMethod::Shell {
+            12.0
+        } else {
+            20.0
+        };
         let mut total = 0.0;
         // ∫ r rᵗ
         let mut second = [[0.0; 3]; 3];
@@ -212,8 +216,8 @@ mod tests {
     #[test]
     fn a_box_is_a_box() {
         let [x, y, z] = [0.4_f64, 0.6, 1.0];
-        for way in [Way::Exact, Way::Legacy] {
-            let measured = block().measured(way).unwrap();
+        for method in [InertiaMethod::Exact, InertiaMethod::Legacy] {
+            let measured = block().measured(method).unwrap();
             let volume = x * y * z;
             near(measured.measure.to_f64(), volume);
             for (center, side) in measured.center.into_iter().zip([x, y, z]) {
@@ -231,7 +235,7 @@ mod tests {
                 }
             }
         }
-        let shell = block().measured(Way::Shell).unwrap();
+        let shell = block().measured(InertiaMethod::Shell).unwrap();
         near(shell.measure.to_f64(), 2.0 * (x * y + y * z + z * x));
     }
 
@@ -239,14 +243,14 @@ mod tests {
     fn a_mesh_is_moved_and_scaled() {
         let mut mesh = block();
         let half = std::f64::consts::FRAC_1_SQRT_2;
-        // A quarter turn about z, and a mirror.
+        // A quarter rotation about z, and a mirror.
         mesh.place(
             [0.4, 0.0, 0.0],
             [half, 0.0, 0.0, half],
             [2.0, -1.0, 1.0],
             true,
         );
-        let measured = mesh.measured(Way::Exact).unwrap();
+        let measured = mesh.measured(InertiaMethod::Exact).unwrap();
         near(measured.measure.to_f64(), 0.48);
         let center = measured.center.map(crate::expression::Double::to_f64);
         near(center[0], 0.6);
@@ -257,15 +261,22 @@ mod tests {
     #[test]
     fn faces_must_look_outwards() {
         assert!(!twice_used(&block()));
-        let mut turned = block();
-        turned.faces[3].swap(0, 1);
-        assert!(twice_used(&turned));
+        let mut rotated = block();
+        rotated.faces[3].swap(0, 1);
+        assert!(twice_used(&rotated));
         let mut inside = block();
         inside.faces.iter_mut().for_each(|face| face.swap(0, 1));
-        let Err(reason) = inside.measured(Way::Exact) else {
+        let Err(reason) = inside.measured(InertiaMethod::Exact) else {
             panic!("it is inside out");
         };
         assert!(reason.contains("negative"), "{reason}");
-        near(inside.measured(Way::Legacy).unwrap().measure.to_f64(), 0.24);
+        near(
+            inside
+                .measured(InertiaMethod::Legacy)
+                .unwrap()
+                .measure
+                .to_f64(),
+            0.24,
+        );
     }
 }

@@ -3,7 +3,7 @@
 use super::{errors, fine, inertial, joint, near};
 use crate::joint::drive::Part;
 
-/// The damping of the joint of a body, under these defaults and with these attributes.
+/// The damping of the joint of a body with these defaults and attributes.
 fn damping(defaults: &str, body: &str, joint_attributes: &str) -> Option<f64> {
     let text = format!(
         "<mujoco>{defaults}<worldbody><body name=\"a\" {body}><body name=\"b\">\
@@ -18,7 +18,7 @@ const NESTED: &str = "<default><joint damping=\"1\"/><default class=\"o\"><joint
                       <default class=\"i\"><joint armature=\"5\"/></default></default></default>";
 
 #[test]
-fn the_nearest_that_says_something_counts() {
+fn the_innermost_value_counts() {
     assert_eq!(damping(NESTED, "", ""), Some(1.0));
     assert_eq!(damping(NESTED, "childclass=\"i\"", ""), Some(2.0));
     assert_eq!(
@@ -33,9 +33,9 @@ fn the_nearest_that_says_something_counts() {
     assert_eq!(damping(NESTED, "", "damping=\"0\""), None);
 }
 
-/// A class begins with what the outer one has by then.
+/// A class inherits what its outer class has at that point of the text.
 #[test]
-fn later_sections_do_not_reach_classes_before() {
+fn earlier_classes_do_not_inherit_from_later_sections() {
     let later = format!("{NESTED}<default><joint damping=\"7\"/></default>");
     assert_eq!(damping(&later, "", ""), Some(7.0));
     assert_eq!(damping(&later, "", "class=\"i\""), Some(2.0));
@@ -44,7 +44,7 @@ fn later_sections_do_not_reach_classes_before() {
 }
 
 #[test]
-fn a_free_joint_without_attributes_takes_nothing_of_a_class() {
+fn classes_do_not_apply_to_a_freejoint() {
     let text = |joint: &str| {
         let world = format!("<worldbody><body name=\"a\">{joint}</body></worldbody>");
         fine(&format!("<mujoco>{NESTED}{world}</mujoco>"))
@@ -66,7 +66,7 @@ fn mass(defaults: &str, attributes: &str) -> f64 {
 }
 
 #[test]
-fn sizes_are_taken_one_by_one() {
+fn each_entry_of_size_has_its_own_default() {
     let of_a_box = "<geom type=\"box\" size=\"0.1 0.2 0.3\" density=\"100\"/>";
     near(mass(of_a_box, ""), 100.0 * 8.0 * 0.006);
     near(mass(of_a_box, "size=\"0.5\""), 100.0 * 8.0 * 0.03);
@@ -85,7 +85,7 @@ fn sizes_are_taken_one_by_one() {
 }
 
 #[test]
-fn a_form_of_orientation_replaces_any_other_of_a_class() {
+fn an_orientation_replaces_other_forms_of_a_class() {
     let upright = |attributes: &str| {
         let text = format!(
             "<mujoco><default><geom type=\"box\" size=\"1 1 2\" euler=\"0 90 0\"/></default>\
@@ -102,7 +102,7 @@ fn a_form_of_orientation_replaces_any_other_of_a_class() {
 }
 
 #[test]
-fn classes_are_found_or_named() {
+fn unknown_and_unnamed_classes_are_errors() {
     assert_eq!(
         errors(
             "<mujoco><worldbody><body>\n<joint class=\"arn\"/></body></worldbody><default><default class=\"arm\"/></default></mujoco>"
@@ -114,7 +114,7 @@ fn classes_are_found_or_named() {
         errors(
             "<mujoco><default><default class=\"a\"/>\n<default class=\"a\"/></default></mujoco>"
         ),
-        "error: arm.xml:2:17: there is another class of defaults \"a\"\n"
+        "error: arm.xml:2:17: the class of defaults \"a\" is defined twice\n"
     );
     assert!(
         errors("<mujoco><default><default/></default></mujoco>")
@@ -122,6 +122,6 @@ fn classes_are_found_or_named() {
     );
     assert!(
         errors("<mujoco><default class=\"a\"/></mujoco>")
-            .contains("the outermost class of defaults is called \"a\"")
+            .contains("the outermost class of defaults has the name \"a\"")
     );
 }

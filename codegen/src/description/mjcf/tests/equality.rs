@@ -1,6 +1,6 @@
 //! Constraints that become mimic joints and loops.
 
-use super::{all_near, doubts, errors, fine, joint, pose};
+use super::{all_near, errors, fine, joint, pose, warnings};
 use crate::description::Description;
 
 /// Two arms in the world, with joints `x` and `y` and sites `s` and `t`, and a constraint in line 2.
@@ -36,26 +36,28 @@ fn a_polynomial_of_first_order_is_a_mimic_joint() {
 }
 
 #[test]
-fn other_constraints_of_joints_are_warned_of() {
-    let said = |constraint: &str| doubts(&arms(constraint));
+fn other_constraints_of_joints_are_warnings() {
+    let found = |constraint: &str| warnings(&arms(constraint));
     assert_eq!(
-        said("<joint name=\"e\" joint1=\"y\" joint2=\"x\" polycoef=\"0 1 2 0 0\"/>"),
+        found("<joint name=\"e\" joint1=\"y\" joint2=\"x\" polycoef=\"0 1 2 0 0\"/>"),
         [
-            "arm.xml:2:1: not modelled: <joint> \"e\": a joint follows another by a polynomial of higher order"
+            "arm.xml:2:1: not modelled: <joint> \"e\": a joint that follows another by a polynomial of higher order"
         ]
     );
     assert_eq!(
-        said("<joint joint1=\"y\"/>"),
-        ["arm.xml:2:1: not modelled: a <joint>: a joint is held where it is"]
+        found("<joint joint1=\"y\"/>"),
+        ["arm.xml:2:1: not modelled: a <joint>: a joint that a constraint holds in place"]
     );
     let both = "<joint joint1=\"y\" joint2=\"x\"/>\n<joint joint1=\"x\" joint2=\"y\"/>";
     assert_eq!(
-        said(both),
-        ["arm.xml:3:1: not modelled: a <joint>: a joint follows twice, or follows itself"]
+        found(both),
+        [
+            "arm.xml:3:1: not modelled: a <joint>: a second constraint of a mimic joint, or a cycle of mimic joints"
+        ]
     );
     assert!(
         errors(&arms("<joint joint1=\"z\" joint2=\"x\"/>"))
-            .contains("joint1 of a <joint> is no hinge and no slide: \"z\"")
+            .contains("joint1 of a <joint> must be a hinge or a slide: \"z\"")
     );
     assert!(errors(&arms("<joint/>")).contains("a <joint> has no joint1"));
 }
@@ -74,7 +76,7 @@ fn a_connection_is_a_loop_with_its_place_on_both_bodies() {
     );
     assert_eq!(closed.closure.definition().word, "spherical");
     all_near(pose(&closed.at).1, [0.0, 1.0, 0.0]);
-    // In the world the anchor is the origin.
+    // In the world's frame the anchor is the origin.
     all_near(pose(&closed.to_at).1, [0.0, -2.0, 0.0]);
     let robot = fine(&arms("<connect body1=\"a\" anchor=\"0 1 0\"/>"));
     assert_eq!(robot.loops[0].to.text, "world");
@@ -82,12 +84,12 @@ fn a_connection_is_a_loop_with_its_place_on_both_bodies() {
 }
 
 #[test]
-fn a_weld_holds_bodies_as_described_or_as_written() {
+fn a_weld_fixes_the_described_or_the_written_pose() {
     let robot = fine(&arms("<weld body1=\"a\" body2=\"b\"/>"));
     let closed = &robot.loops[0];
     assert_eq!(closed.closure.definition().word, "fixed");
     assert!(closed.to_at.is_empty());
-    // b seen from a.
+    // The pose of b in a.
     let (rotation, position) = pose(&closed.at);
     all_near(position, [2.0, 1.0, 0.0]);
     all_near(rotation[0], [0.0, 1.0, 0.0]);
@@ -105,12 +107,12 @@ fn sites_close_loops() {
     assert_eq!(closed.name.text, "connect_s_t");
     assert!(
         errors(&arms("<connect site1=\"s\" site2=\"u\"/>"))
-            .contains("site2 of a <connect> is no site: \"u\"")
+            .contains("site2 of a <connect> must be a site, but there is no site \"u\"")
     );
     assert!(
         errors(&arms("<connect body1=\"c\" anchor=\"0 0 0\"/>"))
-            .contains("body1 of a <connect> is no body: \"c\"")
+            .contains("body1 of a <connect> must be a body, but there is no body \"c\"")
     );
     assert!(errors(&arms("<connect body1=\"a\"/>")).contains("a <connect> has no anchor"));
-    assert!(errors(&arms("<weld/>")).contains("a <weld> holds nothing"));
+    assert!(errors(&arms("<weld/>")).contains("a <weld> has no body1 and no sites"));
 }

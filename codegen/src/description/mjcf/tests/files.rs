@@ -1,4 +1,4 @@
-//! Files that others include, and meshes.
+//! Included files and meshes.
 
 use std::fs;
 use std::path::PathBuf;
@@ -8,7 +8,7 @@ use super::{joint, near};
 use crate::description::{Description, read_file};
 use crate::error::Errors;
 
-/// A folder of its own, with these files.
+/// A temporary folder with these files.
 fn folder(name: &str, files: &[(&str, &str)]) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("homogen-mjcf-{}-{name}", std::process::id()));
     for (path, text) in files {
@@ -29,7 +29,7 @@ fn read_in(name: &str, files: &[(&str, &str)]) -> (Option<Description>, String) 
 }
 
 #[test]
-fn what_is_included_stands_where_it_is_included() {
+fn included_elements_replace_the_include() {
     let (robot, errors) = read_in(
         "nested",
         &[
@@ -74,32 +74,32 @@ fn what_is_included_stands_where_it_is_included() {
 }
 
 #[test]
-fn files_that_cannot_be_included_are_told() {
-    let told = |name: &str, file: &str, others: &[(&str, &str)]| {
+fn files_that_cannot_be_included_are_errors() {
+    let errors_of = |name: &str, file: &str, others: &[(&str, &str)]| {
         let text = format!("<mujoco>\n<include file=\"{file}\"/></mujoco>");
         let mut files = vec![("arm.xml", text.as_str())];
         files.extend(others);
         read_in(name, &files).1
     };
-    let hint = "\n  hint: a path begins at the folder of the first file, and does not leave it\n";
+    let hint = "\n  hint: write a path inside the folder of the first file\n";
     assert_eq!(
-        told("missing", "no.xml", &[]),
+        errors_of("missing", "no.xml", &[]),
         format!("error: arm.xml:2:1: cannot include \"no.xml\": there is no such file{hint}")
     );
     for path in ["../a.xml", "/etc/passwd", "a/../../b.xml", ".."] {
         let wanted = format!(
             "error: arm.xml:2:1: cannot include \"{path}\": it is outside the folder{hint}"
         );
-        assert_eq!(told("outside", path, &[]), wanted);
+        assert_eq!(errors_of("outside", path, &[]), wanted);
     }
-    assert!(told("itself", "arm.xml", &[]).contains("\"arm.xml\" is included twice"));
+    assert!(errors_of("itself", "arm.xml", &[]).contains("\"arm.xml\" is included twice"));
     let other = ("b.xml", "<a>\n <include file=\"b.xml\"/></a>");
     assert!(
-        told("loop", "b.xml", &[other])
+        errors_of("loop", "b.xml", &[other])
             .starts_with("error: b.xml:2:2: \"b.xml\" is included twice")
     );
     let other = ("b.xml", "<a><b></a>");
-    assert!(told("broken", "b.xml", &[other]).starts_with("error: b.xml:1:"));
+    assert!(errors_of("broken", "b.xml", &[other]).starts_with("error: b.xml:1:"));
     let mut errors = Errors::new();
     assert!(
         read(
@@ -114,17 +114,17 @@ fn files_that_cannot_be_included_are_told() {
     assert!(
         errors
             .to_string()
-            .contains("cannot include \"a\": a text stands in no folder"),
+            .contains("cannot include \"a\": a text without a file has no folder"),
         "{errors}"
     );
 }
 
-/// A tetrahedron, whose volume is a sixth.
+/// A tetrahedron of volume 1/6.
 const TETRAHEDRON: &str =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 #[test]
-fn meshes_are_opened_where_their_mass_is_needed() {
+fn meshes_are_opened_only_if_their_mass_is_needed() {
     let robot = |inertial: &str| {
         format!(
             "<mujoco><compiler meshdir=\"meshes\"/><asset><mesh\nfile=\"part.obj\" scale=\"2 2 2\"/></asset><worldbody>\
@@ -141,7 +141,7 @@ fn meshes_are_opened_where_their_mass_is_needed() {
     assert!(found.source.beside[0].ends_with("meshes/part.obj"));
     let (_, errors) = read_in("no-mesh", &[("arm.xml", &robot(""))]);
     assert!(
-        errors.contains("the mass of a geom of body \"a\" is not read from mesh \"part\": "),
+        errors.contains("cannot compute the mass of a geom of body \"a\" from mesh \"part\": "),
         "{errors}"
     );
     assert!(

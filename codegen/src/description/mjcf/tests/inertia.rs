@@ -1,10 +1,10 @@
-//! Inertias: of geoms, and mended by the compiler.
+//! Inertias of geoms, and the compiler's bounds and balance.
 
 use std::f64::consts::PI;
 
 use super::{all_near, errors, fine, in_world, inertial, link, near, pose, values};
 
-/// Mass, centre and tensor about that of body `a` in its own axes.
+/// Mass, centre of mass, and tensor about it, of body `a` in its own axes.
 fn found(compiler: &str, body: &str) -> (f64, [f64; 3], [f64; 6]) {
     let text = format!(
         "<mujoco><compiler {compiler}/><worldbody><body name=\"a\">{body}</body></worldbody></mujoco>"
@@ -31,7 +31,7 @@ const EXPLICIT: &str = "<inertial pos=\"1 2 3\" mass=\"4\" diaginertia=\"0.1 0.2
 const BALL: &str = "<geom size=\"0.1\" pos=\"0 0 1\"/>";
 
 #[test]
-fn an_inertial_counts_unless_the_compiler_says_otherwise() {
+fn an_inertial_counts_unless_inertiafromgeom_is_true() {
     let both = format!("{EXPLICIT}{BALL}");
     let ball = 4.0 / 3.0 * PI;
     near(found("", &both).0, 4.0);
@@ -56,7 +56,7 @@ fn full_tensors_are_in_the_order_of_mujoco() {
 
 #[test]
 fn geoms_add_up() {
-    // Two points at ±1 along x, and boxes by their sides.
+    // Two points at ±1 along x, and the half sides of boxes.
     let (mass, center, tensor) = found(
         "",
         "<geom type=\"box\" size=\"1 2 3\" pos=\"1 0 0\" mass=\"3\"/><geom type=\"box\" size=\"1 2 3\" pos=\"-1 0 0\" mass=\"3\"/>",
@@ -106,7 +106,7 @@ fn groups_choose_geoms() {
 }
 
 #[test]
-fn bounds_are_obeyed_along_principal_axes() {
+fn bounds_apply_to_principal_moments() {
     near(found("boundmass=\"7\"", EXPLICIT).0, 7.0);
     near(found("boundmass=\"0.5\"", EXPLICIT).0, 4.0);
     let turned = "<inertial pos=\"0 0 0\" mass=\"1\" fullinertia=\"2 2 1 1 0 0\"/>";
@@ -124,7 +124,7 @@ fn bounds_are_obeyed_along_principal_axes() {
 }
 
 #[test]
-fn impossible_moments_are_balanced_where_that_is_asked_for() {
+fn balanceinertia_replaces_non_physical_moments() {
     let impossible = "<inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 4\"/>";
     all_near(found("", impossible).2, [1.0, 0.0, 0.0, 1.0, 0.0, 4.0]);
     all_near(
@@ -149,7 +149,7 @@ fn all_bodies_are_scaled_together() {
 }
 
 #[test]
-fn what_is_no_inertia_is_refused() {
+fn wrong_inertias_are_errors() {
     let refusal = |body: &str| errors(&in_world(&format!("<body name=\"a\">\n{body}</body>")));
     for (body, message) in [
         (
@@ -166,16 +166,16 @@ fn what_is_no_inertia_is_refused() {
         ),
         (
             "<inertial pos=\"0 0 0\" mass=\"1\" euler=\"1 0 0\" fullinertia=\"1 1 1 0 0 0\"/>",
-            "has fullinertia and is turned",
+            "has both fullinertia and an orientation",
         ),
         (
             "<inertial pos=\"0 0 0\" mass=\"-1\"/>",
             "the mass of body \"a\" is negative: -1",
         ),
-        ("<geom/>", "a geom of body \"a\" has no positive size"),
+        ("<geom/>", "a geom of body \"a\" needs a positive size"),
         (
             "<geom name=\"g\" type=\"box\" size=\"1 2\"/>",
-            "geom \"g\" of body \"a\" has no positive size",
+            "geom \"g\" of body \"a\" needs a positive size",
         ),
         (
             "<geom size=\"1\" fromto=\"0 0 0 1 0 0\"/>",
@@ -191,7 +191,7 @@ fn what_is_no_inertia_is_refused() {
         ),
         (
             "<geom type=\"mesh\" mesh=\"m\"/>",
-            "is of mesh \"m\", which there is not",
+            "names a mesh that does not exist: \"m\"",
         ),
         ("<geom type=\"mesh\"/>", "has no mesh"),
         (
@@ -207,7 +207,7 @@ fn what_is_no_inertia_is_refused() {
         );
         assert!(refusal(body).contains(message), "{body}: {}", refusal(body));
     }
-    // What has no mass is not looked at.
+    // A geom without mass is not read further.
     assert_eq!(refusal("<geom type=\"mesh\" mesh=\"m\" mass=\"0\"/>"), "");
     assert_eq!(
         refusal("<geom type=\"mesh\" mesh=\"m\"/><inertial pos=\"0 0 0\" mass=\"1\"/>"),

@@ -1,12 +1,12 @@
-//! Joints: their kinds, places, ranges, and what they meet.
+//! Joints: types, placements, limits, friction and armature.
 
 use std::f64::consts::PI;
 
-use super::{all_near, doubts, errors, fine, in_world, joint, near, pose, values};
+use super::{all_near, errors, fine, in_world, joint, near, pose, values, warnings};
 use crate::joint::drive::Part;
 
 #[test]
-fn several_joints_of_a_body_follow_each_other() {
+fn several_joints_of_a_body_are_in_series() {
     let robot = fine(&in_world(
         "<body name=\"a\" pos=\"1 0 0\"><joint name=\"x\" type=\"slide\" axis=\"1 0 0\"/>\
          <joint name=\"y\" axis=\"0 1 0\" pos=\"0 0 2\"/><joint name=\"z\" pos=\"0 0 2\"/>\
@@ -45,7 +45,7 @@ fn frames_move_joints() {
 }
 
 #[test]
-fn a_reference_is_where_the_joint_is_described() {
+fn a_reference_is_the_coordinate_of_the_described_configuration() {
     let robot = fine(
         "<mujoco><worldbody><body name=\"a\"><joint name=\"h\" axis=\"0 0 -1\" ref=\"90\"/>\
          <body name=\"b\"><joint name=\"s\" type=\"slide\" axis=\"0 3 4\" ref=\"10\"/></body></body></worldbody></mujoco>",
@@ -70,7 +70,7 @@ fn limits(compiler: &str, attributes: &str) -> Option<[f64; 2]> {
 }
 
 #[test]
-fn ranges_are_limits_where_they_are_said_to_be() {
+fn a_range_is_a_limit_by_limited_or_autolimits() {
     assert_eq!(limits("", ""), None);
     let [lower, upper] = limits("", "range=\"-90 180\"").unwrap();
     near(lower, -PI / 2.0);
@@ -94,7 +94,7 @@ fn ranges_are_limits_where_they_are_said_to_be() {
     let refusal = errors(
         "<mujoco><compiler autolimits=\"false\"/><worldbody><body>\n<joint range=\"-1 2\"/></body></worldbody></mujoco>",
     );
-    assert!(refusal.contains("arm.xml:2:1: a joint of body \"body_1\" has a range, and whether it is limited is not said"), "{refusal}");
+    assert!(refusal.contains("arm.xml:2:1: a joint of body \"body_1\" has a range, but autolimits is false and it has no limited"), "{refusal}");
     let refusal = errors(&in_world("<body><joint name=\"j\" range=\"2 1\"/></body>"));
     assert!(
         refusal.contains("the range of joint \"j\" is from 2 to 1"),
@@ -104,7 +104,7 @@ fn ranges_are_limits_where_they_are_said_to_be() {
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn efforts_are_ranges_of_actuators() {
+fn actuatorfrcrange_is_the_effort_limit() {
     let robot = fine(&in_world(
         "<body><joint name=\"j\" actuatorfrcrange=\"-3 5\"/></body>",
     ));
@@ -124,12 +124,12 @@ fn free_joints_stand_alone_in_the_world() {
         "<body name=\"a\"><body name=\"b\">\n<freejoint/></body></body>",
     ));
     assert!(
-        refusal.contains("arm.xml:3:1: body \"b\" is free and stands in another body"),
+        refusal.contains("arm.xml:3:1: body \"b\" has a free joint inside another body"),
         "{refusal}"
     );
     let refusal = errors(&in_world("<body name=\"a\"><joint/>\n<freejoint/></body>"));
     assert!(
-        refusal.contains("body \"a\" has a free joint and others"),
+        refusal.contains("body \"a\" has a free joint beside other joints"),
         "{refusal}"
     );
     assert!(errors(&in_world("<joint/>")).contains("the world has a <joint>"));
@@ -137,27 +137,27 @@ fn free_joints_stand_alone_in_the_world() {
 }
 
 #[test]
-fn drives_are_kept_and_noted() {
+fn friction_and_armature_are_kept_and_noted() {
     let robot = fine(&in_world(
         "<body><joint name=\"j\" damping=\"0.5\" frictionloss=\"0.25\" armature=\"0.125\"/></body>",
     ));
     let drive = &joint(&robot, "j").drive;
-    let said = [Part::Damping, Part::Friction, Part::Armature];
-    let said = said.map(|part| {
+    let found = [Part::Damping, Part::Friction, Part::Armature];
+    let found = found.map(|part| {
         drive
             .of(part)
             .iter()
             .map(|number| number.value)
             .collect::<Vec<_>>()
     });
-    assert_eq!(said, [vec![0.5], vec![0.25], vec![0.125]]);
+    assert_eq!(found, [vec![0.5], vec![0.25], vec![0.125]]);
     let none = super::Modelled {
         friction: false,
         armature: false,
         has_rotor: &|_| false,
     };
     let noted: Vec<String> = (robot.unmodelled.doubts(&none).into_iter())
-        .map(|doubt| doubt.message)
+        .map(|warning| warning.message)
         .collect();
     assert_eq!(
         noted,
@@ -169,41 +169,42 @@ fn drives_are_kept_and_noted() {
 }
 
 #[test]
-fn what_drives_are_not_is_warned_of() {
-    let said = |joint_text: &str| {
-        doubts(&in_world(&format!(
+fn springs_and_nonlinear_damping_are_warnings() {
+    let found = |joint_text: &str| {
+        warnings(&in_world(&format!(
             "<body name=\"a\">\n{joint_text}</body>"
         )))
     };
     assert_eq!(
-        said("<joint stiffness=\"2\" springref=\"1\"/>"),
+        found("<joint stiffness=\"2\" springref=\"1\"/>"),
         ["arm.xml:3:1: not modelled: a joint of body \"a\": a spring"]
     );
     assert_eq!(
-        said("<joint name=\"j\" damping=\"1 0 2\"/>"),
+        found("<joint name=\"j\" damping=\"1 0 2\"/>"),
         ["arm.xml:3:30: not modelled: joint \"j\": damping that is not linear in the velocity"]
     );
-    let free = said("<joint name=\"j\" type=\"free\" armature=\"1\" frictionloss=\"1\"/>");
+    let free = found("<joint name=\"j\" type=\"free\" armature=\"1\" frictionloss=\"1\"/>");
     assert_eq!(
         free,
         [
-            "arm.xml:3:56: not modelled: joint \"j\" and 1 other: armature or friction of a free joint, which no motor has"
+            "arm.xml:3:56: not modelled: joint \"j\" and 1 other: armature or friction of a free joint"
         ]
     );
     assert!(
-        said("<freejoint align=\"true\"/>")[0].contains("the body moves with its inertial frame")
+        found("<freejoint align=\"true\"/>")[0]
+            .contains("MuJoCo moves the frame of this free body")
     );
-    assert!(said("<freejoint align=\"true\"/><body/>").is_empty());
+    assert!(found("<freejoint align=\"true\"/><body/>").is_empty());
 }
 
 #[test]
-fn motors_of_actuators_are_mounted() {
+fn armatures_of_actuators_are_motors() {
     let robot = fine(
         "<mujoco><worldbody><body><joint name=\"j\"/></body></worldbody><default><motor gear=\"50\"/></default>\
          <actuator><motor joint=\"j\" armature=\"1e-4\"/><position joint=\"j\" gear=\"3\" kp=\"7\"/></actuator></mujoco>",
     );
     let drive = &joint(&robot, "j").drive;
-    let said = [Part::Rotor, Part::Ratio].map(|part| drive.of(part)[0].value);
-    assert_eq!(said.map(f64::to_bits), [1e-4_f64, 50.0].map(f64::to_bits));
+    let found = [Part::Rotor, Part::Ratio].map(|part| drive.of(part)[0].value);
+    assert_eq!(found.map(f64::to_bits), [1e-4_f64, 50.0].map(f64::to_bits));
     assert!(drive.further().is_empty());
 }

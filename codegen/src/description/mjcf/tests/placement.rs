@@ -21,7 +21,7 @@ fn same(found: [[f64; 3]; 3], wanted: [[f64; 3]; 3]) {
 const ABOUT_Z: [[f64; 3]; 3] = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 
 #[test]
-fn each_form_of_a_quarter_turn_is_the_same() {
+fn all_forms_of_a_rotation_by_90_degrees_agree() {
     for attributes in [
         "quat=\"3 0 0 3\"",
         "axisangle=\"0 0 2 90\"",
@@ -35,7 +35,7 @@ fn each_form_of_a_quarter_turn_is_the_same() {
     same(rotation("angle=\"radian\"", &radians), ABOUT_Z);
 }
 
-/// Small letters turn with the frame, capital ones do not.
+/// Small letters are axes that rotate with the frame, capital ones are fixed.
 #[test]
 fn euler_angles_follow_their_letters() {
     let angles = "euler=\"30 40 50\"";
@@ -68,7 +68,7 @@ fn euler_angles_follow_their_letters() {
 }
 
 #[test]
-fn z_axes_are_reached_by_the_shortest_way() {
+fn zaxis_is_the_shortest_rotation() {
     same(
         rotation("", "zaxis=\"0 0 5\""),
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -89,7 +89,7 @@ fn z_axes_are_reached_by_the_shortest_way() {
 }
 
 #[test]
-fn frames_belong_to_what_stands_in_them() {
+fn frames_place_the_elements_inside() {
     let text = in_world(
         "<frame pos=\"1 0 0\" euler=\"0 0 1.5707963267948966\"><frame pos=\"2 0 0\"><body name=\"a\" pos=\"0 0 3\"/></frame></frame>",
     );
@@ -114,12 +114,12 @@ fn copies_are_placed_one_after_the_other() {
 }
 
 #[test]
-fn what_is_no_placement_is_refused() {
+fn wrong_placements_are_errors() {
     let refusal =
         |attributes: &str| errors(&in_world(&format!("<body name=\"a\"\n{attributes}/>")));
     assert_eq!(
         refusal("quat=\"1 0 0 0\" euler=\"0 0 0\""),
-        "error: arm.xml:2:1: body \"a\" is oriented in more than one way\n  hint: leave all but one of them out\n"
+        "error: arm.xml:2:1: body \"a\" has more than one orientation\n  hint: write only one of quat, axisangle, xyaxes, zaxis and euler\n"
     );
     for (attributes, name) in [
         ("quat=\"0 0 0 0\"", "quat"),
@@ -128,7 +128,7 @@ fn what_is_no_placement_is_refused() {
         ("xyaxes=\"1 0 0 2 0 0\"", "xyaxes"),
     ] {
         let start = format!(
-            "error: arm.xml:3:{}: {name} of body \"a\" has no direction",
+            "error: arm.xml:3:{}: {name} of body \"a\" has length 0",
             name.len() + 3
         );
         assert!(

@@ -1,27 +1,27 @@
-//! What a file holds beside what is read.
+//! Warnings of elements and attributes that are not read.
 
-use super::{ARM, doubts, fine, in_world};
+use super::{ARM, fine, in_world, warnings};
 
 #[test]
-fn everything_of_a_usual_file_is_known() {
-    assert_eq!(doubts(ARM), [""; 0]);
+fn ignored_elements_are_not_warnings() {
+    assert_eq!(warnings(ARM), [""; 0]);
     let sections = "<mujoco><size njmax=\"1\"/><visual><map znear=\"1\"/></visual><statistic extent=\"1\"/>\
                     <asset><texture name=\"t\"/><material name=\"m\"/></asset><contact><exclude body1=\"a\" body2=\"b\"/></contact>\
                     <sensor><gyro site=\"s\"/></sensor><keyframe><key qpos=\"0\"/></keyframe>\
                     <tendon><fixed name=\"f\"><joint joint=\"j\" coef=\"1\"/></fixed></tendon></mujoco>";
-    assert_eq!(doubts(sections), [""; 0]);
+    assert_eq!(warnings(sections), [""; 0]);
 }
 
 #[test]
-fn mechanics_that_are_lost_are_told_once() {
+fn mechanics_that_are_not_modelled_are_warnings_once() {
     for (text, message) in [
         (
             in_world("<body gravcomp=\"1\"/><body gravcomp=\"0.5\"/>"),
-            "a body that gravity does not pull by its whole weight",
+            "gravity compensation of a body",
         ),
         (
             in_world("<body mocap=\"true\"/>"),
-            "a body whose place is set from outside",
+            "a body whose pose the program sets (mocap)",
         ),
         (
             in_world("<body><plugin plugin=\"p\"/></body>"),
@@ -41,37 +41,37 @@ fn mechanics_that_are_lost_are_told_once() {
         ),
         (
             "<mujoco><actuator><muscle joint=\"j\"/></actuator></mujoco>".to_owned(),
-            "a muscle, which pulls by itself",
+            "a muscle",
         ),
         (
             "<mujoco><deformable><flex name=\"f\"/></deformable></mujoco>".to_owned(),
             "a flexible body",
         ),
     ] {
-        let found = doubts(&text);
+        let found = warnings(&text);
         assert!(
             found.len() == 1 && found[0].ends_with(message),
             "{text}: {found:?}"
         );
     }
     assert_eq!(
-        doubts(&in_world("<body gravcomp=\"0\" mocap=\"false\"/>")),
+        warnings(&in_world("<body gravcomp=\"0\" mocap=\"false\"/>")),
         [""; 0]
     );
 }
 
 #[test]
-fn slips_are_told() {
+fn misspelt_names_are_warnings() {
     let robot = fine(&in_world(
         "<body name=\"a\"><joint name=\"j\" axes=\"1 0 0\"/>\n<inertail/></body>",
     ));
-    let said: Vec<_> = robot
+    let found: Vec<_> = robot
         .warnings
         .iter()
         .map(|w| (&*w.message, w.hint.as_deref()))
         .collect();
     assert_eq!(
-        said,
+        found,
         [
             (
                 "attribute \"axes\" of joint \"j\" is ignored",

@@ -1,11 +1,11 @@
-//! Elements and attributes of URDF itself, and of those extensions that are part of links and joints.
+//! Elements and attributes of URDF itself, and of extensions that belong to links and joints.
 
 use super::actuators::{ROS2_CONTROL, TRANSMISSION};
 use super::simulators::{
     BULLET_CONTACT, CONSTRAINT, DEFORMABLE, FORCE, FRAME, GAZEBO, GRAVITY, IGNORED_BY_DRAKE,
     KINEMATIC, MUJOCO,
 };
-use super::{Content, Entry, Lost, Others, VALUE, When};
+use super::{Content, Entry, NotModelled, Others, VALUE, When};
 
 /// The root element.
 pub(super) const ROBOT: Content = Content {
@@ -29,35 +29,35 @@ pub(super) const ROBOT: Content = Content {
         )
         .with(&TRANSMISSION),
         Entry::read("ros2_control", "the reductions of its `<transmission>`s, as in those").with(&ROS2_CONTROL),
-        Entry::nothing("gazebo", "settings of Gazebo, with warnings of the mechanics among them").with(&GAZEBO),
-        Entry::nothing("mujoco", "settings of MuJoCo, with warnings of the mechanics among them").with(&MUJOCO),
-        Entry::nothing("material", "colours"),
-        Entry::nothing("sensor", "sensors"),
-        Entry::lost("robot", &SECOND_ROBOT),
-        Entry::lost("frame", &FRAME),
-        Entry::lost("fixed_frame", &FRAME),
-        Entry::lost("force_element", &FORCE),
-        Entry::lost("drake:linear_bushing_rpy", &FORCE),
-        Entry::lost("drake:linear_spring_damper", &FORCE),
-        Entry::lost("drake:ball_constraint", &CONSTRAINT),
-        Entry::lost("drake:coupler_constraint", &CONSTRAINT),
-        Entry::lost("drake:distance_constraint", &CONSTRAINT),
-        Entry::lost("drake:tendon_constraint", &CONSTRAINT),
-        Entry::lost("drake:weld_constraint", &CONSTRAINT),
-        Entry::lost("deformable", &DEFORMABLE),
-        Entry::lost("drake:deformable", &DEFORMABLE),
-        Entry::nothing("drake:collision_filter_group", "pairs of links whose collisions are ignored"),
-        Entry::lost("virtual_joint", &VIRTUAL_JOINT),
-        Entry::nothing("group", "SRDF: names of joints that are planned together"),
-        Entry::nothing("group_state", "SRDF: configurations by name"),
-        Entry::nothing("end_effector", "SRDF: names of groups"),
-        Entry::nothing("passive_joint", "SRDF: joints that a planner leaves alone"),
-        Entry::nothing("disable_collisions", "SRDF: pairs of links for collision checks"),
-        Entry::nothing("enable_collisions", "SRDF: pairs of links for collision checks"),
-        Entry::nothing("disable_default_collisions", "SRDF: links whose collisions are ignored"),
-        Entry::nothing("link_sphere_approximation", "SRDF: collision geometry"),
-        Entry::nothing("joint_property", "SRDF: settings of planners"),
-        Entry::nothing("webots", "settings of Webots"),
+        Entry::ignored("gazebo", "settings of Gazebo, with warnings of the mechanics among them").with(&GAZEBO),
+        Entry::ignored("mujoco", "settings of MuJoCo, with warnings of the mechanics among them").with(&MUJOCO),
+        Entry::ignored("material", "colours"),
+        Entry::ignored("sensor", "sensors"),
+        Entry::not_modelled("robot", &SECOND_ROBOT),
+        Entry::not_modelled("frame", &FRAME),
+        Entry::not_modelled("fixed_frame", &FRAME),
+        Entry::not_modelled("force_element", &FORCE),
+        Entry::not_modelled("drake:linear_bushing_rpy", &FORCE),
+        Entry::not_modelled("drake:linear_spring_damper", &FORCE),
+        Entry::not_modelled("drake:ball_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:coupler_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:distance_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:tendon_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:weld_constraint", &CONSTRAINT),
+        Entry::not_modelled("deformable", &DEFORMABLE),
+        Entry::not_modelled("drake:deformable", &DEFORMABLE),
+        Entry::ignored("drake:collision_filter_group", "pairs of links whose collisions are ignored"),
+        Entry::not_modelled("virtual_joint", &VIRTUAL_JOINT),
+        Entry::ignored("group", "SRDF: names of joints that are planned together"),
+        Entry::ignored("group_state", "SRDF: configurations by name"),
+        Entry::ignored("end_effector", "SRDF: names of groups"),
+        Entry::ignored("passive_joint", "SRDF: joints that a planner leaves alone"),
+        Entry::ignored("disable_collisions", "SRDF: pairs of links for collision checks"),
+        Entry::ignored("enable_collisions", "SRDF: pairs of links for collision checks"),
+        Entry::ignored("disable_default_collisions", "SRDF: links whose collisions are ignored"),
+        Entry::ignored("link_sphere_approximation", "SRDF: collision geometry"),
+        Entry::ignored("joint_property", "SRDF: settings of planners"),
+        Entry::ignored("webots", "settings of Webots"),
     ],
     others: Others::Warned,
 };
@@ -65,9 +65,9 @@ pub(super) const ROBOT: Content = Content {
 pub(super) const LINK: Content = Content {
     attributes: &[
         Entry::read("name", "its name"),
-        Entry::nothing("type", "unused by every reader"),
-        Entry::nothing("concave", "Bullet: collision geometry"),
-        Entry::lost("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
+        Entry::ignored("type", "unused by every reader"),
+        Entry::ignored("concave", "Bullet: collision geometry"),
+        Entry::not_modelled("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
     ],
     elements: &[
         Entry::read(
@@ -75,24 +75,24 @@ pub(super) const LINK: Content = Content {
             "mass, centre of mass, inertia; without one the link has no mass",
         )
         .with(&INERTIAL),
-        Entry::nothing("visual", "appearance"),
-        Entry::nothing("collision", "collision geometry"),
-        Entry::nothing(
+        Entry::ignored("visual", "appearance"),
+        Entry::ignored("collision", "collision geometry"),
+        Entry::ignored(
             "gazebo",
             "settings of Gazebo, with warnings of the mechanics among them",
         )
         .with(&GAZEBO),
-        Entry::nothing("sensor", "sensors"),
-        Entry::nothing("contact", "contact parameters").with(&BULLET_CONTACT),
-        Entry::nothing("surface", "contact parameters"),
-        Entry::nothing("material", "colours"),
-        Entry::nothing("self_collide", "collision checks"),
-        Entry::nothing("collision_checking", "collision checks"),
-        Entry::nothing("self_collision_checking", "collision checks"),
-        Entry::nothing("self_filter", "parts that a sensor ignores"),
-        Entry::nothing("map", "settings of former versions of Gazebo"),
-        Entry::lost("gravity", &GRAVITY).when(When::False),
-        Entry::lost("kinematic", &KINEMATIC).when(When::True),
+        Entry::ignored("sensor", "sensors"),
+        Entry::ignored("contact", "contact parameters").with(&BULLET_CONTACT),
+        Entry::ignored("surface", "contact parameters"),
+        Entry::ignored("material", "colours"),
+        Entry::ignored("self_collide", "collision checks"),
+        Entry::ignored("collision_checking", "collision checks"),
+        Entry::ignored("self_collision_checking", "collision checks"),
+        Entry::ignored("self_filter", "parts that a sensor ignores"),
+        Entry::ignored("map", "settings of former versions of Gazebo"),
+        Entry::not_modelled("gravity", &GRAVITY).when(When::False),
+        Entry::not_modelled("kinematic", &KINEMATIC).when(When::True),
     ],
     others: Others::Warned,
 };
@@ -145,8 +145,8 @@ pub(super) const JOINT: Content = Content {
     attributes: &[
         Entry::read("name", "its name, and that of its coordinate"),
         Entry::read("type", "[the type](joints.md)"),
-        Entry::nothing("dont_collapse", "Isaac: whether fixed links are merged"),
-        Entry::lost("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
+        Entry::ignored("dont_collapse", "Isaac: merging of fixed links"),
+        Entry::not_modelled("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
     ],
     elements: &[
         Entry::read("origin", "the child's frame in the parent's at coordinate 0").with(&ORIGIN),
@@ -171,12 +171,12 @@ pub(super) const JOINT: Content = Content {
             "only a warning if its limits are narrower than those of `<limit>`, which are the range",
         )
         .with(&SAFETY_CONTROLLER),
-        Entry::nothing("calibration", "positions of switches"),
-        Entry::nothing("hardwareInterface", "a setting of controllers"),
-        Entry::nothing("gazebo", "settings of Gazebo, with warnings of the mechanics among them").with(&GAZEBO),
-        Entry::nothing("sensor", "sensors"),
-        Entry::nothing("map", "settings of former versions of Gazebo"),
-        Entry::lost("joint_properties", &JOINT_PROPERTIES),
+        Entry::ignored("calibration", "positions of switches"),
+        Entry::ignored("hardwareInterface", "a setting of controllers"),
+        Entry::ignored("gazebo", "settings of Gazebo, with warnings of the mechanics among them").with(&GAZEBO),
+        Entry::ignored("sensor", "sensors"),
+        Entry::ignored("map", "settings of former versions of Gazebo"),
+        Entry::not_modelled("joint_properties", &JOINT_PROPERTIES),
     ],
     others: Others::Warned,
 };
@@ -190,7 +190,7 @@ const END: Content = Content {
 pub(super) const AXIS: Content = Content {
     attributes: &[
         Entry::read("xyz", "the direction"),
-        Entry::lost("rpy", &AXIS_RPY).when(When::NotZero),
+        Entry::not_modelled("rpy", &AXIS_RPY).when(When::NotZero),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -217,14 +217,14 @@ pub(super) const LIMIT: Content = Content {
             "effort",
             "maximum torque or force [N m or N]: the constant `MAX_EFFORT`",
         ),
-        Entry::nothing("acceleration", "unused"),
-        Entry::nothing("deceleration", "unused"),
-        Entry::nothing("jerk", "unused"),
-        Entry::nothing("drake:acceleration", "unused"),
-        Entry::nothing("drake:jerk", "unused"),
-        Entry::nothing("command_effort", "a limit of a motor"),
-        Entry::nothing("current", "a limit of a motor"),
-        Entry::nothing("gear_velocity", "a limit of a motor"),
+        Entry::ignored("acceleration", "unused"),
+        Entry::ignored("deceleration", "unused"),
+        Entry::ignored("jerk", "unused"),
+        Entry::ignored("drake:acceleration", "unused"),
+        Entry::ignored("drake:jerk", "unused"),
+        Entry::ignored("command_effort", "a limit of a motor"),
+        Entry::ignored("current", "a limit of a motor"),
+        Entry::ignored("gear_velocity", "a limit of a motor"),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -240,16 +240,16 @@ pub(super) const DYNAMICS: Content = Content {
             "friction",
             "Coulomb friction, modelled with the key `friction`",
         ),
-        Entry::nothing("coulomb_window", "a setting of former versions of Drake"),
-        Entry::lost("armature", &ARMATURE).when(When::NotZero),
-        Entry::lost("rotor_inertia", &ARMATURE).when(When::NotZero),
-        Entry::lost("spring_stiffness", &FORCE).when(When::NotZero),
-        Entry::lost("spring_reference", &FORCE).when(When::NotZero),
-        Entry::lost("stiffness", &FORCE).when(When::NotZero),
-        Entry::lost("K", &OTHER_DYNAMICS).when(When::NotZero),
-        Entry::lost("D", &OTHER_DYNAMICS).when(When::NotZero),
-        Entry::lost("mu_coulomb", &OTHER_DYNAMICS).when(When::NotZero),
-        Entry::lost("mu_viscous", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::ignored("coulomb_window", "a setting of former versions of Drake"),
+        Entry::not_modelled("armature", &ARMATURE).when(When::NotZero),
+        Entry::not_modelled("rotor_inertia", &ARMATURE).when(When::NotZero),
+        Entry::not_modelled("spring_stiffness", &FORCE).when(When::NotZero),
+        Entry::not_modelled("spring_reference", &FORCE).when(When::NotZero),
+        Entry::not_modelled("stiffness", &FORCE).when(When::NotZero),
+        Entry::not_modelled("K", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::not_modelled("D", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::not_modelled("mu_coulomb", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::not_modelled("mu_viscous", &OTHER_DYNAMICS).when(When::NotZero),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -272,9 +272,9 @@ pub(super) const SAFETY_CONTROLLER: Content = Content {
     attributes: &[
         Entry::read("soft_lower_limit", "a warning if it is above `lower`"),
         Entry::read("soft_upper_limit", "a warning if it is below `upper`"),
-        Entry::nothing("k_position", "a gain"),
-        Entry::nothing("k_velocity", "a gain"),
-        Entry::nothing("k_effort", "a gain"),
+        Entry::ignored("k_position", "a gain"),
+        Entry::ignored("k_velocity", "a gain"),
+        Entry::ignored("k_effort", "a gain"),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -312,33 +312,33 @@ const ROD: Content = Content {
     others: Others::WarnedLikeText,
 };
 
-const SECOND_ROBOT: Lost = Lost {
+const SECOND_ROBOT: NotModelled = NotModelled {
     what: "a second robot",
     hint: "a file describes one robot: move its links and joints into the first",
 };
 
-const VIRTUAL_JOINT: Lost = Lost {
+const VIRTUAL_JOINT: NotModelled = NotModelled {
     what: "a joint between the world and the robot",
     hint: "the base is fixed; free it with `floating`, or write a joint and a link for the world",
 };
 
-const JOINT_PROPERTIES: Lost = Lost {
+const JOINT_PROPERTIES: NotModelled = NotModelled {
     what: "damping and friction",
-    hint: "write them as <dynamics damping=\"…\" friction=\"…\"/>, as URDF has it since 2010",
+    hint: "write them as <dynamics damping=\"…\" friction=\"…\"/>, the syntax of URDF since 2010",
 };
 
-const AXIS_RPY: Lost = Lost {
+const AXIS_RPY: NotModelled = NotModelled {
     what: "a rotation of the axis",
-    hint: "URDF has none there: rotate the axis itself",
+    hint: "URDF has no such attribute: rotate the axis itself",
 };
 
-const ARMATURE: Lost = Lost {
+const ARMATURE: NotModelled = NotModelled {
     what: "the inertia of a rotor",
-    hint: "say it with `armature` or `rotor` beside the file, or as <drake:rotor_inertia value=\"…\"/> in the \
+    hint: "set it with the key `armature` or `rotor`, or as <drake:rotor_inertia value=\"…\"/> in the \
            <actuator> of a <transmission>",
 };
 
-const OTHER_DYNAMICS: Lost = Lost {
+const OTHER_DYNAMICS: NotModelled = NotModelled {
     what: "other dynamics",
     hint: "<dynamics> has damping and friction",
 };

@@ -28,11 +28,11 @@ fn every_function_of_a_robot_with_loops_is_listed() {
 }
 
 #[test]
-fn functions_that_leave_loops_open_document_it() {
+fn functions_that_ignore_loops_document_it() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let (item, world) = (Item::named_after("four bar"), World::default());
-    let open = "/// Loops are left open: what counts is the tree of joints that hangs on the base";
+    let open = "/// Loops are ignored: the robot is computed as the tree of its joints";
     for generated in &module.functions {
         let alone = Module {
             functions: vec![generated.clone()],
@@ -43,7 +43,7 @@ fn functions_that_leave_loops_open_document_it() {
             panic!("one at a time");
         };
         assert_eq!(text.contains(open), !function.is_of_loops(), "{function:?}");
-        let instead = format!("{open}; `constrained_forward_dynamics` holds them together.");
+        let instead = format!("{open}; `constrained_forward_dynamics` keeps them closed.");
         assert_eq!(text.contains(&instead), function.solves(), "{function:?}");
     }
 }

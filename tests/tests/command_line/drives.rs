@@ -60,12 +60,13 @@ fn mistakes_and_doubts_are_told() {
     assert_eq!(
         refused("check - --friction=mount=1 --armature nobody=1", ARM),
         "error: joint \"mount\" is fixed and has no friction\n\
-         error: there is no joint \"nobody\"\n  hint: joints: \"shoulder\", \"elbow\", \"slide\" and \"mount\"\n"
+         error: there is no joint \"nobody\"\n  \
+         hint: joints: \"shoulder\", \"elbow\", \"slide\" and \"mount\"\n"
     );
     let doubtful = homogen("check - --friction --rotors", ARM);
     assert_eq!(doubtful.code, 0);
     let any = "is requested, but no moving joint has it in the description";
-    for what in ["friction", "an armature"] {
+    for what in ["friction", "armature"] {
         let doubt = format!("{what} {any}");
         assert!(doubtful.output.contains(&doubt), "{}", doubtful.output);
     }

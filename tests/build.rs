@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .coulomb_friction("elbow", [0.5])
         .coulomb_friction("lift", [3.0])
         .generate(Function::ALL);
-    write_both(with_actuators, "driven", &folder)?;
+    write_both(with_actuators, "with_actuators", &folder)?;
     write_joints(Path::new(&folder))
 }
 

@@ -155,8 +155,8 @@ impl<T: Tested> Climb<T> {
             .collect()
     }
 
-    /// The largest ratio of error to bound of each result: at random states, often corners of the range, and uphill from
-    /// the worst state, judged by the results with one unit, or by all.
+    /// The largest ratio of error to bound of each result: at random states, often corners of the range, and uphill
+    /// from the worst state, judged by the results with one unit, or by all.
     fn attack(&self, seed: u64, unit: Option<&str>, states: usize, steps: usize) -> Vec<f64> {
         let ends = self.ends();
         let mut random = Random::new(seed);

@@ -22,7 +22,7 @@ pub fn with_actuators(description: &Description, mut request: Request) -> Reques
             .is_some_and(|mimic| is_locked(&mimic.leader.text));
         joint.kind.moves() && !is_locked(&joint.name.text) && !mimics_locked
     });
-    let mut drives = Vec::new();
+    let mut settings = Vec::new();
     let mut entry = 0.0;
     for joint in moving {
         for (part, size) in [
@@ -38,10 +38,10 @@ pub fn with_actuators(description: &Description, mut request: Request) -> Reques
                 let share: f64 = entry * 0.618_033_988_749_895;
                 number(size * (0.5 + share.fract()))
             });
-            drives.push((joint.name.clone(), part, numbers.collect()));
+            settings.push((joint.name.clone(), part, numbers.collect()));
         }
     }
-    request.drives = drives;
+    request.drives = settings;
     request
 }
 

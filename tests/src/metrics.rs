@@ -1,7 +1,7 @@
 //! Measures of error.
 //!
-//! In: results in a type, and their true values in 256 bits. Out: errors in units of rounding, of single entries or of a
-//! whole vector; backward errors of forward dynamics; distributions of many errors. Limits are up to the tests.
+//! In: results in a type, and their true values in 256 bits. Out: errors in units of rounding, of single entries or of
+//! a whole vector; backward errors of forward dynamics; distributions of many errors. Limits are up to the tests.
 //!
 //! The error of an infinite or NaN result is infinite.
 

@@ -1,8 +1,8 @@
 //! Differences between two lists of results, in units of rounding.
 //!
-//! In: blocks and their expected values, state after state. Out: the worst error of each block, as a multiple of u times
-//! the largest entry that the block has in any state. A single entry may cancel and have no correct digit; the largest
-//! entry measures the terms that it is a sum of.
+//! In: blocks and their expected values, state after state. Out: the worst error of each block, as a multiple of u
+//! times the largest entry that the block has in any state. A single entry may cancel and have no correct digit; the
+//! largest entry measures the terms that it is a sum of.
 
 use std::collections::BTreeMap;
 use std::fmt;

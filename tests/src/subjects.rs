@@ -1,7 +1,7 @@
 //! Robots without a file that are hard cases of arithmetic, each with a short label.
 //!
-//! In: a label such as `planar/12` or `heavy_tip/1e6`. Out: a description and a request. Labels are in the table of worst
-//! inputs, so their robots must not change. Lengths are in metres, masses in kilograms; rods are thin and uniform
+//! In: a label such as `planar/12` or `heavy_tip/1e6`. Out: a description and a request. Labels are in the table of
+//! worst inputs, so their robots must not change. Lengths are in metres, masses in kilograms; rods are thin and uniform
 //! unless stated otherwise.
 
 use std::path::Path;

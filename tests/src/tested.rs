@@ -21,7 +21,8 @@ pub trait Tested: Arithmetic + Copy + Debug {
     const REAL: Real;
     /// u, the largest relative error of an operation.
     const ROUNDOFF: f64;
-    /// The smallest size for measures of error: an operation whose result underflows has an error of up to u times this.
+    /// The smallest size for measures of error: an operation whose result underflows has an error of up to u times
+    /// this.
     const FLOOR: f64;
 
     /// The exact value in `f64`.
@@ -223,7 +224,7 @@ mod tests {
     }
 
     /// (1 + ε)(1 − ε) − 1 = −ε²; 0 if the product is rounded before the sum.
-    fn product_beside_one<T: Tested>(epsilon: f64) -> f64 {
+    fn product_near_one<T: Tested>(epsilon: f64) -> f64 {
         let [one, epsilon] = [1.0, epsilon].map(T::literal);
         (one + epsilon).mul_add(one - epsilon, -one).to_f64()
     }
@@ -231,10 +232,10 @@ mod tests {
     #[test]
     fn product_and_sum_are_rounded_once_only_if_fused() {
         let (double, single) = (f64::EPSILON, f64::from(f32::EPSILON));
-        assert_eq!(product_beside_one::<Fused64>(double), -double * double);
-        assert_eq!(product_beside_one::<Fused32>(single), -single * single);
-        assert_eq!(product_beside_one::<F64>(double), 0.0);
-        assert_eq!(product_beside_one::<F32>(single), 0.0);
-        assert_eq!(product_beside_one::<Flushed>(single), 0.0);
+        assert_eq!(product_near_one::<Fused64>(double), -double * double);
+        assert_eq!(product_near_one::<Fused32>(single), -single * single);
+        assert_eq!(product_near_one::<F64>(double), 0.0);
+        assert_eq!(product_near_one::<F32>(single), 0.0);
+        assert_eq!(product_near_one::<Flushed>(single), 0.0);
     }
 }

@@ -1,5 +1,5 @@
-//! Random robots: trees as vendors ship them and requests as users make them, through the whole generator, compared with
-//! dense matrices of 256 bits that share nothing with it.
+//! Random robots: trees as vendors ship them and requests as users make them, through the whole generator, compared
+//! with dense matrices of 256 bits that share nothing with it.
 //!
 //! In: a seed. Out: findings, or the smallest robot that fails.
 //!

@@ -1,7 +1,7 @@
 //! Generated code compared with the generic recursions, which share nothing with the generator but the chain as data.
 //!
-//! Errors are in units of rounding of the type, times the largest entry of the result in any of the 1,000 states. Limits
-//! are a few times the worst measured error.
+//! Errors are in units of rounding of the type, times the largest entry of the result in any of the 1,000 states.
+//! Limits are a few times the worst measured error.
 
 use homogen::{Chain, Real};
 use homogen_tests::for_every_robot;

@@ -235,8 +235,8 @@ fn bounds_on_arms_hold_and_are_tight_within_100() {
     }
 }
 
-/// Functions whose results depend on the base's orientation. The bound of a tree's momentum bias may be 10,000 times the
-/// worst error, since inertias cancel that grow with all that they carry.
+/// Functions whose results depend on the base's orientation. The bound of a tree's momentum bias may be 10,000 times
+/// the worst error, since inertias cancel that grow with all that they carry.
 #[test]
 fn bounds_with_a_floating_base_hold_and_are_tight_within_500() {
     for (name, description, tip, far) in [

@@ -30,7 +30,8 @@ const FUNCTIONS: [Function; 9] = [
 
 const RUN: u64 = 35;
 
-/// True for robots without fields, whose drawn values may be out of range, and without quaternions, whose length is not 1.
+/// True for robots without fields, whose drawn values may be out of range, and without quaternions, whose length is not
+/// 1.
 fn is_of_the_file(robot: &Robot) -> bool {
     let has_quaternion = |kind: &Kind| matches!(kind, Kind::Spherical | Kind::Floating);
     let has_any = robot.bodies.iter().any(|body| has_quaternion(&body.kind));
@@ -160,8 +161,8 @@ fn bounds_include_the_rounding_of_computed_angles() {
     }
 }
 
-/// Two halves of a right angle, with inverse rotations between them, leave 6e-17, whose last digits are below 106 bits of
-/// 1.
+/// Two halves of a right angle, with inverse rotations between them, leave 6e-17, whose last digits are below 106 bits
+/// of 1.
 #[test]
 fn bounds_include_what_cancels_between_fixed_joints() {
     let half = "-0.7853981633974483";

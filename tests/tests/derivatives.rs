@@ -1,5 +1,5 @@
-//! Derivatives of torques and accelerations, and the Coriolis matrix, compared with generated code on dual numbers, laws
-//! of mechanics, the generic recursions, and Pinocchio.
+//! Derivatives of torques and accelerations, and the Coriolis matrix, compared with generated code on dual numbers,
+//! laws of mechanics, the generic recursions, and Pinocchio.
 //!
 //! Errors of solutions are relative to the inverse of the mass matrix times the torques that cancel.
 
@@ -81,18 +81,18 @@ fn of_torques<R: Differentiable<N>, const N: usize>(
     found: &mut Worst,
 ) {
     let still = [0.0; N];
-    let [fixed, moving, driven] = [q, qd, qdd].map(|list| Dual::pairs(list, &still));
+    let [fixed, moving, acceleration] = [q, qd, qdd].map(|list| Dual::pairs(list, &still));
     let (along_q, along_qd) = (|d| Dual::pairs(q, &d), |d| Dual::pairs(qd, &d));
     let by = robot.inverse_dynamics_derivatives(q, qd, qdd);
-    let dq = columns(|d| robot.inverse_dynamics(&along_q(d), &moving, &driven));
-    let dqd = columns(|d| robot.inverse_dynamics(&fixed, &along_qd(d), &driven));
+    let dq = columns(|d| robot.inverse_dynamics(&along_q(d), &moving, &acceleration));
+    let dqd = columns(|d| robot.inverse_dynamics(&fixed, &along_qd(d), &acceleration));
     note(found, "∂τ/∂q", &by.dq, &dq);
     note(found, "∂τ/∂q̇", &by.dqd, &dqd);
     let gravity = columns(|d| robot.gravity(&along_q(d)));
     note(found, "∂gravity/∂q", &robot.gravity_derivative(q), &gravity);
 
     // dτ/dt = ∂τ/∂q q̇ + ∂τ/∂q̇ q̈ at constant q̈.
-    let in_time = robot.inverse_dynamics(&Dual::pairs(q, qd), &Dual::pairs(qd, qdd), &driven);
+    let in_time = robot.inverse_dynamics(&Dual::pairs(q, qd), &Dual::pairs(qd, qdd), &acceleration);
     let sum: [f64; N] = from_fn(|i| dot(&by.dq[i], qd) + dot(&by.dqd[i], qdd));
     found.note(
         &[Block::new("dτ/dt", sum)],
@@ -133,11 +133,11 @@ fn of_accelerations<R: Differentiable<N>, const N: usize, const F: usize>(
 ) -> f64 {
     let still = [0.0; N];
     let tau = from_fn(|k| 3.0 * qdd[N - 1 - k]);
-    let [fixed, moving, driven] = [q, qd, &tau].map(|list| Dual::pairs(list, &still));
+    let [fixed, moving, torque] = [q, qd, &tau].map(|list| Dual::pairs(list, &still));
     let by = robot.forward_dynamics_derivatives(q, qd, &tau);
     let expected = generic::forward_dynamics_derivatives(chain, q, qd, &tau);
-    let dq = columns(|d| robot.forward_dynamics(&Dual::pairs(q, &d), &moving, &driven));
-    let dqd = columns(|d| robot.forward_dynamics(&fixed, &Dual::pairs(qd, &d), &driven));
+    let dq = columns(|d| robot.forward_dynamics(&Dual::pairs(q, &d), &moving, &torque));
+    let dqd = columns(|d| robot.forward_dynamics(&fixed, &Dual::pairs(qd, &d), &torque));
     let dtau = columns(|d| robot.forward_dynamics(&fixed, &moving, &Dual::pairs(&tau, &d)));
     // Relative to M⁻¹ times the torques that cancel: those of the bias, M times the result, and M times the error of q̈
     // that M⁻¹ allows.

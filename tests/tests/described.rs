@@ -1,4 +1,5 @@
-//! Robots describe themselves: counts, names, limits and the neutral configuration, as constants and by the trait `Robot`.
+//! Robots describe themselves: counts, names, limits and the neutral configuration, as constants and by the trait
+//! `Robot`.
 //!
 //! In: robots that ship. Out: the constants, compared with the numbers of their files.
 

@@ -21,7 +21,7 @@ const Q: usize = 19;
 /// Both sides are sums of some hundred terms; the worst is 26 u.
 const LIMIT: f64 = 128.0;
 
-macro_rules! driven {
+macro_rules! robot_with_actuators {
     ($name:ident, $external:tt) => {
         homogen::chain! {
             /// Joints with several velocities, a screw, and a gear that mimics a hinge.
@@ -75,8 +75,8 @@ macro_rules! driven {
     };
 }
 
-driven!(Driven, (tool, gear, pod));
-driven!(FromFrame0, (tool, gear, pod, frame = 0));
+robot_with_actuators!(WithActuators, (tool, gear, pod));
+robot_with_actuators!(FromFrame0, (tool, gear, pod, frame = 0));
 
 const LINKS: [&str; 3] = ["tool", "gear", "pod"];
 
@@ -145,7 +145,8 @@ macro_rules! tests {
         mod $module {
             use super::*;
 
-            /// The power of torques and external wrenches is the rate of energy plus the power lost by friction; in f32 too.
+            /// The power of torques and external wrenches is the rate of energy plus the power lost by friction; in f32
+            /// too.
             #[test]
             fn power_is_conserved() {
                 let chain = $robot::chain();
@@ -220,7 +221,7 @@ macro_rules! tests {
                     let by = $robot.inverse_dynamics_derivatives(&q, &qd, &qdd, &actions);
                     let solved = $robot.forward_dynamics_derivatives(&q, &qd, &tau, &actions);
                     let still = Dual::pairs(&q, &[0.0; Q]);
-                    let [rates, driven, given] =
+                    let [velocity, acceleration, torque] =
                         [&qd, &qdd, &tau].map(|list| Dual::pairs(list, &[0.0; N]));
                     let pushed = as_scalar::<Dual>(&actions);
                     for k in 0..N {
@@ -231,22 +232,22 @@ macro_rules! tests {
                             (
                                 "∂τ/∂q",
                                 column(&by.dq),
-                                $robot.inverse_dynamics(&along, &rates, &driven, &pushed),
+                                $robot.inverse_dynamics(&along, &velocity, &acceleration, &pushed),
                             ),
                             (
                                 "∂τ/∂q̇",
                                 column(&by.dqd),
-                                $robot.inverse_dynamics(&still, &faster, &driven, &pushed),
+                                $robot.inverse_dynamics(&still, &faster, &acceleration, &pushed),
                             ),
                             (
                                 "∂q̈/∂q",
                                 column(&solved.dq),
-                                $robot.forward_dynamics(&along, &rates, &given, &pushed),
+                                $robot.forward_dynamics(&along, &velocity, &torque, &pushed),
                             ),
                             (
                                 "∂q̈/∂q̇",
                                 column(&solved.dqd),
-                                $robot.forward_dynamics(&still, &faster, &given, &pushed),
+                                $robot.forward_dynamics(&still, &faster, &torque, &pushed),
                             ),
                         ] {
                             worst.note(
@@ -288,26 +289,26 @@ fn power_in_frame_0<const F: usize, const B: usize>(
     dot(&w.omega(), &action.c()) + dot(&w.v(), &action.f())
 }
 
-tests!(in_the_frames_of_links, Driven, power_in_link_frame);
+tests!(in_the_frames_of_links, WithActuators, power_in_link_frame);
 tests!(in_frame_0, FromFrame0, power_in_frame_0);
 
 /// The generic recursions read armature, damping and friction as data.
 #[test]
 fn the_generic_recursions_give_the_same() {
-    let chain = Driven::chain();
+    let chain = WithActuators::chain();
     let mut random = Random::new(14);
     let mut worst = Worst::in_units_of(DOUBLE);
     for _ in 0..STATES {
         let State { q, qd, qdd } = State::<f64, N, Q>::of(&chain, &mut random);
         let nothing = [Action::zero(); 3];
-        let by = Driven.inverse_dynamics_derivatives(&q, &qd, &qdd, &nothing);
+        let by = WithActuators.inverse_dynamics_derivatives(&q, &qd, &qdd, &nothing);
         let expected = generic::inverse_dynamics_derivatives(&chain, &q, &qd, &qdd);
         let tau = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
         let found = [
-            Block::new("τ", Driven.inverse_dynamics(&q, &qd, &qdd, &nothing)),
+            Block::new("τ", WithActuators.inverse_dynamics(&q, &qd, &qdd, &nothing)),
             Block::new("∂τ/∂q", by.dq.as_flattened().to_vec()),
             Block::new("∂τ/∂q̇", by.dqd.as_flattened().to_vec()),
-            Block::new("energy", [Driven.kinetic_energy(&q, &qd)]),
+            Block::new("energy", [WithActuators.kinetic_energy(&q, &qd)]),
         ];
         let expected = [
             Block::new("τ", tau),

@@ -1,7 +1,8 @@
 //! Enclosures of numbers that are computed during generation, compared with numbers of 256 bits.
 //!
-//! In: random numbers of 1e-300 to 1e300, residues among them, and random operations on them. Out: an enclosure contains
-//! the exact result; it counts as zero only if the result is negligible for an `f64`; a normalised vector has length 1.
+//! In: random numbers of 1e-300 to 1e300, residues among them, and random operations on them. Out: an enclosure
+//! contains the exact result; it counts as zero only if the result is negligible for an `f64`; a normalised vector has
+//! length 1.
 
 use homogen_codegen::expression::{Double, Graph};
 use homogen_codegen::matrix::Vector;

@@ -180,7 +180,7 @@ fn skew(vector: &[f64]) -> [[f64; 3]; 3] {
 fn velocity(state: &Value) -> Vec<f64> {
     let spin = skew(&numbers(&state["frame_angular_velocity"]));
     let linear = numbers(&state["frame_linear_velocity"]);
-    beside(spin, &linear, &numbers(&state["frame_p"]))
+    with_offset(spin, &linear, &numbers(&state["frame_p"]))
 }
 
 /// G, a₀ from the acceleration of the frame's origin p: G = ω̲̇ + ω̲², a₀ = a − G p.
@@ -190,11 +190,11 @@ fn acceleration(state: &Value) -> Vec<f64> {
     let square = |i: usize, j: usize| (0..3).map(|k| spin[i][k] * spin[k][j]).sum::<f64>();
     let g = std::array::from_fn(|i| std::array::from_fn(|j| rate[i][j] + square(i, j)));
     let linear = numbers(&state["frame_linear_acceleration"]);
-    beside(g, &linear, &numbers(&state["frame_p"]))
+    with_offset(g, &linear, &numbers(&state["frame_p"]))
 }
 
 /// The rows of a 3×3 block, each with its entry of u − block · p.
-fn beside(block: [[f64; 3]; 3], u: &[f64], p: &[f64]) -> Vec<f64> {
+fn with_offset(block: [[f64; 3]; 3], u: &[f64], p: &[f64]) -> Vec<f64> {
     let rows = block.iter().zip(u);
     rows.flat_map(|(row, u)| {
         let moved: f64 = row.iter().zip(p).map(|(entry, p)| entry * p).sum();

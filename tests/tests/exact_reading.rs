@@ -1,8 +1,8 @@
 //! Numbers of a description reach code exactly, or in 106 bits: none is computed in `f64`, where errors have no bound.
 //!
-//! In: the sources of the engine from the readers to the layout. The test searches for conversions of a number to `f64`,
-//! computations with a written number, and scalars made from anything but literals. Those in [`ALLOWED`] decide, warn or
-//! print, or are exact.
+//! In: the sources of the engine from the readers to the layout. The test searches for conversions of a number to
+//! `f64`, computations with a written number, and scalars made from anything but literals. Those in [`ALLOWED`] decide,
+//! warn or print, or are exact.
 
 use homogen_tests::sources::{Source, code, engine};
 

@@ -195,8 +195,8 @@ const INLINE: &str = "
 
 /// The methods and traits of formatted code.
 ///
-/// Left out: comments, which state the origin; attributes; the struct, which a derive does not write; the constants before
-/// the first method, since limits differ; and the constant by which the compiler watches a file.
+/// Left out: comments, which state the origin; attributes; the struct, which a derive does not write; the constants
+/// before the first method, since limits differ; and the constant by which the compiler watches a file.
 fn methods(text: &str) -> String {
     text.lines()
         .skip_while(|line| !line.contains(" fn "))

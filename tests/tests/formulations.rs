@@ -1,4 +1,5 @@
-//! Formulations other than the default: generated code computes the same, and each word of a formulation has its effect.
+//! Formulations other than the default: generated code computes the same, and each word of a formulation has its
+//! effect.
 
 use std::path::Path;
 

@@ -34,8 +34,8 @@ fn torques<const N: usize>(state: &State<f64, N>) -> [f64; N] {
     from_fn(|k| 3.0 * state.qdd[N - 1 - k])
 }
 
-/// The worst backward error over random states, in u: the difference of the torques that the computed accelerations need
-/// from the given ones, relative to the size of M q̈ and τ.
+/// The worst backward error over random states, in u: the difference of the torques that the computed accelerations
+/// need from the given ones, relative to the size of M q̈ and τ.
 fn backward_error<R, const N: usize>(robot: &R) -> f64
 where
     R: InverseDynamics<N> + MassMatrix<N> + ForwardDynamics<N>,

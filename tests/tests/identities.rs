@@ -225,8 +225,8 @@ fn rates_of_columns<R, const N: usize>(
     );
 }
 
-/// The velocity of the centre of mass is the derivative of its position, and its Jacobian times q̇. The momentum about it is
-/// its matrix times q̇, and the rate of that at q̈ = 0 is the rate of the matrix times q̇.
+/// The velocity of the centre of mass is the derivative of its position, and its Jacobian times q̇. The momentum about
+/// it is its matrix times q̇, and the rate of that at q̈ = 0 is the rate of the matrix times q̇.
 fn centroids<R, const N: usize>(
     robot: &R,
     State { q, qd, .. }: &State<f64, N>,
@@ -364,8 +364,8 @@ macro_rules! identities {
 }
 for_every_robot!(identities);
 
-/// The structure of the paper's matrices, by dense products: W, Γ and Φ are skew where they should be, J is symmetric in
-/// every frame, Γ = W J − J Wᵗ and Φ = H J − J Hᵗ.
+/// The structure of the paper's matrices, by dense products: W, Γ and Φ are skew where they should be, J is symmetric
+/// in every frame, Γ = W J − J Wᵗ and Φ = H J − J Hᵗ.
 #[test]
 fn matrices_have_the_structure_of_the_paper() {
     let mut random = Random::new(3);

@@ -1,5 +1,5 @@
-//! Inverse kinematics: converged solutions reach their targets, by poses of an independent recursion, and every solution
-//! is finite.
+//! Inverse kinematics: converged solutions reach their targets, by poses of an independent recursion, and every
+//! solution is finite.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
-//! Inline descriptions of what the files in robots/ do not have: screws, chains of prismatic joints, oblique axes, branches
-//! in the middle, tables, settings and their combinations.
+//! Inline descriptions of what the files in robots/ do not have: screws, chains of prismatic joints, oblique axes,
+//! branches in the middle, tables, settings and their combinations.
 //!
 //! Generated code is compared with the generic recursions, in units of rounding as in `agreement`.
 

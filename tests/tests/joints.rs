@@ -1,8 +1,8 @@
-//! Robots whose joints have several velocities or mimic others: compared with the generic recursions, and laws of mechanics
-//! between the results of one robot.
+//! Robots whose joints have several velocities or mimic others: compared with the generic recursions, and laws of
+//! mechanics between the results of one robot.
 //!
-//! Derivatives come from generated code on dual numbers along an integrated motion, since velocities are not derivatives of
-//! coordinates. Errors are in units of rounding times the largest value of any state.
+//! Derivatives come from generated code on dual numbers along an integrated motion, since velocities are not
+//! derivatives of coordinates. Errors are in units of rounding times the largest value of any state.
 
 use std::array::from_fn;
 
@@ -18,8 +18,8 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 100;
 
-/// The dense products of the recursions in frame 0 have larger errors than generated code: the worst is 82 u, or 9e-15; of
-/// derivatives, which have the factors of mimic joints twice, 589 u.
+/// The dense products of the recursions in frame 0 have larger errors than generated code: the worst is 82 u, or 9e-15;
+/// of derivatives, which have the factors of mimic joints twice, 589 u.
 const DOUBLE_LIMIT: f64 = 1024.0;
 
 /// In single precision the arguments' quaternions are rounded: the worst is 62 u.

@@ -1,5 +1,6 @@
-//! Random robots with closed loops, in any orientation, through the whole generator, compared with equations of motion in
-//! 256 bits: see [`homogen_tests::mechanisms`]. `cargo run --release -p homogen-tests --bin mechanisms` runs a thousand.
+//! Random robots with closed loops, in any orientation, through the whole generator, compared with equations of motion
+//! in 256 bits: see [`homogen_tests::mechanisms`]. `cargo run --release -p homogen-tests --bin mechanisms` runs a
+//! thousand.
 
 use homogen_tests::mechanisms::draw::Kind;
 use homogen_tests::mechanisms::judge::Outcome;

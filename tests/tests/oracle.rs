@@ -1,9 +1,9 @@
-//! The two sources of true values agree in 256 bits: dense matrices in frame 0 from the description, and the graph of the
-//! generator in link frames.
+//! The two sources of true values agree in 256 bits: dense matrices in frame 0 from the description, and the graph of
+//! the generator in link frames.
 //!
-//! Differences are relative to the largest S of the result, which in forward dynamics includes the condition of the mass
-//! matrix. A tolerance of 10⁻⁵⁰ leaves 27 decimal digits for rounding in 256 bits, and is 18 digits below the 106 bits of
-//! the generator. Derivatives have another tolerance, since one of the sources computes them by differences.
+//! Differences are relative to the largest S of the result, which in forward dynamics includes the condition of the
+//! mass matrix. A tolerance of 10⁻⁵⁰ leaves 27 decimal digits for rounding in 256 bits, and is 18 digits below the 106
+//! bits of the generator. Derivatives have another tolerance, since one of the sources computes them by differences.
 
 use std::path::Path;
 
@@ -223,8 +223,8 @@ fn rounded_right_angles_agree_to_106_bits() {
     assert!(worst > TOLERANCE, "{worst:e}: the sine is 1");
 }
 
-/// The tree of oblique axes of the engine's tests, with more joints of every type, locked and movable, at right angles with
-/// few digits.
+/// The tree of oblique axes of the engine's tests, with more joints of every type, locked and movable, at right angles
+/// with few digits.
 #[test]
 fn a_tree_of_oblique_axes_agrees() {
     let tree = include_str!("../../codegen/src/layout/oblique.txt");
@@ -247,8 +247,8 @@ fn a_tree_of_oblique_axes_agrees() {
     println!("tree: {worst:.1e}");
 }
 
-/// Joints with several velocities, in the middle of a chain, at its end and on a branch; mimic joints of joints outboard, of
-/// mimic joints and of locked ones; on a fixed and on a floating base.
+/// Joints with several velocities, in the middle of a chain, at its end and on a branch; mimic joints of joints
+/// outboard, of mimic joints and of locked ones; on a fixed and on a floating base.
 #[test]
 fn every_joint_agrees_on_a_fixed_and_on_a_floating_base() {
     let joints = "

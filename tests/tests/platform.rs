@@ -1,8 +1,8 @@
-//! Printed code is the same on every platform: the engine calls no function whose last bit depends on a platform's library
-//! or compiler.
+//! Printed code is the same on every platform: the engine calls no function whose last bit depends on a platform's
+//! library or compiler.
 //!
-//! In: the sources of the engine. The test searches for such functions outside of tests. Those in [`ALLOWED`] belong to our
-//! own types of number, which have their own sines, or do not affect what is printed.
+//! In: the sources of the engine. The test searches for such functions outside of tests. Those in [`ALLOWED`] belong to
+//! our own types of number, which have their own sines, or do not affect what is printed.
 
 use homogen_tests::sources::{Source, code, engine};
 

@@ -46,12 +46,12 @@ fn costs_depend_on_the_processor() {
     ]
     .map(|(processor, scalar)| {
         let module = module(processor, scalar).unwrap_or_else(|errors| panic!("{errors}"));
-        let prices = module.functions.iter().map(|generated| {
+        let counts = module.functions.iter().map(|generated| {
             let (of, cycles) = generated.price.cycles.expect("a processor was chosen");
             assert_eq!(of, processor);
             (cycles, generated.price.fused)
         });
-        prices.collect::<Vec<_>>()
+        counts.collect::<Vec<_>>()
     });
     let expected = [
         [(583, 0), (1222, 0)],

@@ -1,7 +1,7 @@
 //! Text of a package for Python: the class in Rust and the stub of a small robot.
 //!
-//! Text is pinned so that changes are reviewed. `python/run.sh` tests the results of packages; here their integration of
-//! quaternions is compared with the runtime's, bit for bit.
+//! Text is pinned so that changes are reviewed. `python/run.sh` tests the results of packages; here their integration
+//! of quaternions is compared with the runtime's, bit for bit.
 
 #[path = "../../codegen/src/print/python/package/number.rs"]
 #[allow(dead_code, clippy::pedantic, reason = "a file of packages")]

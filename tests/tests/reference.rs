@@ -2,8 +2,8 @@
 //! (tests/reference/*.json, with conventions in each file).
 //!
 //! Pinocchio returns velocity and acceleration of the frame's origin, W and H have the reference point at the origin of
-//! frame 0: a point P has velocity W P and acceleration H P. Pinocchio's Jacobians have linear rows first; the methods here
-//! have the order in their names.
+//! frame 0: a point P has velocity W P and acceleration H P. Pinocchio's Jacobians have linear rows first; the methods
+//! here have the order in their names.
 
 use homogen::{Chain, Jacobian, Point, generic};
 use homogen_tests::for_every_robot;
@@ -20,8 +20,8 @@ use serde_json::Value;
 /// Relative to the largest entry of a result. The worst is 2e-15.
 const TOLERANCE: f64 = 1e-12;
 
-/// The same for torques at Pinocchio's q̈, which is computed with the inverse of M: the worst is 3e-13, and 2e-12 for the
-/// quadruped on a floating base, with feet of a hundredth of its mass.
+/// The same for torques at Pinocchio's q̈, which is computed with the inverse of M: the worst is 3e-13, and 2e-12 for
+/// the quadruped on a floating base, with feet of a hundredth of its mass.
 const TOLERANCE_OF_SOLUTIONS: f64 = 1e-11;
 
 /// A state, and Pinocchio's results for it.

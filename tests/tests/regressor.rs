@@ -1,5 +1,5 @@
-//! Regressors of every robot that ships: generated code compared with the generic recursions, and both with torques, which
-//! are linear in the inertial parameters.
+//! Regressors of every robot that ships: generated code compared with the generic recursions, and both with torques,
+//! which are linear in the inertial parameters.
 //!
 //! Errors are in units of rounding times the largest entry in any state.
 
@@ -31,8 +31,8 @@ impl<R, const N: usize, const P: usize, const B: usize> Regressed<N, P, B> for R
 {
 }
 
-/// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz of each body; then armature, damping and friction of each joint,
-/// for regressors that have columns for them.
+/// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz of each body; then armature, damping and friction of each
+/// joint, for regressors that have columns for them.
 fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
     let bodies = chain.joints.iter().flat_map(|joint| {
         let [
@@ -112,7 +112,7 @@ fn hold<R, const N: usize, const P: usize, const B: usize, const F: usize>(
     friction(joint_2 = 6.5, joint_4 = 0.8)
 )]
 #[robot(generate(inverse_dynamics, regressor, base_regressor))]
-struct Driven;
+struct WithActuators;
 
 macro_rules! regressors {
     ($($name:ident: $robot:ident, $joints:literal, $parameters:literal, $base:literal;)*) => {$(
@@ -138,5 +138,5 @@ regressors! {
     ur5_class: Ur5Class, 6, 10, 36;
     panda_class: PandaClass, 7, 10, 43;
     quadruped: Quadruped, 12, 10, 68;
-    driven: Driven, 6, 13, 52;
+    with_actuators: WithActuators, 6, 13, 52;
 }

@@ -1,8 +1,8 @@
 //! Robots with residues in place of zeros, as exporters write them. Each of them once gave wrong numbers or NaN, or was
 //! refused as a fault of the engine.
 //!
-//! Every function, by the engine's choice and with its own check, is compared with the dense matrices of [`frame_0`] in 256
-//! bits; with and without `exact`, by which no residue counts as zero, then in every layout.
+//! Every function, by the engine's choice and with its own check, is compared with the dense matrices of [`frame_0`] in
+//! 256 bits; with and without `exact`, by which no residue counts as zero, then in every layout.
 
 use std::fmt::Write;
 

@@ -1,5 +1,5 @@
-//! Generated code on scalars other than `f32` and `f64`: dual numbers, with slopes that other generated functions give too,
-//! and packs of four numbers.
+//! Generated code on scalars other than `f32` and `f64`: dual numbers, with slopes that other generated functions give
+//! too, and packs of four numbers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

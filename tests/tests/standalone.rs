@@ -1,7 +1,7 @@
 //! The file for `core` alone compared with the derive, both in single precision: the same bits for all arguments.
 //!
-//! On processors that fuse a product with a sum, the derive rounds once where the file rounds twice, so there is nothing to
-//! compare.
+//! On processors that fuse a product with a sum, the derive rounds once where the file rounds twice, so there is
+//! nothing to compare.
 #![cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
 
 use homogen::Chain;
@@ -237,8 +237,8 @@ for_every_robot!(standalone_files);
     generate(all)
 )]
 #[robot(damping(elbow = 0.75), friction(elbow = 0.5, lift = 3))]
-struct Driven;
-standalone_files!(driven, Driven);
+struct WithActuators;
+standalone_files!(with_actuators, WithActuators);
 
 /// The sines of a file are the runtime's without branches.
 mod single_sines {

@@ -1,7 +1,7 @@
 //! `neutral`, `integrate`, `difference` and `normalize` in files for `core` alone.
 //!
-//! In: a robot with every type of joint; states with rotations near zero, near half a turn and beyond. Out: the bits of the
-//! runtime, in both precisions, and identities between the four functions.
+//! In: a robot with every type of joint; states with rotations near zero, near half a turn and beyond. Out: the bits of
+//! the runtime, in both precisions, and identities between the four functions.
 
 use std::array::from_fn;
 use std::f64::consts::PI;

@@ -1,7 +1,7 @@
 //! Sines and cosines of the runtime, fused and unfused, compared with 256 bits.
 //!
-//! In: random angles, angles next to multiples of π/2, tiny and huge ones. Out: failed assertions. The 256 bits themselves
-//! are compared with a table of another library, by `reference/trigonometry.py`.
+//! In: random angles, angles next to multiples of π/2, tiny and huge ones. Out: failed assertions. The 256 bits
+//! themselves are compared with a table of another library, by `reference/trigonometry.py`.
 
 use core::array::from_fn;
 use core::f64::consts::FRAC_PI_2;

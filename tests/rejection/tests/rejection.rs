@@ -1,9 +1,9 @@
 //! Compile-fail tests: each mistake gives one error, under the word that caused it, though the file goes on to call
 //! the functions that it requests.
 //!
-//! In: `rejected/*.rs`, one mistake each, with the expected messages in `*.stderr`, and the descriptions that they name.
-//! Each is compiled alone, with the crate `homogen` as it was built for this test.
-//! `INSTA_UPDATE=always` rewrites the expected messages.
+//! In: `rejected/*.rs`, one mistake each, with the expected messages in `*.stderr`, and the descriptions that they
+//! name. Each is compiled alone, with the crate `homogen` as it was built for this test. `INSTA_UPDATE=always` rewrites
+//! the expected messages.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -110,14 +110,14 @@ fn dependencies() -> PathBuf {
 
 /// A report if the messages for a file differ from the expected ones.
 fn difference(homogen: &Homogen, file: &Path) -> Option<String> {
-    let beside = file.with_extension("stderr");
-    let expected = fs::read_to_string(&beside).unwrap_or_default();
+    let stderr_file = file.with_extension("stderr");
+    let expected = fs::read_to_string(&stderr_file).unwrap_or_default();
     let found = homogen.shown(file);
     if found == expected {
         return None;
     }
     if env::var_os("INSTA_UPDATE").is_some_and(|update| update == "always") {
-        fs::write(&beside, found).expect("a file");
+        fs::write(&stderr_file, found).expect("a file");
         return None;
     }
     let name = file.display();

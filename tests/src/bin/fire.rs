@@ -166,8 +166,8 @@ fn processor_time() -> Option<u64> {
     text.split(' ').next()?.parse().ok()
 }
 
-/// Memory of the process in bytes: the present one if `reset`, which also resets the peak; otherwise the peak since then.
-/// 0 where that is unknown.
+/// Memory of the process in bytes: the present one if `reset`, which also resets the peak; otherwise the peak since
+/// then. 0 where that is unknown.
 fn memory(reset: bool) -> u64 {
     if reset && fs::write("/proc/self/clear_refs", "5").is_err() {
         return 0;

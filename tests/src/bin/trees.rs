@@ -80,7 +80,8 @@ impl Wanted {
     }
 }
 
-/// Runs the tests of robots, which report panics of the engine as failures; any other panic ends the run with its message.
+/// Runs the tests of robots, which report panics of the engine as failures; any other panic ends the run with its
+/// message.
 fn run(wanted: &Wanted) -> ExitCode {
     let last = Arc::new(Mutex::new(String::new()));
     let panic_message = Arc::clone(&last);

@@ -1,5 +1,5 @@
-//! Accelerations under loop constraints, by their definition, in 256 bits: J q̈ + γ = 0, and M q̈ + h − τ does no work in
-//! any motion that the loops allow.
+//! Accelerations under loop constraints, by their definition, in 256 bits: J q̈ + γ = 0, and M q̈ + h − τ does no work
+//! in any motion that the loops allow.
 //!
 //! In: a robot in dense matrices of frame 0, the residuals to use, a state. Out: q̈, and the pivots of the residuals.
 //! The rank is found by elimination with the largest relative pivot first.

@@ -125,14 +125,14 @@ impl Actuator {
 
 /// The number of a part that is modelled, for one of the joint's velocities.
 fn setting(request: &Request, joint: &Joint, part: Part, velocity: usize) -> Option<Big> {
-    let mut asked = request.drives.iter();
-    let asked = asked.find(|(name, of, _)| *of == part && name.text == joint.name.text);
+    let mut settings = request.drives.iter();
+    let setting = settings.find(|(name, of, _)| *of == part && name.text == joint.name.text);
     let modelled = if part.resists() {
         request.models_friction()
     } else {
         request.models_armature()
     };
-    let numbers = match asked {
+    let numbers = match setting {
         Some((_, _, numbers)) => numbers.as_slice(),
         None if modelled => joint.drive.of(part),
         None => &[],

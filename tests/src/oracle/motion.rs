@@ -201,9 +201,9 @@ pub(super) fn exponential(l: &Matrix, phi: &Big) -> Matrix {
     &(&linear + &quadratic) + &cube.times(&(phi - sine))
 }
 
-/// The rotation that takes z to the unit normal (a, b, c) of a plane, and x to the normalised projection of (c², a², b²)
-/// on that plane. A normal along an axis of the frame permutes the axes cyclically. Where a, b and c are equal to 1e-6,
-/// (1, 0, 0) is projected instead, since the projection of (c², a², b²) vanishes.
+/// The rotation that takes z to the unit normal (a, b, c) of a plane, and x to the normalised projection of (c², a²,
+/// b²) on that plane. A normal along an axis of the frame permutes the axes cyclically. Where a, b and c are equal to
+/// 1e-6, (1, 0, 0) is projected instead, since the projection of (c², a², b²) vanishes.
 #[must_use]
 pub fn across(normal: &[Big; 3]) -> Matrix {
     let [a, b, c] = normal.each_ref().map(Big::to_f64);

@@ -42,8 +42,8 @@ pub struct Robot {
 pub struct Loop {
     /// Its type.
     pub closure: Closure,
-    /// The frames A and B: the body that each is fixed to, `None` for the base, and its pose there. z is the axis of the
-    /// loop, if it has one.
+    /// The frames A and B: the body that each is fixed to, `None` for the base, and its pose there. z is the axis of
+    /// the loop, if it has one.
     pub frames: [(Option<usize>, Matrix); 2],
     /// The cosine of the angle between two axes, as described.
     pub cosine: Big,

@@ -1,7 +1,7 @@
 //! Linear equations in 256 bits, by Gaussian elimination with partial pivoting.
 //!
-//! In: a square matrix and right-hand sides. Out: the solutions, to about 2⁻²⁵⁶ times the condition number. Symmetry and
-//! sparsity are not used, unlike in the code under test.
+//! In: a square matrix and right-hand sides. Out: the solutions, to about 2⁻²⁵⁶ times the condition number. Symmetry
+//! and sparsity are not used, unlike in the code under test.
 
 use crate::big::Big;
 

@@ -94,7 +94,9 @@ pub const FEATURES: [Feature; 79] = [
     ("a huge angle", |robot| {
         angle(robot, |word| word.value().abs() > 1000.0)
     }),
-    ("an angle near a right one", |robot| angle(robot, beside)),
+    ("an angle near a right one", |robot| {
+        angle(robot, near_right)
+    }),
     ("coaxial joints", |robot| {
         pair(robot, |pair| pair.parallel && pair.meet)
     }),
@@ -354,7 +356,7 @@ fn decimals(word: &Written) -> usize {
     word.split_once('.').map_or(0, |(_, rest)| rest.len())
 }
 
-fn beside(word: &Written) -> bool {
+fn near_right(word: &Written) -> bool {
     let off = (word.value().abs() - std::f64::consts::FRAC_PI_2).abs();
     off < 1e-2 && !right(word)
 }

@@ -7,17 +7,18 @@
 //!   the products of inertias;
 //! - offsets and rotations that a fixed joint inverts but for rounding;
 //! - in inline descriptions, lengths and angles that are products and quotients, by `pi` or not;
-//! - right angles written with 2 to 17 digits, with `pi`, as sums of two or three parts, and with so many full turns that
-//!   the angle is huge; angles near right ones;
+//! - right angles written with 2 to 17 digits, with `pi`, as sums of two or three parts, and with so many full turns
+//!   that the angle is huge; angles near right ones;
 //! - axes of length 1 but for their digits, and of other lengths;
 //! - axes that are coaxial, parallel, antiparallel, intersecting or skew;
 //! - links without inertial, massless ones in the middle, point masses, thin rods;
 //! - every type of joint, and fixed ones everywhere; up to 20 joints; floating bases;
-//! - mimic joints of joints inboard, outboard and in other branches, of mimic joints, of locked and of dropped joints; with
-//!   factors of either sign, and 0;
+//! - mimic joints of joints inboard, outboard and in other branches, of mimic joints, of locked and of dropped joints;
+//!   with factors of either sign, and 0;
 //! - units in which numbers are a thousand times as large or as small;
 //! - all combinations of a request: another base, end effectors, further frames, joints locked at zero and elsewhere,
-//!   dropped links, the path alone, `exact`, any gravity and none, struct fields with values other than those described;
+//!   dropped links, the path alone, `exact`, any gravity and none, struct fields with values other than those
+//!   described;
 //! - armature, damping and friction at joints, mimic joints among them; external wrenches, in frames of links and in
 //!   frame 0;
 //! - numbers read as URDF, read as tokens, and given without text.
@@ -99,8 +100,8 @@ fn attempt(random: &mut Random) -> Robot {
     robot
 }
 
-/// A robot without residues, of up to `most` joints, with 1 to 54 velocities besides those of a floating base, in a unit
-/// of length of 1e-6 to 1e3 m, which is returned with it. Some joints have actuators, some are mimic joints.
+/// A robot without residues, of up to `most` joints, with 1 to 54 velocities besides those of a floating base, in a
+/// unit of length of 1e-6 to 1e3 m, which is returned with it. Some joints have actuators, some are mimic joints.
 pub fn grow_long(random: &mut Random, most: usize) -> (Robot, f64) {
     loop {
         let (robot, length) = attempt_long(random, most);

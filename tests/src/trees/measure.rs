@@ -198,8 +198,8 @@ impl Measure {
         rounded.fold(0.0, f64::max) / found.fold(0.0, f64::max)
     }
 
-    /// Size of an entry of an acceleration, for angular accelerations of this size; gravity is included, since recursions
-    /// subtract it at the end.
+    /// Size of an entry of an acceleration, for angular accelerations of this size; gravity is included, since
+    /// recursions subtract it at the end.
     fn acceleration(&self, entry: usize, rates: f64) -> f64 {
         if entry % 4 == 3 {
             rates * self.arm + self.gravity

@@ -275,8 +275,8 @@ impl<'r> Prepared<'r> {
         function.solves() && self.least_pivot(state) < regular(function)
     }
 
-    /// The limit of an error: larger where values of fields make the mass matrix nearly singular, since they were unknown
-    /// when the algorithm was chosen.
+    /// The limit of an error: larger where values of fields make the mass matrix nearly singular, since they were
+    /// unknown when the algorithm was chosen.
     fn allowed(&self, function: Function, state: usize) -> f64 {
         const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
         if self.robot.options.fields.is_empty() || !function.solves() {
@@ -285,8 +285,8 @@ impl<'r> Prepared<'r> {
         TOLERANCE.max(ROUNDINGS / pivot(&self.dense, &self.states[state]))
     }
 
-    /// The smallest relative pivot of the mass matrix at a state: with the values of the fields, with the described values in
-    /// their place, or with the end of the engine's range for a field whose described values are zero.
+    /// The smallest relative pivot of the mass matrix at a state: with the values of the fields, with the described
+    /// values in their place, or with the end of the engine's range for a field whose described values are zero.
     fn least_pivot(&self, state: usize) -> f64 {
         const END: f64 = 1.0; // 1 kg, 1 m, 1 kg m² or 1 m/s²
         let end = |field: Field| -> [f64; NUMBERS] {
@@ -323,7 +323,8 @@ impl<'r> Prepared<'r> {
         pivots[state]
     }
 
-    /// The relative pivot in the configuration of the description, near which the engine measures at every eighth state.
+    /// The relative pivot in the configuration of the description, near which the engine measures at every eighth
+    /// state.
     fn pivot_as_described(&self) -> f64 {
         let mut described = self.states[0].clone();
         let q = &mut described[Variable::Q];
@@ -334,8 +335,8 @@ impl<'r> Prepared<'r> {
         pivot(&self.dense, &described)
     }
 
-    /// True if a mimic joint cancels the motion of its mimicked joint so nearly that rounding leaves at most half of the
-    /// digits of accelerations.
+    /// True if a mimic joint cancels the motion of its mimicked joint so nearly that rounding leaves at most half of
+    /// the digits of accelerations.
     fn cancels(&self) -> bool {
         let measure = Measure::of(&self.dense, None, false);
         let is_lost = |at: &Arguments| measure.rounding_of_accelerations(at) > f64::EPSILON.sqrt();
@@ -395,8 +396,8 @@ impl<'r> Prepared<'r> {
         parts.flatten().collect()
     }
 
-    /// For each inertial parameter of the dense robot, its index among those of the chain: ten for each link that a joint
-    /// moves, three for each velocity with actuator parameters.
+    /// For each inertial parameter of the dense robot, its index among those of the chain: ten for each link that a
+    /// joint moves, three for each velocity with actuator parameters.
     pub(super) fn parameters(&self) -> Vec<usize> {
         let places = self.links().into_iter();
         let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));

@@ -105,9 +105,9 @@ fn reproduces_all(
     };
     let mut terms: Vec<Vec<(usize, f64)>> = vec![Vec::new(); places.len()];
     for group in &found.groups {
-        let leader = column(group.leader().index());
+        let leading = column(group.leader().index());
         for (member, factor) in &group.members {
-            terms[column(member.index())].push((leader, *factor));
+            terms[column(member.index())].push((leading, *factor));
         }
     }
     let seen = [1_000_000, 1_000_001].map(|state| states.at(state));
@@ -121,8 +121,8 @@ fn reproduces_all(
             for at in &seen {
                 let mut rest = at[k][row].clone();
                 whole = whole.max(rest.abs().to_f64());
-                for (leader, factor) in terms {
-                    let term = &at[*leader][row] * &Big::new(*factor) * &states.ratio(*leader, k);
+                for (leading, factor) in terms {
+                    let term = &at[*leading][row] * &Big::new(*factor) * &states.ratio(*leading, k);
                     whole = whole.max(term.abs().to_f64());
                     rest = rest - term;
                 }

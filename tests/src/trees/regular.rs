@@ -17,8 +17,8 @@ const NO_ARM: f64 = 1e-6;
 /// Inertia below which a joint counts as carrying none, in any units [kg m²].
 const NEGLIGIBLE: f64 = 1e-40;
 
-/// The smallest pivot of the mass matrix, relative to its diagonal entry: 1 for a diagonal matrix, 0 for a singular one, or
-/// if a joint carries no mass.
+/// The smallest pivot of the mass matrix, relative to its diagonal entry: 1 for a diagonal matrix, 0 for a singular
+/// one, or if a joint carries no mass.
 #[must_use]
 pub fn pivot(dense: &Dense, arguments: &Arguments) -> f64 {
     let count = arguments[Variable::Qd].len();

@@ -1,7 +1,7 @@
 //! A random robot as the text of a reader, and as the reader's result.
 //!
-//! In: a [`Robot`]. Out: URDF, or the tokens of `chain!`; the description and the request for the generator; a report of
-//! the robot for a person. It never computes with a number.
+//! In: a [`Robot`]. Out: URDF, or the tokens of `chain!`; the description and the request for the generator; a report
+//! of the robot for a person. It never computes with a number.
 
 use std::fmt::{self, Write};
 use std::path::Path;

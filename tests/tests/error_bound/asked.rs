@@ -34,8 +34,8 @@ pub struct Asked {
     pub farthest: f64,
 }
 
-/// A robot with default options. The largest ratio of a bound to the worst error is 129, for the bias of the seven-joint
-/// arm: rounding errors of opposite signs cancel, and a bound must assume that they do not.
+/// A robot with default options. The largest ratio of a bound to the worst error is 129, for the bias of the
+/// seven-joint arm: rounding errors of opposite signs cancel, and a bound must assume that they do not.
 pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
     Asked {
         robot,
@@ -49,7 +49,8 @@ pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
     }
 }
 
-/// The description and request of a robot that ships, of one with other types of joints, or of a hard case by its label.
+/// The description and request of a robot that ships, of one with other types of joints, or of a hard case by its
+/// label.
 pub fn described(asked: Asked) -> (Description, Request) {
     let (description, request) = as_asked(asked);
     let chain = chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));

@@ -27,8 +27,8 @@ fn functions() -> Vec<Function> {
         .collect()
 }
 
-/// The largest allowed ratio of a bound to the worst error. It is larger where more terms cancel: in results from screws
-/// and their rates, and in those with a column for each parameter; 770 for the centroidal momentum bias.
+/// The largest allowed ratio of a bound to the worst error. It is larger where more terms cancel: in results from
+/// screws and their rates, and in those with a column for each parameter; 770 for the centroidal momentum bias.
 fn farthest(asked: Asked, function: Function) -> f64 {
     use Function::{
         Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics,

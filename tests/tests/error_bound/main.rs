@@ -87,8 +87,8 @@ fn with_nothing_between() -> Asked {
     }
 }
 
-/// Bounds are up to 500 times the worst error with a floating base, and up to 1,400 times if joints with quaternions are
-/// carried by others; accelerations are not bounded then in single precision.
+/// Bounds are up to 500 times the worst error with a floating base, and up to 1,400 times if joints with quaternions
+/// are carried by others; accelerations are not bounded then in single precision.
 #[test]
 fn with_quaternions_and_in_a_plane() {
     for asked in with_postures() {
@@ -147,8 +147,8 @@ fn panda() -> Asked {
     asked("panda_class", "link8")
 }
 
-/// Differences of large sums have loose bounds: up to 5300 times the worst error with fused products. The bounded loss of
-/// M is then too large for solutions in single precision.
+/// Differences of large sums have loose bounds: up to 5300 times the worst error with fused products. The bounded loss
+/// of M is then too large for solutions in single precision.
 #[test]
 fn in_frame_0() {
     let asked = Asked {
@@ -256,7 +256,7 @@ fn by_articulated_bodies() {
     }
 }
 
-/// `bounded` tells for double and single precision whether there must be bounds.
+/// `bounded`: true for double and for single precision if bounds must exist.
 fn check_articulated(asked: Asked, bounded: [bool; 2]) {
     let asked = Asked {
         formulation: Formulation {

@@ -152,8 +152,8 @@ impl Column<'_> {
     }
 }
 
-/// Checks derivatives of accelerations: M times each column plus ∂τ of inverse dynamics is within the sum of the bounds of
-/// both.
+/// Checks derivatives of accelerations: M times each column plus ∂τ of inverse dynamics is within the sum of the bounds
+/// of both.
 pub fn check_derivatives<T: Tested>(asked: Asked) {
     let of_mass = |column: &Column<'_>, row: usize, lost: &[f64]| {
         let terms = column.row(row).iter().zip(&column.found);
@@ -170,12 +170,12 @@ pub fn check_derivatives<T: Tested>(asked: Asked) {
     assert!(found, "{}: M is provably regular", asked.robot);
 }
 
-/// Factor of the allowed ratio of bound to error for the articulated inverse: up to 54000 for seven joints in a row, where
-/// the losses of all inertias would have to take energy from the same motion.
+/// Factor of the allowed ratio of bound to error for the articulated inverse: up to 54000 for seven joints in a row,
+/// where the losses of all inertias would have to take energy from the same motion.
 const BY_BODIES: f64 = 40.0;
 
-/// Checks derivatives of accelerations by the articulated inverse: each column plus M⁻¹ ∂τ is within the sum of the bounds
-/// of both. Returns true if there are bounds.
+/// Checks derivatives of accelerations by the articulated inverse: each column plus M⁻¹ ∂τ is within the sum of the
+/// bounds of both. Returns true if there are bounds.
 pub fn check_articulated_derivatives<T: Tested>(asked: Asked) -> bool {
     let of_inverse = |column: &Column<'_>, row: usize, shares: &[f64]| {
         let (inverse, count) = (column.row(row), column.found.len());
@@ -299,8 +299,8 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
     let chain = chain_of(asked);
     let count = chain.spaces().velocities.len();
     let lost = of_entries(&chain, Function::MassMatrix, &bounds);
-    // Eight times the ratio of other bounds, since one number bounds entries of all sizes: 590 with default options, for
-    // the seven-joint arm.
+    // Eight times the ratio of other bounds, since one number bounds entries of all sizes: 590 with default options,
+    // for the seven-joint arm.
     let farthest = 8.0 * asked.farthest;
     check_entries::<T>(
         &chain,
@@ -338,8 +338,8 @@ pub fn check_refined_inverse<T: Tested>(asked: Asked) -> bool {
     true
 }
 
-/// Checks M⁻¹ by the articulated-body algorithm: errors are a share of the roots of the diagonal entries of row and column.
-/// Returns true if there are bounds.
+/// Checks M⁻¹ by the articulated-body algorithm: errors are a share of the roots of the diagonal entries of row and
+/// column. Returns true if there are bounds.
 pub fn check_articulated_inverse<T: Tested>(asked: Asked) -> bool {
     let Some((program, bounds)) = solved(asked, Function::MassMatrixInverse, T::REAL) else {
         return false;

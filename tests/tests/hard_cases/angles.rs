@@ -26,8 +26,8 @@ pub const CASES: &[Case] = &[BIG_ID, BIG_FK, PARALLEL_ID, PARALLEL_FK];
 const BIG_ID: Case = Case::scaled("big_angles", InverseDynamics, 10.0);
 const BIG_FK: Case = Case::scaled("big_angles/pose", ForwardKinematics, 10.0);
 
-/// Measured independently of the program, since its S grows with the length of the common normals. The worst are 26 u of
-/// torques and 8 u of poses, on both sides of the switch.
+/// Measured independently of the program, since its S grows with the length of the common normals. The worst are 26 u
+/// of torques and 8 u of poses, on both sides of the switch.
 const PARALLEL_ID: Case =
     Case::scaled("axes_nearly_parallel", InverseDynamics, 60.0).measured_by(Metric::Carried);
 const PARALLEL_FK: Case =
@@ -93,9 +93,9 @@ fn check_sines<T: Tested>(angle: f64, sine: &Big, cosine: &Big) {
     assert!(worst <= 2.0, "{angle:e} in {}: {worst} ulp", T::NAME);
 }
 
-/// Poses with merged angles of parallel axes, and with one rotation after the other, where two angles up to 10⁶ rad nearly
-/// cancel. Each sum of angles is rounded before its sine, so rotations have errors of 2 u of the angles; what cancels is
-/// exact. Products of rotations have errors of a few u at any angle.
+/// Poses with merged angles of parallel axes, and with one rotation after the other, where two angles up to 10⁶ rad
+/// nearly cancel. Each sum of angles is rounded before its sine, so rotations have errors of 2 u of the angles; what
+/// cancels is exact. Products of rotations have errors of a few u at any angle.
 #[test]
 fn merged_angle() {
     // The number of joints before the parallel axes, the number of parallel axes, and the length of the arm [m].

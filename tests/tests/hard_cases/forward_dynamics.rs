@@ -88,9 +88,9 @@ const RANDOM: [Case; 3] = algorithms(
     60.0,
 );
 
-/// The worst is 7.5 u with one refinement. The target in single precision was 10 u; two refinements miss it in one state,
-/// fused, by 2.4 u: the factors alone have an error of 0.8 % there, each refinement multiplies the error by that, and a
-/// third one leaves 8.6 u. Articulated bodies lose the ratio of the masses.
+/// The worst is 7.5 u with one refinement. The target in single precision was 10 u; two refinements miss it in one
+/// state, fused, by 2.4 u: the factors alone have an error of 0.8 % there, each refinement multiplies the error by
+/// that, and a third one leaves 8.6 u. Articulated bodies lose the ratio of the masses.
 const TIP: [Case; 4] = [
     Case::solved("fd_tip_heavy", Refined(1), 100.0),
     Case::solved("fd_tip_heavy/twice", Refined(2), 100.0).in_single(13.0),
@@ -109,9 +109,9 @@ const HEAVIER: [Case; 3] = [
     Case::solved("fd_tip_heavy/1e6/articulated", Articulated, 1e7),
 ];
 
-/// The worst is 9.4 u with refinements. Articulated bodies have a median of 2.5 u, a 99th percentile of 9 u, and a worst
-/// of 37 u in 12,000 states. At the worst state here, 27 u, one rounding of the robot's numbers, sines and cosines
-/// changes exact accelerations by 34 u.
+/// The worst is 9.4 u with refinements. Articulated bodies have a median of 2.5 u, a 99th percentile of 9 u, and a
+/// worst of 37 u in 12,000 states. At the worst state here, 27 u, one rounding of the robot's numbers, sines and
+/// cosines changes exact accelerations by 34 u.
 const BASE: [Case; 3] = [
     Case::solved("fd_base_heavy", Refined(1), 20.0),
     Case::solved("fd_base_heavy/twice", Refined(2), 20.0).in_single(20.0),
@@ -130,8 +130,8 @@ const GROWING: Case = Case::solved("fd_growing", Refined(2), 100.0);
 const GROWING_ARTICULATED: Case =
     Case::solved("fd_growing/articulated", Articulated, 5e3).in_single(5e3);
 /// The targets were 100 u and 10⁴ u; the worst are 217 u of the factors and 700 u of articulated bodies. The 99th
-/// percentile of the factors is 22 u. At their worst state one rounding of the robot's numbers, sines and cosines changes
-/// exact accelerations by 2·10⁸ u; a third refinement leaves 104 u, since its torques are rounded too.
+/// percentile of the factors is 22 u. At their worst state one rounding of the robot's numbers, sines and cosines
+/// changes exact accelerations by 2·10⁸ u; a third refinement leaves 104 u, since its torques are rounded too.
 const SHORT: [Case; 2] = [
     Case::solved("fd_short_link", Refined(2), 250.0),
     Case::solved("fd_short_link/articulated", Articulated, 2e3).in_single(2e3),
@@ -311,8 +311,8 @@ fn massless_wrist() {
     }
 }
 
-/// Rods without a moment of inertia about their own axis: exact torques; accelerations too unless the last joint is about
-/// the rod's axis, which is refused.
+/// Rods without a moment of inertia about their own axis: exact torques; accelerations too unless the last joint is
+/// about the rod's axis, which is refused.
 #[test]
 fn thin_rod() {
     for label in ["thin_rod/0", "thin_rod/1e-12", "rolling_rod/1e-12"] {

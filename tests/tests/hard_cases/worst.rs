@@ -1,7 +1,7 @@
 //! The worst known inputs, measured again.
 //!
-//! In: `worst_inputs.txt`; each line has a case, a robot, a scalar type, and the arguments in hexadecimal. Out: a failed
-//! test if an error exceeds its limit, or if a case has no line.
+//! In: `worst_inputs.txt`; each line has a case, a robot, a scalar type, and the arguments in hexadecimal. Out: a
+//! failed test if an error exceeds its limit, or if a case has no line.
 
 use std::collections::BTreeSet;
 

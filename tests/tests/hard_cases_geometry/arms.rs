@@ -85,9 +85,9 @@ fn on_a_moving_base<const N: usize, const M: usize, const F: usize>(
     Chain::new(joints, [tip], chain.gravity)
 }
 
-/// The rates that keep the end effector at rest while the base moves. With full rank: its remaining velocity, in u of the
-/// velocities that should add up to zero. With a rank lost to rounding: the part of the remaining velocity that the joints
-/// could still remove.
+/// The rates that keep the end effector at rest while the base moves. With full rank: its remaining velocity, in u of
+/// the velocities that should add up to zero. With a rank lost to rounding: the part of the remaining velocity that the
+/// joints could still remove.
 fn still_tip<T: Number, const N: usize, const M: usize, const F: usize>(
     chain: &Chain<N, F>,
     q: &[T; N],
@@ -209,9 +209,9 @@ fn rate<T: Number>(random: &mut Random) -> T {
     ])
 }
 
-/// Both arms near their singularities. The worst are 4.3 u for J and 4.7 u for rates; the limits are twice as large. With
-/// a rank lost to rounding, rates are exact for a matrix that differs by the threshold of the rank, 64 ε = 128 u: the
-/// worst is 25, the limit 64.
+/// Both arms near their singularities. The worst are 4.3 u for J and 4.7 u for rates; the limits are twice as large.
+/// With a rank lost to rounding, rates are exact for a matrix that differs by the threshold of the rank, 64 ε = 128 u:
+/// the worst is 25, the limit 64.
 fn near_singular<T: Number>(puma: &Bent, panda: &Bent) {
     let limits = [("J", 8.0), ("rates", 10.0), ("rates, rank lost", 64.0)];
     let chain = Puma560::chain();
@@ -254,8 +254,8 @@ fn damped<T: Number + RealField>(bent: &Bent) {
     });
 }
 
-/// The angle of the elbow at which the next joint is farthest from the shoulder. `inner` is the pose of the elbow in the
-/// shoulder's frame, `outer` that of the next joint in the elbow's.
+/// The angle of the elbow at which the next joint is farthest from the shoulder. `inner` is the pose of the elbow in
+/// the shoulder's frame, `outer` that of the next joint in the elbow's.
 fn straight(inner: &Pose<f64>, outer: &Pose<f64>) -> f64 {
     let from_shoulder = homogen::vector::transposed_product(inner.rotation(), inner.translation());
     let angle = |[x, y, _]: [f64; 3]| y.atan2(x);

@@ -1,7 +1,7 @@
 //! Jacobians of an arm in 256 bits.
 //!
-//! In: a chain of revolute joints as data, and a configuration. Out: the columns of its three Jacobians by the textbook's
-//! cross products of axes and lever arms, independent of the runtime.
+//! In: a chain of revolute joints as data, and a configuration. Out: the columns of its three Jacobians by the
+//! textbook's cross products of axes and lever arms, independent of the runtime.
 
 use std::array::from_fn;
 

@@ -55,8 +55,8 @@ fn error<T: Number>(&[ux, uy, uz, bx, by, bz, phi]: &State<T>) -> f64 {
     worst
 }
 
-/// Up to 0.1 rad, which the case requires, the worst is 3.0 u. Beyond, t is a sum of three terms of one size, the last of
-/// them with seven roundings: 4.0 u.
+/// Up to 0.1 rad, which the case requires, the worst is 3.0 u. Beyond, t is a sum of three terms of one size, the last
+/// of them with seven roundings: 4.0 u.
 fn tiny<T: Number>() {
     hold(
         [("exp_tiny", 4.0), ("exp_beyond", 5.0)],

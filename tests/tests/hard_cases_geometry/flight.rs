@@ -130,8 +130,8 @@ impl<R, const N: usize, const F: usize> Motion<'_, R, N, F> {
         worst
     }
 
-    /// Asserts that the drift falls with the fourth power of the step between 2^coarse and 2^fine steps, down to a floor of at
-    /// most `floor` u, beyond which smaller steps only add rounding errors.
+    /// Asserts that the drift falls with the fourth power of the step between 2^coarse and 2^fine steps, down to a
+    /// floor of at most `floor` u, beyond which smaller steps only add rounding errors.
     fn check<T: Number>(&self, name: &str, of: Constant, powers: [u32; 2], floor: f64)
     where
         R: ForwardDynamics<N, T>,
@@ -225,8 +225,8 @@ crate::in_every_type! {
     free_flight_slow => slow;
 }
 
-/// Hard case 31, from rest and from a throw. The floors are 150 u (pendulum) and 68 u (arm) in f64, 30 u and 4 u in f32,
-/// fused or not; the limits are about four times as large.
+/// Hard case 31, from rest and from a throw. The floors are 150 u (pendulum) and 68 u (arm) in f64, 30 u and 4 u in
+/// f32, fused or not; the limits are about four times as large.
 #[test]
 fn energy_drift_chain() {
     let chain = Pendulum::chain();

@@ -1,7 +1,7 @@
 //! Axis and angle of rotations: tiny ones, half turns, and matrices that are not orthogonal.
 //!
-//! In: an axis and an angle, whose exact rotation is rounded to the type, or a matrix. Out: errors of the computed axis and
-//! angle.
+//! In: an axis and an angle, whose exact rotation is rounded to the type, or a matrix. Out: errors of the computed axis
+//! and angle.
 
 use std::array::from_fn;
 use std::f64::consts::PI;

@@ -1,7 +1,7 @@
 //! Measurement of a hard case and comparison with its limit.
 //!
-//! In: states, the worst inputs of earlier runs, and the errors of a state as a function. Out: a failed assertion with the
-//! bits of the worst state, which can be added to those inputs.
+//! In: states, the worst inputs of earlier runs, and the errors of a state as a function. Out: a failed assertion with
+//! the bits of the worst state, which can be added to those inputs.
 
 use std::array::from_fn;
 
@@ -75,8 +75,8 @@ impl Number for Flushed {
     const LEAST: f64 = -30.0;
 }
 
-/// Asserts that the errors of all states, and of the kept inputs, are within the limits. Inputs that are exact in f32 are
-/// for single precision, since a rotation rounded to f32 is not one in double precision.
+/// Asserts that the errors of all states, and of the kept inputs, are within the limits. Inputs that are exact in f32
+/// are for single precision, since a rotation rounded to f32 is not one in double precision.
 ///
 /// # Panics
 /// If an error exceeds its limit or is NaN.

@@ -1,7 +1,7 @@
 //! Screw axes of displacements and of velocities, far away and at infinity.
 //!
-//! In: displacements about axes at 10⁶ m, and velocities down to rest. Out: the distance of the motion along the computed
-//! screw from the given one.
+//! In: displacements about axes at 10⁶ m, and velocities down to rest. Out: the distance of the motion along the
+//! computed screw from the given one.
 
 use std::array::from_fn;
 

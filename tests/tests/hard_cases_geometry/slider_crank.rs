@@ -1,7 +1,7 @@
 //! The slider-crank at and near its dead centres.
 //!
-//! In: lengths, and angles at which the actuated joint cannot move the others, or nearly so. Out: residuals of the loop at
-//! the computed position, and of the computed rates.
+//! In: lengths, and angles at which the actuated joint cannot move the others, or nearly so. Out: residuals of the loop
+//! at the computed position, and of the computed rates.
 
 use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -104,8 +104,8 @@ fn errors<T: Number>(state: &State<T>) -> [f64; 2] {
     [residual.to_f64(), backward(state, q)]
 }
 
-/// ‖A q̇‖ relative to ‖A‖ ‖q̇‖ at the computed position, in u. If the rank is reported as lost, the matrix must be singular
-/// to rounding.
+/// ‖A q̇‖ relative to ‖A‖ ‖q̇‖ at the computed position, in u. If the rank is reported as lost, the matrix must be
+/// singular to rounding.
 fn backward<T: Number>(state: &State<T>, q: [T; 4]) -> f64 {
     let &[crank, rod, actuated, _, _, rate] = state;
     let (linkage, driver) = described(crank, rod, actuated);

@@ -8,8 +8,8 @@ use homogen::loop_closure::{Outcome, project, regularity};
 use super::{difference, largest};
 
 homogen::chain! {
-    /// Arms of 0.2 m on a base of 0.1 m, forearms of 0.45 m to a platform of 0.05 m. The platform only translates, as with
-    /// parallelograms of forearms, for each of which one bar stands.
+    /// Arms of 0.2 m on a base of 0.1 m, forearms of 0.45 m to a platform of 0.05 m. The platform only translates, as
+    /// with parallelograms of forearms, for each of which one bar stands.
     pub struct Delta {
         generate(
             constraint, constraint_jacobian, constraint_bias, constrained_forward_dynamics,
@@ -61,8 +61,8 @@ const PLATFORM: [[f64; 3]; 4] = [
     [0.02, 0.1, -0.5],
 ];
 
-/// The angles of an arm and of its forearm at a position of the platform. In the arm's plane, the sphere about the ball is a
-/// circle, which intersects the elbow's circle twice; this is the outer intersection.
+/// The angles of an arm and of its forearm at a position of the platform. In the arm's plane, the sphere about the ball
+/// is a circle, which intersects the elbow's circle twice; this is the outer intersection.
 fn leg(k: u32, p: [f64; 3]) -> [f64; 3] {
     let (sine, cosine) = (f64::from(k) * TAU / 3.0).sin_cos();
     // The ball relative to the shoulder, in the plane of the arm.

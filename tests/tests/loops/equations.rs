@@ -1,5 +1,5 @@
-//! Accelerations and multipliers, compared with the solution of the system [M −Jᵗ; J 0] of q̈ and λ in dense matrices of
-//! frame 0, in 256 bits.
+//! Accelerations and multipliers, compared with the solution of the system [M −Jᵗ; J 0] of q̈ and λ in dense matrices
+//! of frame 0, in 256 bits.
 
 use std::path::Path;
 

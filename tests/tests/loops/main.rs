@@ -1,6 +1,6 @@
 //! Robots with closed loops, compared with what is known without any code of this project: the paper's closed form of a
-//! slider-crank, the triangles of a four-bar linkage, the spheres of a Delta robot; with equations of motion solved in 256
-//! bits; and over time, since a closed loop keeps its energy and stays closed.
+//! slider-crank, the triangles of a four-bar linkage, the spheres of a Delta robot; with equations of motion solved in
+//! 256 bits; and over time, since a closed loop keeps its energy and stays closed.
 
 mod delta;
 mod equations;

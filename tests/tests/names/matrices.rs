@@ -1,7 +1,7 @@
 //! All matrices of a robot at a state, and the entry that a label names.
 //!
-//! In: a chain, its layout, a state; the label of a value. Out: the entry of the label, by products and sums of [`homogen`]
-//! in frame 0, independent of functions and programs.
+//! In: a chain, its layout, a state; the label of a value. Out: the entry of the label, by products and sums of
+//! [`homogen`] in frame 0, independent of functions and programs.
 
 use std::array::from_fn;
 
@@ -128,8 +128,8 @@ impl Matrices {
         })
     }
 
-    /// Possible values of the entry. Wrenches have two: of a motion, and of a column of the mass matrix. Inertias in frame 0 have
-    /// two: of a body, and of all that it carries. None for what is not a matrix of the paper.
+    /// Possible values of the entry. Wrenches have two: of a motion, and of a column of the mass matrix. Inertias in
+    /// frame 0 have two: of a body, and of all that it carries. None for what is not a matrix of the paper.
     pub fn of(&self, label: Label) -> Vec<f64> {
         let Quantity { block, of, frame } = label.quantity;
         let m_k_0 = frame.map_or_else(Pose::identity, |frame| self.frame(frame.0).inverse());

@@ -1,7 +1,7 @@
 //! Every name in generated code, compared with the value that it names.
 //!
-//! In: robots, functions, layouts and algorithms. Out: a failed assertion if the value of a named step is not the entry of
-//! the matrix that its name states. Results are compared by other tests.
+//! In: robots, functions, layouts and algorithms. Out: a failed assertion if the value of a named step is not the entry
+//! of the matrix that its name states. Results are compared by other tests.
 
 use std::array::from_fn;
 use std::collections::BTreeSet;
@@ -25,8 +25,8 @@ use homogen_tests::subjects::subject;
 
 use crate::matrices::Matrices;
 
-/// The states to which H of a function may belong: functions may set rates to zero, or compute q̈ themselves after forces at
-/// q̈ = 0.
+/// The states to which H of a function may belong: functions may set rates to zero, or compute q̈ themselves after
+/// forces at q̈ = 0.
 fn states_of(function: Function, chain: &Chain, state: &Arguments) -> Vec<Arguments> {
     let rest = vec![0.0; state[Variable::Q].len()];
     let mut state = state.clone();
@@ -156,8 +156,8 @@ fn names_are_those_of_appendix_b() {
             }
         }
     }
-    // Every block occurs, so no check passed without names. Directions of screws in frame 0 are axes of M, and keep that
-    // name.
+    // Every block occurs, so no check passed without names. Directions of screws in frame 0 are axes of M, and keep
+    // that name.
     let all = [
         Block::Axis(0),
         Block::Axis(1),

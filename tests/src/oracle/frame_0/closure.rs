@@ -1,8 +1,8 @@
 //! Loop closures in frame 0, in 256 bits.
 //!
-//! In: a robot in matrices and its motion. Out: residuals, their Jacobian, their accelerations at q̈ = 0, and the system
-//! of equations of q̈ and λ. Points and axes fixed to a frame have the rates W v and H v; a residual is a product of
-//! two such vectors. The residuals of each type of loop are stated here independently of the engine.
+//! In: a robot in matrices and its motion. Out: residuals, their Jacobian, their accelerations at q̈ = 0, and the
+//! system of equations of q̈ and λ. Points and axes fixed to a frame have the rates W v and H v; a residual is a
+//! product of two such vectors. The residuals of each type of loop are stated here independently of the engine.
 
 use homogen_codegen::closure::Closure;
 

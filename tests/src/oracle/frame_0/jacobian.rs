@@ -25,8 +25,8 @@ pub(super) fn jacobian(
     entries.flatten().collect()
 }
 
-/// The rates of the columns M L₍₀₎ M⁻¹ of a frame with pose M and velocity W: M (V L − L V) M⁻¹, where V is the velocity
-/// of the body less W; zero for velocities that do not move the frame.
+/// The rates of the columns M L₍₀₎ M⁻¹ of a frame with pose M and velocity W: M (V L − L V) M⁻¹, where V is the
+/// velocity of the body less W; zero for velocities that do not move the frame.
 pub(super) fn jacobian_rate(
     robot: &Robot,
     positions: &Positions,

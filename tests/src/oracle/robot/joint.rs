@@ -1,7 +1,7 @@
 //! Bodies of each joint, and closed loops.
 //!
-//! In: the joints that are modelled, and their motions. Out: bodies in chains, with the indices of their coordinates and
-//! velocities and with armature, damping and friction; the two frames of each loop.
+//! In: the joints that are modelled, and their motions. Out: bodies in chains, with the indices of their coordinates
+//! and velocities and with armature, damping and friction; the two frames of each loop.
 
 use std::collections::BTreeMap;
 

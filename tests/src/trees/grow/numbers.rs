@@ -97,7 +97,7 @@ impl Numbers<'_> {
         match self.random.below(16) {
             0..=6 => self.zero(),
             7..=10 => self.right_angle(),
-            11 => self.beside_a_right_angle(),
+            11 => self.near_right_angle(),
             12 if self.random.chance(2) => self.huge_angle(),
             13 if self.front_end == FrontEnd::Inline => {
                 let angles = ["pi/3", "-pi/6", "2*pi/7", "3*pi/4", "-pi/180", "1.5*pi"];
@@ -121,7 +121,7 @@ impl Numbers<'_> {
     }
 
     /// A right angle with an error of 1e-3 to 1e-15, or truncated where it should be rounded.
-    fn beside_a_right_angle(&mut self) -> Written {
+    fn near_right_angle(&mut self) -> Written {
         let off = *self
             .random
             .choose(&[1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15]);

@@ -1,7 +1,7 @@
 //! Rank of a matrix in 256 bits, by elimination of columns.
 //!
-//! In: a matrix without units at several states, by columns, and the order of its rows at each state. Out: the number of
-//! independent columns, or that it is undecided in 256 bits.
+//! In: a matrix without units at several states, by columns, and the order of its rows at each state. Out: the number
+//! of independent columns, or that it is undecided in 256 bits.
 //!
 //! Columns are eliminated from the last to the first. The pivot is in the first row of the order with a large entry:
 //! outer bodies have rows of their own, so most products are zero. A column with small entries left waits until those

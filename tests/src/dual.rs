@@ -1,4 +1,4 @@
-//! Numbers that carry a derivative, so that generated code differentiates itself to rounding.
+//! Dual numbers: generated code that runs on them differentiates itself, to rounding.
 //!
 //! In: a value and its slope in one direction. Out: a [`Scalar`] whose operations follow the rules
 //! of differentiation.

@@ -1,5 +1,5 @@
-//! Inverse kinematics: converged solutions are at their targets, by poses of an independent recursion, and every solution is
-//! finite.
+//! Inverse kinematics: converged solutions reach their targets, by poses of an independent recursion, and every
+//! solution is finite.
 
 use std::f64::consts::TAU;
 
@@ -32,10 +32,10 @@ fn anywhere<const N: usize>(limits: &[[f64; 2]; N], random: &mut Random) -> [f64
     limits.map(|[least, most]| 0.5 * (least + most + random.unit() * (most - least)))
 }
 
-/// How far a pose is from another: the angle and the distance.
-fn apart(a: &Pose<f64>, b: &Pose<f64>) -> [f64; 2] {
-    let turn = a.inverse() * *b;
-    let (_, angle) = rotation::axis_angle(turn.rotation());
+/// The angle and the distance between two poses.
+fn distances(a: &Pose<f64>, b: &Pose<f64>) -> [f64; 2] {
+    let between = a.inverse() * *b;
+    let (_, angle) = rotation::axis_angle(between.rotation());
     [
         angle,
         vector::norm(vector::sub(a.translation(), b.translation())),
@@ -49,9 +49,12 @@ fn is_within<const N: usize>(limits: &[[f64; 2]; N], q: &[f64; N]) -> bool {
         .all(|([least, most], q)| least <= q && q <= most)
 }
 
-/// Of random targets within the limits all but a few are met.
-fn are_met<R, const N: usize, const F: usize>(arm: &R, chain: &Chain<N, F>, limits: [[f64; 2]; N])
-where
+/// Asserts that nearly all random targets within the limits are reached.
+fn are_reached<R, const N: usize, const F: usize>(
+    arm: &R,
+    chain: &Chain<N, F>,
+    limits: [[f64; 2]; N],
+) where
     R: ForwardKinematics<N> + GeometricJacobian<N>,
 {
     let solver = Solver::within(limits);
@@ -70,7 +73,7 @@ where
         );
         if found.outcome == Outcome::Converged {
             let there = generic::forward_kinematics(chain, &chain.frames[0], &found.q);
-            let off = apart(&there, &target);
+            let off = distances(&there, &target);
             assert!(off.iter().all(|off| *off <= 1.000_001e-6), "{off:?}");
         } else {
             missed += 1;
@@ -80,17 +83,17 @@ where
 }
 
 #[test]
-fn targets_of_a_redundant_arm() {
-    are_met(&PandaClass, &PandaClass::chain(), PANDA);
+fn targets_of_a_redundant_arm_are_reached() {
+    are_reached(&PandaClass, &PandaClass::chain(), PANDA);
 }
 
 #[test]
-fn targets_of_six_joints() {
-    are_met(&Ur5Class, &Ur5Class::chain(), UR5);
+fn targets_of_six_joints_are_reached() {
+    are_reached(&Ur5Class, &Ur5Class::chain(), UR5);
 }
 
 #[test]
-fn in_single_precision() {
+fn targets_in_single_precision_are_reached() {
     let limits = PANDA.map(|limits| limits.map(f32::constant));
     let solver = Solver::within(limits);
     let start = middle(&PANDA).map(f32::constant);
@@ -106,7 +109,7 @@ fn in_single_precision() {
 }
 
 #[test]
-fn a_target_out_of_reach() {
+fn a_target_out_of_reach_is_reported_with_its_errors() {
     let solver = Solver::within(PANDA);
     let target = Pose::from_translation([3.0, 0.5, 0.2]);
     let found = solver
@@ -114,7 +117,7 @@ fn a_target_out_of_reach() {
         .expect("a pose");
     assert_eq!(found.outcome, Outcome::OutOfReach);
     let there = PandaClass.forward_kinematics(&found.q);
-    let [angle, distance] = apart(&there, &target);
+    let [angle, distance] = distances(&there, &target);
     assert!((angle - found.orientation_error).abs() < 1e-12);
     assert!((distance - found.position_error).abs() < 1e-12);
     assert!(found.position_error > 1.5, "{found:?}");
@@ -139,14 +142,17 @@ fn a_rest_configuration_is_approached_as_far_as_the_target_allows() {
         assert_eq!(with.outcome, without.outcome);
         assert!(away(&with) <= away(&without) + 1e-12);
         let again = held.solve(&PandaClass, &target, &with.q).expect("a pose");
-        assert!(away(&again) > 0.99 * away(&with), "there was more to gain");
+        assert!(
+            away(&again) > 0.99 * away(&with),
+            "the rest configuration could be nearer"
+        );
         nearer += usize::from(away(&with) < 0.9 * away(&without));
     }
-    // One joint more than the target needs moves most arms a little.
+    // The one redundant joint moves most arms a little.
     assert!(nearer >= 10, "{nearer}");
 }
 
-/// Two feet at once.
+/// A quadruped with targets for two feet.
 #[derive(Robot)]
 #[robot(
     urdf = "../robots/quadruped.urdf",
@@ -157,8 +163,8 @@ fn a_rest_configuration_is_approached_as_far_as_the_target_allows() {
 struct Feet;
 
 #[test]
-fn several_frames_at_once() {
-    let see = |q: &[f64; 12]| {
+fn several_frames_reach_their_targets_together() {
+    let poses = |q: &[f64; 12]| {
         [
             (Feet.forward_kinematics(q), Feet.geometric_jacobian(q)),
             (
@@ -171,19 +177,23 @@ fn several_frames_at_once() {
     let solver = Solver::within(limits);
     let mut random = Random::new(6);
     for _ in 0..20 {
-        let targets = see(&anywhere(&limits, &mut random)).map(|(pose, _)| pose);
+        let targets = poses(&anywhere(&limits, &mut random)).map(|(pose, _)| pose);
         let found = solver
-            .solve_frames(see, &targets, &[0.1; 12])
+            .solve_frames(poses, &targets, &[0.1; 12])
             .expect("poses");
         assert_eq!(found.outcome, Outcome::Converged);
-        for ((there, _), target) in see(&found.q).iter().zip(&targets) {
-            assert!(apart(there, target).iter().all(|off| *off <= 1.000_001e-6));
+        for ((there, _), target) in poses(&found.q).iter().zip(&targets) {
+            assert!(
+                distances(there, target)
+                    .iter()
+                    .all(|off| *off <= 1.000_001e-6)
+            );
         }
     }
 }
 
-/// The result of a call; asserts that it is finite, and right where it says so.
-fn called(
+/// The solution; asserts that it is finite, and right if it is reported as converged.
+fn solve(
     solver: &Solver<f64, 6>,
     target: &Pose<f64>,
     start: [f64; 6],
@@ -196,14 +206,14 @@ fn called(
     );
     assert!(is_within(&solver.limits, &found.q), "{found:?}");
     if found.outcome == Outcome::Converged {
-        let off = apart(&Ur5Class.forward_kinematics(&found.q), target);
+        let off = distances(&Ur5Class.forward_kinematics(&found.q), target);
         assert!(off.iter().all(|off| *off <= 1.000_001e-6), "{off:?}");
     }
     Ok(found)
 }
 
 #[test]
-fn what_is_not_finite_is_an_error_and_never_returned() {
+fn arguments_that_are_not_finite_are_errors_and_no_solution_is() {
     let solver = Solver::within(UR5);
     let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let [nan, infinite] = [f64::NAN, f64::INFINITY];
@@ -218,7 +228,7 @@ fn what_is_not_finite_is_an_error_and_never_returned() {
             (at_rest, good, [0.3; 6]),
             (scaled, good, [0.3; 6]),
         ] {
-            let error = called(&solver, &target, start).expect_err("not finite");
+            let error = solve(&solver, &target, start).expect_err("not finite");
             assert!(matches!(error, Error::NotFinite { .. }), "{error}");
         }
     }
@@ -226,12 +236,12 @@ fn what_is_not_finite_is_an_error_and_never_returned() {
     turned.orientation_tolerance = nan;
     moved.position_tolerance = nan;
     for solver in [turned, moved] {
-        assert!(called(&solver, &good, [0.3; 6]).is_err());
+        assert!(solve(&solver, &good, [0.3; 6]).is_err());
     }
 }
 
 #[test]
-fn numbers_that_are_huge_end_in_numbers() {
+fn huge_arguments_give_finite_solutions() {
     let solver = Solver::within(UR5);
     let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let huge = 1e300;
@@ -248,13 +258,13 @@ fn numbers_that_are_huge_end_in_numbers() {
         (Solver::within([[huge, f64::INFINITY]; 6]), good, [0.3; 6]),
         (Solver::within([[-f64::MAX, f64::MAX]; 6]), good, [0.3; 6]),
     ] {
-        called(&solver, &target, start).expect("numbers");
+        solve(&solver, &target, start).expect("finite numbers");
     }
 }
 
-/// Where there is no limit to one side, or to both, any finite number is within.
+/// Infinite limits on one side or both are valid.
 #[test]
-fn limits_that_no_number_is_within_are_an_error() {
+fn limits_without_a_finite_number_between_are_an_error() {
     let target: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let [nan, infinite] = [f64::NAN, f64::INFINITY];
     for ends in [
@@ -268,7 +278,7 @@ fn limits_that_no_number_is_within_are_an_error() {
     ] {
         let mut limits = UR5;
         limits[3] = ends;
-        let error = called(&Solver::within(limits), &target, [0.3; 6]).expect_err("no range");
+        let error = solve(&Solver::within(limits), &target, [0.3; 6]).expect_err("no range");
         assert!(
             matches!(error, Error::NoRange { coordinate: 3, .. }),
             "{error}"
@@ -282,14 +292,14 @@ fn limits_that_no_number_is_within_are_an_error() {
     ] {
         let mut limits = UR5;
         limits[3] = ends;
-        let found = called(&Solver::within(limits), &target, [0.4; 6]).expect("a range");
+        let found = solve(&Solver::within(limits), &target, [0.4; 6]).expect("a range");
         assert_eq!(found.outcome, Outcome::Converged, "{ends:?}");
     }
 }
 
-/// Of a scaled or sheared matrix axis and angle are those of no turn: it was said to be met, 0.5 rad off.
+/// Such a target was once reported as reached, 0.5 rad off, since axis and angle of the matrix mean nothing.
 #[test]
-fn a_target_whose_matrix_is_no_rotation_is_an_error() {
+fn a_target_whose_matrix_is_not_a_rotation_is_an_error() {
     let solver = Solver::within(UR5);
     let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     let changed = |change: &dyn Fn(&mut [[f64; 3]; 3])| {
@@ -304,14 +314,14 @@ fn a_target_whose_matrix_is_no_rotation_is_an_error() {
         changed(&|r| r[2] = r[2].map(|x| -x)),
         changed(&|r| r.iter_mut().flatten().for_each(|x| *x *= 1e200)),
     ] {
-        let error = called(&solver, &bad, [0.4; 6]).expect_err("no rotation");
+        let error = solve(&solver, &bad, [0.4; 6]).expect_err("not a rotation");
         assert!(matches!(error, Error::NotRotation { .. }), "{error}");
     }
 }
 
-/// Such as a matrix of single precision, or one that was printed with seven digits.
+/// For example a matrix of single precision, or one printed with seven digits.
 #[test]
-fn a_target_whose_matrix_is_a_rotation_but_for_its_digits_is_met() {
+fn a_target_whose_matrix_is_a_rounded_rotation_is_reached() {
     let solver = Solver::within(UR5);
     let good: Pose<f64> = Ur5Class.forward_kinematics(&[0.5; 6]);
     #[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
@@ -323,7 +333,7 @@ fn a_target_whose_matrix_is_a_rotation_but_for_its_digits_is_met() {
         let target = Pose::new(rotation, good.translation());
         let found = solver.solve(&Ur5Class, &target, &[0.4; 6]).expect("a pose");
         assert_eq!(found.outcome, Outcome::Converged);
-        let [angle, distance] = apart(&Ur5Class.forward_kinematics(&found.q), &good);
+        let [angle, distance] = distances(&Ur5Class.forward_kinematics(&found.q), &good);
         assert!(angle < 2e-6 && distance < 2e-6, "{angle:e} {distance:e}");
     }
     let target: Pose<f32> = PandaClass.forward_kinematics(&middle(&PANDA).map(f32::constant));

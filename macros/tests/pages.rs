@@ -32,7 +32,7 @@ fn page(place: Place) -> &'static str {
     }
 }
 
-/// Whether each word of a place is to be seen at work: names that are chosen from a list are not.
+/// True for places whose words each need an example; names chosen from a list do not.
 fn is_shown(place: Place) -> bool {
     let chosen = [
         Place::Column,
@@ -52,7 +52,7 @@ fn words_of(text: &str) -> Vec<&str> {
     words.collect()
 }
 
-/// What stands between backquotes, and the blocks of code that are compiled.
+/// The text between backquotes, and the blocks of code that are compiled.
 fn told_and_compiled(page: &str) -> (String, String) {
     let (mut told, mut compiled) = (String::new(), String::new());
     let mut block: Option<&str> = None;

@@ -1,4 +1,4 @@
-//! What an axis spans, and where its ticks are.
+//! Range and ticks of an axis.
 //!
 //! In: numbers and a scale. Out: fractions of the axis, and ticks with what is written there. It
 //! knows no pixels but those that a label needs.
@@ -64,7 +64,7 @@ impl Span {
     }
 }
 
-/// Where a number lies on an axis.
+/// The position of a number on an axis.
 fn position(scale: Scale, x: f64) -> f64 {
     match scale {
         Scale::Linear | Scale::Every(_) => x,

@@ -1,4 +1,4 @@
-//! What the program `homogen` says, to people and to programs.
+//! Output of the program `homogen`, for people and for programs.
 //!
 //! In: arguments and standard input. Out: the answer, word for word where others rely on it. A file a
 //! command, one for the formulation; here is what holds for all.
@@ -71,7 +71,7 @@ fn keys(object: &Value) -> Vec<&str> {
     object.keys().map(String::as_str).collect()
 }
 
-/// What standard error has of an answer that is a mistake.
+/// The standard error of an answer with mistakes.
 fn refused(arguments: &str, input: &str) -> String {
     let answer = homogen(arguments, input);
     assert_eq!((&*answer.output, answer.code), ("", 1), "{arguments}");

@@ -13,8 +13,8 @@ pub(super) struct Span {
 }
 
 impl Span {
-    /// Of those values and a margin at both ends: a part of what they span, or decades of a
-    /// logarithmic axis, which ends at whole ones.
+    /// The range of values with a margin at both ends: a share of the range, or on a logarithmic axis decades, which
+    /// ends at whole ones.
     pub fn of(scale: Scale, values: impl Iterator<Item = f64>, margin: f64) -> Self {
         let position = |x: f64| position(scale, x);
         let (low, high) = values

@@ -1,8 +1,7 @@
-//! Tells the examples which compiler and which flags they are built with, so that no time they
-//! print stands without them.
+//! Compiler and flags of the examples, which they print beside their times.
 //!
-//! In: what cargo says to build scripts. Out: two environment variables at compile time. It never
-//! looks at the machine: the program may run on another one.
+//! In: cargo's environment of build scripts. Out: two environment variables at compile time. The processor is
+//! read at run time, because the program may run on another machine.
 
 use std::env;
 use std::process::Command;
@@ -14,7 +13,7 @@ fn main() {
     let version = Command::new(variable("RUSTC")).arg("--version").output();
     let version = version.map_or_else(
         |_| "rustc".to_owned(),
-        |said| String::from_utf8_lossy(&said.stdout).trim().to_owned(),
+        |output| String::from_utf8_lossy(&output.stdout).trim().to_owned(),
     );
     println!("cargo::rustc-env=EXAMPLES_RUSTC={version}");
     let flags = variable("CARGO_ENCODED_RUSTFLAGS").replace('\u{1f}', " ");

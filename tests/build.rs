@@ -1,9 +1,8 @@
-//! Writes every robot that ships as a file for `core` alone, in single precision, and a robot with every kind of joint
-//! in both precisions and as a package for Python has it.
+//! Build script: generates files for `core` alone of every robot that ships, in single precision, and of a robot with
+//! every type of joint, in both precisions and as the source of its Python package.
 //!
-//! In: robots/*.urdf and tests/robots/every_joint.urdf. Out: `ROBOT_own.rs` with the sines that a file brings along, and
-//! `ROBOT_named.rs` with those of the runtime for any angle; `joints_f32.rs`, `joints_f64.rs` and `joints_lanes.rs`; all
-//! in `OUT_DIR`.
+//! In: robots/*.urdf and tests/robots/every_joint.urdf. Out, in `OUT_DIR`: `ROBOT_own.rs` with its own sines,
+//! `ROBOT_named.rs` with the runtime's sines for any angle; `joints_f32.rs`, `joints_f64.rs` and `joints_lanes.rs`.
 
 use std::error::Error;
 use std::path::Path;
@@ -11,7 +10,7 @@ use std::{env, fs};
 
 use homogen_codegen::{Builder, Function, Real};
 
-/// The files, and the links whose frames poses are of.
+/// The files and their end effectors.
 const ROBOTS: [(&str, &str); 9] = [
     ("two_link", "tip"),
     ("scara", "tool"),
@@ -35,9 +34,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             .tip(tip)
             .scalar(Real::F32)
             .generate(Function::ALL);
-        both(own, robot, &folder)?;
+        write_both(own, robot, &folder)?;
     }
-    let driven = Builder::from_urdf("../robots/scara.urdf")
+    let with_actuators = Builder::from_urdf("../robots/scara.urdf")
         .name("Standalone")
         .scalar(Real::F32)
         .armature("shoulder", [0.25])
@@ -46,12 +45,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         .coulomb_friction("elbow", [0.5])
         .coulomb_friction("lift", [3.0])
         .generate(Function::ALL);
-    both(driven, "driven", &folder)?;
-    joints(Path::new(&folder))
+    write_both(with_actuators, "with_actuators", &folder)?;
+    write_joints(Path::new(&folder))
 }
 
-/// The robot with every kind of joint.
-fn joints(folder: &Path) -> Result<(), Box<dyn Error>> {
+/// Writes the robot with every type of joint.
+fn write_joints(folder: &Path) -> Result<(), Box<dyn Error>> {
     let builder = Builder::from_urdf("robots/every_joint.urdf")
         .name("Joints")
         .generate([Function::Gravity]);
@@ -67,8 +66,8 @@ fn joints(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Both files of a robot.
-fn both(own: Builder, robot: &str, folder: &str) -> Result<(), Box<dyn Error>> {
+/// Writes both files of a robot: with its own sines and with the runtime's.
+fn write_both(own: Builder, robot: &str, folder: &str) -> Result<(), Box<dyn Error>> {
     let named = own
         .clone()
         .sin_cos("::homogen::trigonometry::single::sin_cos");

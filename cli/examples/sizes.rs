@@ -1,15 +1,15 @@
-//! What robots of many joints cost: in operations and text, to expand, to compile and to call.
+//! Costs of robots with many joints: operations and text, and times to expand, compile and call.
 //!
 //! `cargo run -p homogen-cli --example sizes -- [--joints 16,29,256] [OPTION …]`, where options are
 //! those of `homogen generate`, such as `--section 800`; `-- --robot chain 64` writes a robot's URDF instead.
 //!
-//! In: how many joints (16, 29, 32 and 64 where nothing is said), and how functions are wanted. Out: a table in
-//! Markdown. Robots are the same on every machine: revolute joints that stand askew and apart, full inertias;
-//! a chain, and a tree of limbs of eight joints; of 29 joints a humanoid, of which all functions are compiled together.
-//! Seconds are the processor's, for others may run beside; memory is the most that was held. It is built as proc
-//! macros are, without optimisation, and so tells what a derive takes to expand.
+//! Takes the numbers of joints (16, 29, 32 and 64 by default) and options of functions, and prints a table in Markdown.
+//! The robots are the same on every machine: revolute joints with oblique axes and offsets, and full inertias; a chain,
+//! and a tree of limbs of eight joints; with 29 joints a humanoid, whose functions are all compiled together. Seconds
+//! are processor time, because other programs may run at the same time; memory is the maximum. Built without
+//! optimisation, as proc macros are, it measures the expansion time of a derive.
 //!
-//! GNU time measures, at `/usr/bin/time`; `rustc` is the one of the path.
+//! GNU time measures, at `/usr/bin/time`; `rustc` is the one in the path.
 
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
@@ -25,7 +25,7 @@ type Fallible<T> = Result<T, Box<dyn Error>>;
 
 const JOINTS: &str = "16,29,32,64";
 
-/// A humanoid's.
+/// Number of joints of a humanoid.
 const HUMANOID: usize = 29;
 
 /// Functions with their arguments.
@@ -35,7 +35,7 @@ const FUNCTIONS: [(&str, &str); 3] = [
     ("mass_matrix", "q"),
 ];
 
-/// Of more joints a mass matrix, which grows with their square, is not worth the wait.
+/// Maximum number of joints for the mass matrix, which grows with their square.
 const MOST_OF_MATRICES: usize = 64;
 
 fn main() -> Fallible<()> {
@@ -52,7 +52,7 @@ fn main() -> Fallible<()> {
     }
 }
 
-/// What the command line writes.
+/// Runs the command line.
 fn expand(from: &str, to: &str, options: &[&str]) -> Fallible<()> {
     let words = [
         "homogen", "generate", from, "--scalar", "f64", "--name", "Robot", "-o", to,
@@ -114,7 +114,7 @@ fn row(
     let expanded = Cost::of(&env::current_exe()?, expansion)?;
     let text = fs::read_to_string(&source)?;
     let library = file("rlib");
-    // Of a program nothing would be compiled that it does not call.
+    // Functions that are not called would not be compiled in a program.
     let compiled = |flags: &[&str]| {
         let flags = ["--edition=2021", "--crate-type=lib", "-Awarnings"]
             .iter()
@@ -138,8 +138,8 @@ fn row(
             "-o",
         ]);
         checked(rustc.args([&executable, &program]).output()?)?;
-        let said = checked(Command::new(&executable).output()?)?;
-        Fallible::Ok(String::from_utf8(said.stdout)?)
+        let output = checked(Command::new(&executable).output()?)?;
+        Fallible::Ok(String::from_utf8(output.stdout)?)
     });
     let called = called.transpose()?.unwrap_or_default();
     println!(
@@ -151,7 +151,7 @@ fn row(
     Ok(())
 }
 
-/// Products and sums, as the head of the file has them for each function.
+/// Multiplications and additions, from the head of the file for each function.
 fn operations(text: &str) -> usize {
     let heads = text
         .lines()
@@ -189,9 +189,9 @@ fn main() {{
     )
 }
 
-/// What a program took.
+/// Cost of a program.
 struct Cost {
-    /// Of the processor.
+    /// Processor time \[s\].
     seconds: f64,
     kilobytes: f64,
 }
@@ -201,9 +201,9 @@ impl Cost {
         let mut command = Command::new("/usr/bin/time");
         let output = command.args(["-f", "%U %M"]).arg(program).args(words);
         let output = checked(output.output()?)?;
-        let said = String::from_utf8(output.stderr)?;
-        let last = said.lines().last().unwrap_or_default();
-        let (seconds, kilobytes) = last.split_once(' ').ok_or("GNU time said nothing")?;
+        let output = String::from_utf8(output.stderr)?;
+        let last = output.lines().last().unwrap_or_default();
+        let (seconds, kilobytes) = last.split_once(' ').ok_or("GNU time printed nothing")?;
         Ok(Self {
             seconds: seconds.parse()?,
             kilobytes: kilobytes.parse()?,
@@ -224,12 +224,12 @@ fn checked(output: Output) -> Fallible<Output> {
     Err(String::from_utf8_lossy(&output.stderr).into())
 }
 
-/// A robot's URDF.
+/// The URDF of a robot.
 fn robot(kind: &str, joints: usize) -> Fallible<String> {
     const LIMB: usize = 8;
     let parents: Vec<Option<usize>> = match kind {
         "chain" => (0..joints).map(|k: usize| k.checked_sub(1)).collect(),
-        // Each limb hangs on the end of one of which two hang.
+        // Each limb is attached to the end of another one, to which two are attached.
         "tree" => (0..joints)
             .map(|k| match (k / LIMB, k % LIMB) {
                 (0, 0) => None,
@@ -237,7 +237,7 @@ fn robot(kind: &str, joints: usize) -> Fallible<String> {
                 _ => Some(k - 1),
             })
             .collect(),
-        // A waist of three, legs of six on the base, arms of seven on the waist.
+        // A waist of three joints, legs of six on the base, arms of seven on the waist.
         "humanoid" => (0..joints)
             .map(|k| match k {
                 0 | 3 | 9 => None,
@@ -245,19 +245,19 @@ fn robot(kind: &str, joints: usize) -> Fallible<String> {
                 _ => Some(k - 1),
             })
             .collect(),
-        other => return Err(format!("{other} is neither chain nor tree nor humanoid").into()),
+        other => return Err(format!("{other} must be chain, tree or humanoid").into()),
     };
     let mut text = format!("<robot name=\"{kind}\"><link name=\"base\"/>\n");
     let mut random = Random::new(29);
     for (k, parent) in parents.iter().enumerate() {
         let parent = parent.map_or_else(|| "base".to_owned(), |parent| format!("l{parent}"));
-        let turns = if kind == "humanoid" && !random.chance(4) {
+        let rotations = if kind == "humanoid" && !random.chance(4) {
             [FRAC_PI_2, 0.0, 0.0]
         } else {
             [(); 3].map(|()| 1.5 * random.unit())
         };
         let [x, y, z] = [(); 3].map(|()| 0.3 * random.unit());
-        let [roll, pitch, yaw] = turns;
+        let [roll, pitch, yaw] = rotations;
         let mass = 1.0 + 0.5 * random.unit();
         let [cx, cy, cz] = [(); 3].map(|()| 0.1 * random.unit());
         let size = 0.01 * mass;

@@ -1,7 +1,7 @@
-//! `homogen base-parameters`: what torques can tell of the inertial parameters.
+//! `homogen base-parameters`: base parameters of a robot.
 //!
-//! In: a description. Out: the base parameters in the order of the columns of the base regressor, each as the sum that it
-//! is, with its value as described. It never generates anything.
+//! Prints the base parameters in the order of the columns of the base regressor: each as a linear combination of
+//! inertial parameters, with its described value.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -10,7 +10,7 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use super::options::{Format, Robot};
-use super::{Answer, Said, json, options};
+use super::{Answer, Outcome, json, options};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::chain::base_parameters::{BaseParameters as Found, Group};
 use homogen_codegen::expand;
@@ -18,7 +18,7 @@ use homogen_codegen::list::List;
 use homogen_codegen::space::{Entry, Kind, ParameterId};
 use homogen_codegen::wording::visible;
 
-/// Tell which sums of inertial parameters torques can tell, and their values
+/// List the base parameters: the linear combinations of inertial parameters that torques determine, with their values
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
@@ -26,13 +26,13 @@ Example:
 pub(super) struct BaseParameters {
     #[command(flatten)]
     robot: Robot,
-    /// How the answer is printed
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
 
 impl BaseParameters {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         let description = self.robot.description(input)?;
         let request = self.robot.request();
         let chain = expand::understand(&description, &request)?;
@@ -119,7 +119,7 @@ fn in_text(robot: &str, chain: &Chain, base: &Found) -> String {
     text
 }
 
-/// A group as a sum.
+/// A base parameter as a sum.
 fn sum(group: &Group, parameters: &List<ParameterId, Entry>) -> String {
     let mut sum = String::new();
     for (k, &(parameter, factor)) in group.members.iter().enumerate() {

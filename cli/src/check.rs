@@ -1,8 +1,7 @@
-//! `homogen check`: what was read, and what became of it.
+//! `homogen check`: how a description is read.
 //!
-//! In: a description. Out: the order of q, the links that are modelled, what was merged, locked,
-//! left out or taken for a right angle, and every doubt with its line and column. It never
-//! generates anything.
+//! Prints the order of q, the modelled links, and what was merged, locked, left out or read as a right angle; and every
+//! warning with line and column.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -11,7 +10,7 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use super::options::{Asked, Format, Robot};
-use super::{Answer, Said, json, options};
+use super::{Answer, Outcome, json, options};
 use homogen_codegen::chain::{BodyId, Chain, Report};
 use homogen_codegen::description::Joint;
 use homogen_codegen::expand;
@@ -20,7 +19,7 @@ use homogen_codegen::request::setting::FRAMES;
 use homogen_codegen::space::Space;
 use homogen_codegen::wording::visible;
 
-/// Tell what was read, merged, locked, left out or repaired, and every doubt with its place
+/// Print what was read, merged, locked, left out or read as exact, and every warning with its place
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
@@ -30,13 +29,13 @@ pub(super) struct Check {
     robot: Robot,
     #[command(flatten)]
     frames: Asked<FRAMES>,
-    /// How the answer is printed
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
 
 impl Check {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         let description = self.robot.description(input)?;
         let request = self.frames.and(self.robot.request());
         let chain = expand::understand(&description, &request)?;
@@ -51,10 +50,9 @@ impl Check {
     }
 }
 
-/// The joints that move, each with the mass of the body that it carries; those that follow another among
-/// them.
+/// The moving joints, including mimic joints, each with the mass of its body.
 fn described(chain: &Chain) -> impl Iterator<Item = (&Joint, f64)> {
-    // Of a joint with several velocities, the last moves the body.
+    // The last velocity of a joint moves the body.
     let last = |k: BodyId| chain.joints.get(k.plus(1)).map(|next| next.of.as_str());
     let bodies = chain.joints.numbered();
     let bodies = bodies.filter(move |(k, body)| last(*k) != Some(&body.of));
@@ -102,7 +100,7 @@ pub(super) fn in_json(chain: &Chain) -> Value {
     });
     let details = described(chain).map(|(joint, mass)| {
         let limits = joint.limits.as_ref();
-        // JSON has no infinity: a bound that does not exist is null.
+        // JSON has no infinity: a missing limit is null.
         let limits = limits.map(|limits| {
             json!({ "lower": limits.lower, "upper": limits.upper, "velocity": limits.velocity })
         });
@@ -158,7 +156,7 @@ pub(super) fn in_json(chain: &Chain) -> Value {
     answer
 }
 
-/// Quaternions that were taken for rotations by right angles.
+/// Quaternions that were read as rotations by right angles.
 fn turned(chain: &Chain) -> Value {
     let turned = chain.report.turned.iter().map(|turned| {
         let (line, column) = json::line_and_column(turned.place);
@@ -170,7 +168,7 @@ fn turned(chain: &Chain) -> Value {
     turned.collect()
 }
 
-/// An entry of a quaternion of right angles, of which four times the square is told.
+/// An entry of a quaternion of right angles; `square` is four times its square, with its sign.
 fn root(square: i64) -> String {
     let sign = if square < 0 { "−" } else { "" };
     let size = match square.abs() {
@@ -182,7 +180,7 @@ fn root(square: i64) -> String {
     format!("{sign}{size}")
 }
 
-/// Quarter turns as people write them.
+/// A multiple of π/2 in words.
 fn meant(quarters: i64) -> String {
     let sign = if quarters < 0 { "−" } else { "" };
     match (quarters.unsigned_abs(), quarters % 2 == 0) {
@@ -194,7 +192,7 @@ fn meant(quarters: i64) -> String {
     }
 }
 
-/// What loops close, and what needs no closing.
+/// The constraints of loops, and those that always hold.
 fn loops(chain: &Chain, line: &mut impl FnMut(String)) {
     for closed in &chain.loops {
         let [from, to] = closed.frames.each_ref().map(|frame| &frame.name);
@@ -203,17 +201,17 @@ fn loops(chain: &Chain, line: &mut impl FnMut(String)) {
             .collect();
         let (name, kind, rows) = (&closed.name, closed.word, rows.join(", "));
         line(format!(
-            "loop {name}: {kind}, holds {from} and {to} together: {rows}"
+            "loop {name}: {kind}, joins {from} and {to}: {rows}"
         ));
     }
     if !chain.report.closed.is_empty() {
         let names = chain.report.closed.join(", ");
-        line(format!("  closed whatever the joints do: {names}"));
+        line(format!("  hold in every configuration: {names}"));
     }
     if !chain.report.dependent.is_empty() {
         let names = chain.report.dependent.join(", ");
         line(format!(
-            "  implied by the others where loops are closed: {names}"
+            "  implied by the others if the loops are closed: {names}"
         ));
     }
 }
@@ -226,19 +224,19 @@ fn counted(number: usize, one: &str, several: &str) -> String {
     }
 }
 
-/// What was taken for right angles and zeros.
+/// Numbers that were read as right angles and zeros.
 fn repaired(report: &Report, line: &mut impl FnMut(String)) {
     let (right_angles, residues) = report.right_angles_and_residues();
     line(counted(
         right_angles,
-        "angle taken for a right angle",
-        "angles taken for right angles",
+        "angle read as a right angle",
+        "angles read as right angles",
     ));
     if residues > 0 {
         line(counted(
             residues,
-            "residue taken for zero",
-            "residues taken for zero",
+            "residue read as zero",
+            "residues read as zero",
         ));
     }
     for number in &report.snapped {
@@ -271,7 +269,7 @@ fn in_text(chain: &Chain) -> String {
     line(format!("base {}", report.base));
     match tip(chain) {
         Some(tip) => line(format!("tip {tip}")),
-        None => line("no tip: there is more than one end, and --tip names none".to_owned()),
+        None => line("no tip: there is more than one end, and --tip is missing".to_owned()),
     }
     let joints = counted(report.joints.len(), "joint", "joints");
     line(format!("{joints}, in the order of q:"));
@@ -281,8 +279,8 @@ fn in_text(chain: &Chain) -> String {
         let (name, kind) = (&joint.name.text, joint.kind.word());
         let names = joint.kind.coordinates(name).into_iter();
         let names: Vec<String> = names.map(|(name, _)| name).collect();
-        let follows = report.mimicked.iter().find(|mimic| mimic.joint == *name);
-        let coordinates = match (follows, &*names) {
+        let mimic_of = report.mimicked.iter().find(|mimic| mimic.joint == *name);
+        let coordinates = match (mimic_of, &*names) {
             (Some(mimic), _) => {
                 let offset = match mimic.offset {
                     0.0 => String::new(),
@@ -295,14 +293,14 @@ fn in_text(chain: &Chain) -> String {
         };
         let plane = report.planes.iter().find(|plane| plane.joint == *name);
         let plane = plane.map_or(String::new(), |plane| format!(", {}", plane.text()));
-        let place = match follows {
+        let place = match mimic_of {
             Some(_) => "   ".to_owned(),
             None => format!("{k:3}"),
         };
         line(format!(
             "  {place}  {name}: {kind}{coordinates}{plane}, from {parent} to {child}, carries {mass} kg"
         ));
-        k += if follows.is_some() { 0 } else { names.len() };
+        k += if mimic_of.is_some() { 0 } else { names.len() };
     }
     loops(chain, &mut line);
     line(counted(

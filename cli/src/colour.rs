@@ -1,12 +1,12 @@
-//! Colours of remarks.
+//! Colours of messages on standard error.
 //!
-//! In: remarks, and what the terminal and the environment say. Out: the same remarks, with the words that begin their
-//! lines in colours, or as they were. It never touches standard output, which others read.
+//! Words at the beginning of lines are coloured if standard error is a terminal that shows colours. Standard output
+//! stays plain for other programs.
 
 use std::env;
 use std::io::{IsTerminal, stderr};
 
-/// The words that begin lines, and how a terminal shows them.
+/// Words at the beginning of lines, with the codes of their colours.
 const WORDS: [(&str, &str); 4] = [
     ("error", "1;31"),
     ("warning", "1;33"),
@@ -14,14 +14,14 @@ const WORDS: [(&str, &str); 4] = [
     ("  hint", "36"),
 ];
 
-/// Whether standard error is a terminal on which colours are welcome: `NO_COLOR` with anything in it forbids them.
+/// True if standard error is a terminal that shows colours; any value of `NO_COLOR` forbids them.
 pub(super) fn is_wanted() -> bool {
     let is_set = |name: &str| env::var_os(name).is_some_and(|value| !value.is_empty());
     let is_dumb = env::var_os("TERM").is_none_or(|term| term == "dumb");
     stderr().is_terminal() && !is_set("NO_COLOR") && !is_dumb
 }
 
-/// The remarks in colours.
+/// The messages in colours.
 pub(super) fn coloured(remarks: &str) -> String {
     let lines = remarks.split_inclusive('\n').map(|line| {
         let mut words = WORDS.iter();

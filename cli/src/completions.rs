@@ -1,12 +1,9 @@
-//! `homogen completions`: what a shell completes.
-//!
-//! In: the name of a shell, and the options of all commands. Out: the script that the shell reads. It knows no option
-//! itself.
+//! `homogen completions`: the completion script of a shell, generated from the options of all commands.
 
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
-use super::{Answer, Said};
+use super::{Answer, Outcome};
 
 /// Write the script by which a shell completes commands and options
 #[derive(Args, Clone, Debug)]
@@ -26,7 +23,7 @@ impl Completions {
         clippy::unnecessary_wraps,
         reason = "a command can fail, though this one does not"
     )]
-    pub(super) fn run(&self, program: &mut Command) -> Said {
+    pub(super) fn run(&self, program: &mut Command) -> Outcome {
         let mut script = Vec::new();
         generate(self.shell, program, "homogen", &mut script);
         Ok(Answer {

@@ -1,8 +1,7 @@
-//! `homogen count`: what each function costs.
+//! `homogen count`: operation counts of functions.
 //!
-//! In: a description and names of functions. Out: a table of the prices that stand above the
-//! generated functions, the dense 4×4 products beside them, what the robot cannot have and every
-//! doubt; as JSON also the bounds of the error.
+//! Prints a table of the operation counts in the comments of the generated functions, beside those of dense 4×4
+//! products, and functions that the robot cannot have; and every warning. As JSON it also has error bounds.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -12,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::functions::{self, Functions};
 use super::options::{Format, Robot};
-use super::{Answer, Said, json};
+use super::{Answer, Outcome, json};
 use homogen_codegen::accuracy::{Accuracy, Bound, Perturbed};
 use homogen_codegen::expand::expand;
 use homogen_codegen::module::{GeneratedFunction, LeftOut, Module};
@@ -25,20 +24,20 @@ use homogen_codegen::wording::visible;
 Example:
   homogen count arm.urdf --functions inverse_dynamics,mass_matrix+bias --format json
 
-Exit status: 0; 1 for a mistake in what was read; 2 for one in the arguments; 3 if everything was asked for and a
-function was left out because of a fault of homogen, which standard error reports.")]
+Exit status: 0; 1 for an error in the input; 2 for one in the arguments; 3 if all functions were requested and one was
+left out because of a fault of homogen, which standard error reports.")]
 pub(super) struct Count {
     #[command(flatten)]
     robot: Robot,
     #[command(flatten)]
     functions: Functions,
-    /// How the answer is printed
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
 
 impl Count {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         let description = self.robot.description(input)?;
         let request = self.functions.and(self.robot.request());
         let module = expand(&description, &request)?;
@@ -57,8 +56,8 @@ impl Count {
     }
 }
 
-/// The numbers of a price in the order of the table, that of signs where it is wanted; a name of two words is a group and
-/// a key.
+/// The numbers of an operation count in the order of the table; signs only if requested. A name of two words is a group
+/// and a key.
 fn columns(price: &Price, signs: bool) -> Vec<(&'static str, usize)> {
     let mut columns = vec![
         ("mul", price.mul),
@@ -80,25 +79,25 @@ fn columns(price: &Price, signs: bool) -> Vec<(&'static str, usize)> {
     columns
 }
 
-/// Whether any of some functions takes a sign, as those with Coulomb friction do.
+/// True if any of the functions computes a sign, as those with Coulomb friction do.
 pub(super) fn have_signs(functions: &[GeneratedFunction]) -> bool {
     functions.iter().any(|generated| generated.price.sign > 0)
 }
 
 fn in_json(module: &Module) -> Value {
     let signs = have_signs(&module.functions);
-    let prices =
+    let counts =
         (module.functions.iter()).map(|generated| (generated.name(), price(generated, signs)));
-    let prices: Map<String, Value> = prices.collect();
+    let counts: Map<String, Value> = counts.collect();
     json!({
         "robot": module.about.robot,
-        "functions": prices,
+        "functions": counts,
         "left_out": left_out(module),
         "warnings": json::warnings(&module.about.warnings),
     })
 }
 
-/// What a function costs, the number of signs where it is wanted, and how exact it is.
+/// Operation count and error bounds of a function; signs only if requested.
 pub(super) fn price(generated: &GeneratedFunction, signs: bool) -> Value {
     let mut price = json!({});
     for (name, number) in columns(&generated.price, signs) {
@@ -114,7 +113,7 @@ pub(super) fn price(generated: &GeneratedFunction, signs: bool) -> Value {
     price
 }
 
-/// What the robot cannot have, with the reasons.
+/// Functions that the robot cannot have, with the reasons.
 pub(super) fn left_out(module: &Module) -> Value {
     let left_out = module.about.left_out.iter();
     let left_out = left_out.map(
@@ -130,21 +129,21 @@ pub(super) fn left_out(module: &Module) -> Value {
     left_out.collect()
 }
 
-/// The worst of each unit by the type of number, of the results or of what they are exact for; the
-/// same for each joint; and where that holds; or why there is no bound.
+/// An error bound: the maximum for each unit and type of number, and the bound of each joint, with the range where it
+/// holds; or the reason why there is none.
 fn error(accuracy: &Accuracy) -> Value {
-    let (of, promise) = match accuracy {
+    let (of, bounds) = match accuracy {
         Accuracy::Unknown(reason) => return json!({ "unknown": reason }),
-        Accuracy::Within(promise) => ("results", promise),
-        Accuracy::BesideDiagonal(promise) => ("diagonal", promise),
-        Accuracy::Backward(Perturbed::Torques, promise) => ("tau", promise),
-        Accuracy::Backward(Perturbed::MassMatrix, promise) => ("M", promise),
-        Accuracy::Backward(Perturbed::UnitForces, promise) => ("unit forces", promise),
-        Accuracy::Backward(Perturbed::TorqueDerivatives, promise) => ("tau derivatives", promise),
+        Accuracy::Within(bounds) => ("results", bounds),
+        Accuracy::BesideDiagonal(bounds) => ("diagonal", bounds),
+        Accuracy::Backward(Perturbed::Torques, bounds) => ("tau", bounds),
+        Accuracy::Backward(Perturbed::MassMatrix, bounds) => ("M", bounds),
+        Accuracy::Backward(Perturbed::UnitForces, bounds) => ("unit forces", bounds),
+        Accuracy::Backward(Perturbed::TorqueDerivatives, bounds) => ("tau derivatives", bounds),
     };
     let by_unit = |of: fn(&Bound) -> Option<f64>| {
         let mut worst: Map<String, Value> = Map::new();
-        for bound in &promise.bounds {
+        for bound in &bounds.bounds {
             let found = of(bound);
             let before = worst.get(bound.unit).and_then(Value::as_f64);
             let most = found.map(|found| before.map_or(found, |before| before.max(found)));
@@ -160,9 +159,9 @@ fn error(accuracy: &Accuracy) -> Value {
         "of": of,
         "f64": by_unit(|bound| bound.double),
         "f32": by_unit(|bound| bound.single),
-        "joints": promise.bounds.iter().map(of_joint).collect::<Vec<_>>(),
-        "range": promise.range,
-        "lacks": promise.lacks,
+        "joints": bounds.bounds.iter().map(of_joint).collect::<Vec<_>>(),
+        "range": bounds.range,
+        "lacks": bounds.lacks,
     })
 }
 

@@ -1,9 +1,8 @@
-//! `homogen eval`: a function's values, without a compiler.
+//! `homogen eval`: values of a function, without a compiler.
 //!
-//! In: a description, the name of a function, states. Out: its results, computed by the scheduled
-//! program itself in the arithmetic asked for, with the bits of generated code that brings its own sines and
-//! fuses no product with a sum; on standard output each number in its shortest form that reads back, in files as it
-//! is; and every doubt about the description.
+//! The scheduled program is run in `f64` or `f32` at the given states. Results equal, bit for bit, those of generated
+//! code with its own sines and without fused operations. Standard output has the shortest form of each number that
+//! reads back; files have the exact number. Warnings of the description are printed.
 
 mod answer;
 mod listed;
@@ -25,7 +24,7 @@ use self::states::{Source, States};
 use self::values::Values;
 use super::options::{Format, Robot, Scalar, is_standard_input, mistake};
 use super::progress::Progress;
-use super::{Answer, Said, json, options};
+use super::{Answer, Outcome, json, options};
 use homogen_codegen::check::Check;
 use homogen_codegen::description::Name;
 use homogen_codegen::error::{Errors, Place};
@@ -43,10 +42,11 @@ Example:
   homogen eval arm.urdf --function gravity --states q.npy --output gravity.npy
   homogen eval arm.urdf --function bias --states q=q.npy --states qd=qd.npy --output bias.npy
 
-The states: {\"states\":[{\"q\":[…],\"qd\":[…],\"qdd\":[…],\"tau\":[…]}]}, one number a joint, in the
-order of `homogen check`; keys that the function does not need may be absent. Actions from outside are
-\"actions\":[[c_x, c_y, c_z, f_x, f_y, f_z], …], one a link in the order of --external.
-In .npy the same are arrays with a row a state; from these to .npy it takes no more memory for more states.")]
+States: {\"states\":[{\"q\":[…],\"qd\":[…],\"qdd\":[…],\"tau\":[…]}]}, one number for each joint, in the order of
+`homogen check`; keys that the function does not need may be missing. External wrenches are
+\"actions\":[[c_x, c_y, c_z, f_x, f_y, f_z], …], one for each link in the order of --external.
+In .npy files these are arrays with one row for each state; with .npy as output, memory does not grow with the
+number of states.")]
 pub(super) struct Eval {
     #[command(flatten)]
     robot: Robot,
@@ -60,27 +60,27 @@ pub(super) struct Eval {
     /// The file to write, .npy or .json; for each of several results NAME=FILE, in .npy [default: standard output]
     #[arg(long, short, value_name = "FILE", conflicts_with = "format")]
     output: Vec<OsString>,
-    /// The link whose pose or Jacobian is wanted, instead of the tip's
+    /// The link of the pose or Jacobian, instead of the end effector
     #[arg(long, alias = "frames", value_name = "LINK")]
     frame: Option<String>,
     /// The arithmetic
     #[arg(long, value_enum, default_value = "f64")]
     scalar: Scalar,
-    /// How the answer is printed
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
 
-/// How many numbers of states and results are in memory at a time, at most, where one state has not more.
+/// Maximum number of numbers of states and results in memory, unless one state has more.
 const NUMBERS: usize = 1 << 20;
 
 impl Eval {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         let progress = Progress::start();
         let from_input = |file: &OsString| is_standard_input(file.as_ref());
         if is_standard_input(&self.robot.file) && self.states.iter().any(from_input) {
             return Err(mistake(
-                "description and states cannot both be standard input",
+                "the description and the states cannot both be standard input",
             ));
         }
         let function = self.function;
@@ -95,7 +95,7 @@ impl Eval {
         let arguments = function.arguments_with(chain.spaces().actions() > 0);
         let mut states = Source::open(&self.states, &arguments, chain.spaces(), input)?;
 
-        // Further frames come after the tip's.
+        // A further frame comes after that of the end effector.
         let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
         plan::check_size(&chain)?;
         let programs = Programs::of(&chain);
@@ -152,16 +152,16 @@ impl Eval {
     }
 }
 
-/// A function at states, piece by piece.
+/// A function at states, computed in pieces.
 struct Work<'p> {
     values: Values<'p>,
-    /// How many states a piece has.
+    /// Number of states in a piece.
     piece: usize,
     progress: Progress,
 }
 
 impl Work<'_> {
-    /// Hands on the states and the results of each piece.
+    /// Calls a function with the states and the results of each piece.
     fn each_piece(
         &self,
         states: &mut Source,
@@ -177,7 +177,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// The results at all states as they are printed; only finite numbers are.
+    /// The results at all states as text; an argument or result that is not finite is an error.
     fn listed(&self, states: &mut Source, layout: &Layout<'_>) -> Result<Vec<Vec<f64>>, Errors> {
         let mut errors = Errors::new();
         let mut all = Vec::new();
@@ -187,11 +187,11 @@ impl Work<'_> {
                 let numbers = &results[state * each..][..each];
                 let index = all.len();
                 if !states.are_finite(state) {
-                    let message = format!("state {index}: an argument is no finite number");
+                    let message = format!("state {index}: an argument is not a finite number");
                     errors.push_with_hint(
                         Place::Unknown,
                         message,
-                        "a file holds what becomes of it: --output FILE",
+                        "write to a file, which can have such results: --output FILE",
                     );
                 } else if numbers.iter().any(|number| !number.is_finite()) {
                     let message = format!(

@@ -1,6 +1,4 @@
-//! The options that leave numbers of a robot free at run time.
-//!
-//! In: arguments. Out: the builder with a field for each. They are in the words of attributes.
+//! Options that add run-time fields: `--field` and `--range`, in the words of attributes.
 
 use clap::Args;
 use homogen_codegen::builder::Builder;
@@ -16,21 +14,19 @@ pub(super) struct Fields {
     #[arg(long = "field", value_name = "FIELD=WORD[:NAME]")]
     #[arg(value_parser = |text: &str| field(text).map(|_| text.to_owned()))]
     free: Vec<String>,
-    /// What each number of a field is meant to be within, for bounds of errors: payload=0..3
+    /// The range of each number of a field, for error bounds: payload=0..3
     #[arg(long = "range", value_name = "FIELD=LEAST..MOST", value_parser = range)]
     ranges: Vec<(String, [f64; 2])>,
 }
 
 impl Fields {
-    /// The builder with these fields; the first range without a field is told.
+    /// The builder with these fields; the first range without a field is an error.
     pub(super) fn of(&self, builder: Builder) -> Result<Builder, String> {
         let fields = self.free.iter().map(|text| field(text));
         let fields = fields.collect::<Result<Vec<_>, _>>()?;
         let has = |name: &String| fields.iter().any(|(field, _)| field == name);
         if let Some((name, _)) = self.ranges.iter().find(|(name, _)| !has(name)) {
-            return Err(format!(
-                "--range is of a --field, and none is called `{name}`"
-            ));
+            return Err(format!("--range needs a --field with the name `{name}`"));
         }
         Ok(fields
             .into_iter()
@@ -46,11 +42,11 @@ impl Fields {
     }
 }
 
-/// A field, and what it stands for.
+/// A field with its target.
 fn field(text: &str) -> Result<(&str, Target), String> {
     let (field, target) = text
         .split_once('=')
-        .ok_or("a field and what it stands for have = between them")?;
+        .ok_or("write FIELD=WORD:NAME, such as payload=payload_on:hand")?;
     Ok((field, setting::text::target(target)?))
 }
 
@@ -60,5 +56,5 @@ fn range(text: &str) -> Result<(String, [f64; 2]), String> {
         let most = most.strip_prefix('=').unwrap_or(most);
         Some((field.to_owned(), [least.parse().ok()?, most.parse().ok()?]))
     });
-    ends.ok_or_else(|| "a range is FIELD=LEAST..MOST, such as payload=0..3".to_owned())
+    ends.ok_or_else(|| "write FIELD=LEAST..MOST, such as payload=0..3".to_owned())
 }

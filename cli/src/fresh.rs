@@ -1,8 +1,7 @@
-//! A file that stands under its name only once it is whole.
+//! A file that gets its name only once it is complete.
 //!
-//! In: a path, then bytes. Out: the file, put in the place of another of that name when it is kept; one that is not
-//! kept leaves nothing. What is no regular file, a device or a pipe, is written to as it is. It never knows what the
-//! bytes mean.
+//! It then replaces another file of that name. An incomplete one leaves nothing behind. Devices and pipes are written
+//! to directly.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -16,9 +15,9 @@ use homogen_codegen::error::Errors;
 /// A file that is being written.
 pub(super) struct Fresh {
     file: File,
-    /// As it was asked for.
+    /// The path of the command line.
     path: PathBuf,
-    /// Its passing name and the one that it is to have; none where it is written to as it is.
+    /// Its temporary and its final name; `None` if it is written to directly.
     names: Option<(PathBuf, PathBuf)>,
 }
 
@@ -31,7 +30,7 @@ impl Fresh {
             path: path.to_owned(),
             names,
         };
-        // Of a link, the file that it leads to.
+        // For a link, the file that it points to.
         let kept = match fs::canonicalize(path) {
             Ok(there) => there,
             Err(reason) if reason.kind() == ErrorKind::NotFound => path.to_owned(),
@@ -41,7 +40,7 @@ impl Fresh {
         if about.as_ref().is_some_and(fs::Metadata::is_dir) {
             return Err(refuse(&io::Error::other("it is a folder")));
         }
-        // A file that is not to be written to is not to be replaced.
+        // A read-only file must not be replaced.
         if about
             .as_ref()
             .is_some_and(|about| about.permissions().readonly())
@@ -70,12 +69,12 @@ impl Fresh {
         Ok(own(file, Some((passing, kept))))
     }
 
-    /// Why it cannot be written.
+    /// The error of a failed write.
     pub(super) fn refused(&self, reason: &io::Error) -> Errors {
         refused(&self.path, reason)
     }
 
-    /// All of it on the disk, still under its passing name.
+    /// Completes it on disk, still under its temporary name.
     pub(super) fn complete(self) -> Result<Self, Errors> {
         if self.names.is_some() {
             let stored = self.file.sync_all();
@@ -84,7 +83,7 @@ impl Fresh {
         Ok(self)
     }
 
-    /// Gives it its name.
+    /// Gives it its final name.
     pub(super) fn keep(mut self) -> Result<(), Errors> {
         let Some((passing, kept)) = &self.names else {
             return Ok(());
@@ -108,7 +107,7 @@ impl Write for Fresh {
 impl Drop for Fresh {
     fn drop(&mut self) {
         if let Some((passing, _)) = &self.names {
-            // What is left of it is of no use, and a reason has been told.
+            // The rest is useless, and an error was reported.
             let _ = fs::remove_file(passing);
         }
     }

@@ -1,8 +1,7 @@
-//! The functions that a command is asked about.
+//! The functions that a command is about.
 //!
-//! In: names, alone or with `+` between them, and the links that they are of. Out: functions, all
-//! that the robot has where none is named; and the builder that makes them. It never knows what a command
-//! does with them.
+//! Names, alone or with `+` between them, and links with frames; without names all functions that the robot has. Yields
+//! the builder and the generated module.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -19,10 +18,10 @@ use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{FIELDS, FRAMES, FUNCTIONS};
 use homogen_codegen::wording::{list, visible};
 
-/// Functions, and further frames that they are of.
+/// Functions, and links with further frames.
 pub(super) type Functions = Asked<{ FUNCTIONS | FRAMES }>;
 
-/// A generated module and the robot that it is of.
+/// A generated module with its robot.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Generated {
     #[command(flatten)]
@@ -31,17 +30,17 @@ pub(super) struct Generated {
     asked: Asked<{ FUNCTIONS | FRAMES | FIELDS }>,
     #[command(flatten)]
     fields: Fields,
-    /// The name of the struct, of the class, or of the robot in C [default: the robot's]
+    /// The name of the struct, of the class, or of the robot in C [default: the robot's name]
     #[arg(long)]
     name: Option<String>,
 }
 
-/// The names of all functions, and where to begin.
+/// The names of all functions, with an example.
 pub(super) fn help() -> String {
     let mut text = "Functions:".to_owned();
     let mut column = usize::MAX;
     for name in Function::names() {
-        // As wide as a terminal is at least.
+        // Fits into a terminal of 80 columns.
         column = column.saturating_add(2 + name.len());
         if column > 80 {
             text.push('\n');
@@ -54,7 +53,7 @@ pub(super) fn help() -> String {
 }
 
 impl Generated {
-    /// The builder of what is asked of the robot.
+    /// The builder for the requested functions.
     pub(super) fn builder(
         &self,
         request: Request,
@@ -70,13 +69,12 @@ impl Generated {
     }
 }
 
-/// The warnings about what is generated.
+/// The warnings about generated code.
 pub(super) fn warnings(about: &About) -> String {
-    let file = about.source.as_ref().map(|(file, _)| &**file);
-    options::warnings_in(file, &about.warnings)
+    options::warnings_of(&about.source, &about.warnings)
 }
 
-/// The status of an answer about these functions: 0, or [`FAULT`].
+/// The exit status: 0, or [`FAULT`].
 pub(super) fn status(module: &Module) -> u8 {
     let mut left_out = module.about.left_out.iter();
     if left_out.any(|left_out| left_out.is_fault) {
@@ -86,7 +84,7 @@ pub(super) fn status(module: &Module) -> u8 {
     }
 }
 
-/// Remarks on the answer: warnings, and functions that the robot cannot have.
+/// Messages about the answer: warnings, and functions that the robot cannot have.
 pub(super) fn remarks(module: &Module) -> String {
     let about = &module.about;
     let mut text = warnings(about);
@@ -107,5 +105,5 @@ pub(super) fn remarks(module: &Module) -> String {
     text
 }
 
-/// The status of a command that left out a function by a fault of homogen.
+/// The exit status of a command that left out a function because of a fault of homogen.
 pub(super) const FAULT: u8 = 3;

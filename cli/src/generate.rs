@@ -1,7 +1,6 @@
-//! `homogen generate`: a file of Rust that needs `core` and nothing else, or one of C with its header.
+//! `homogen generate`: a file in Rust that needs only `core`, one in C with its header, or LLVM IR.
 //!
-//! In: a description and names of functions. Out: what the builder of a build script writes, with
-//! the same tokens. It never writes a file before everything is known to be right.
+//! The output is that of the builder of a build script. Nothing is written if there are errors.
 
 use std::io::Read;
 use std::num::NonZeroUsize;
@@ -11,7 +10,7 @@ use clap::{Args, ValueEnum};
 
 use super::functions::{self, Generated};
 use super::options::{Asked, Scalar, is_standard_input, mistake};
-use super::{Answer, Said};
+use super::{Answer, Outcome};
 use homogen_codegen::builder::{Builder, header_beside};
 use homogen_codegen::error::Errors;
 use homogen_codegen::module::Module;
@@ -19,7 +18,7 @@ use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::FILE;
 
-/// What is written.
+/// Language of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Language {
     Rust,
@@ -27,45 +26,44 @@ enum Language {
     Llvm,
 }
 
-/// Write the functions of a robot as a file of Rust that needs core and nothing else, or of C
+/// Write the functions of a robot as a file of Rust that needs only core, or of C or LLVM IR
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
   homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
   homogen generate arm.urdf --language c -o arm.c
 
-Exit status: 0; 1 for a mistake in what was read; 2 for one in the arguments; 3 if everything was asked for and a
-function was left out because of a fault of homogen, which standard error and the head of the file report: the others
-are written.")]
+Exit status: 0; 1 for an error in the input; 2 for one in the arguments; 3 if all functions were requested and one was
+left out because of a fault of homogen, which standard error and the head of the file report; the others are written.")]
 pub(super) struct Generate {
     #[command(flatten)]
     generated: Generated,
-    /// What the file is written in; c is C99, with a header beside the file (arm.h beside arm.c); llvm is LLVM IR
+    /// The language; c is C99, with a header beside the file (arm.h beside arm.c); llvm is LLVM IR
     #[arg(long, value_enum, default_value = "rust")]
     language: Language,
-    /// The states that a vector holds in LLVM IR
+    /// Number of states in a vector of LLVM IR
     #[arg(long, value_name = "COUNT", default_value = "8")]
     lanes: NonZeroUsize,
-    /// The type of number [default: f64, or any with --runtime]
+    /// The type of numbers [default: f64, or any with --runtime]
     #[arg(long, value_enum)]
     scalar: Option<Scalar>,
-    /// Write what a derive expands to, for a crate that has the runtime at this path: ::homogen
+    /// Write the code of a derive, for a crate with the runtime at this path: ::homogen
     #[arg(long, value_name = "PATH")]
     runtime: Option<String>,
     #[command(flatten)]
     asked: Asked<FILE>,
-    /// Write no character beyond ASCII: θ is theta in comments
+    /// Restrict the file to ASCII: θ becomes theta in comments
     #[arg(long)]
     ascii: bool,
     /// The path of a function from an angle to its sine and cosine, such as ::libm::sincosf
-    /// [default: the file brings its own]
+    /// [default: the file has its own]
     #[arg(long, value_name = "PATH")]
     sin_cos: Option<String>,
-    /// Functions for C as well, whose names begin with this; in C all names begin so
-    /// [default there: the robot's name]
+    /// Add functions for C with this prefix; in C the prefix of all names
+    /// [default in C: the robot's name]
     #[arg(long, value_name = "PREFIX")]
     extern_c: Option<String>,
-    /// The file to write the header of the functions for C to
+    /// The file for the header of the C functions
     #[arg(long, value_name = "OUT", requires = "extern_c")]
     c_header: Option<PathBuf>,
     /// The file to write; `-` is standard output
@@ -74,7 +72,7 @@ pub(super) struct Generate {
 }
 
 impl Generate {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         let request = self.asked.and(Request {
             scalar: self.number(),
             ..Request::default()
@@ -104,7 +102,7 @@ impl Generate {
         })
     }
 
-    /// The type of number: any where none is named and the runtime has them all.
+    /// The type of numbers: any by default, if the runtime is used.
     fn number(&self) -> Real {
         match (self.scalar, &self.runtime) {
             (Some(scalar), _) => scalar.into(),
@@ -141,7 +139,7 @@ impl Generate {
     /// Writes a file of C and its header, or returns both as one text.
     fn c(&self, builder: &Builder) -> Result<(String, Module), Errors> {
         if self.c_header.is_some() {
-            let message = "--c-header is the header of functions that are written in Rust";
+            let message = "--c-header is for functions written in Rust";
             let mut errors = mistake(message);
             errors.append(builder.c_module().err().unwrap_or_default());
             return Err(errors);

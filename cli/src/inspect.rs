@@ -1,21 +1,19 @@
-//! `homogen inspect`: what a derive expands to.
-//!
-//! In: a description and the name of a function. Out: the method that the derive adds, formatted,
-//! with its doc comment and its price. It never shows the struct, the traits or the data beside it.
+//! `homogen inspect`: the code of a derive for one function, formatted, with its comment. The struct, traits and data
+//! are left out.
 
 use std::io::Read;
 
 use clap::Args;
 
 use super::options::{Robot, Scalar};
-use super::{Answer, Said, functions};
+use super::{Answer, Outcome, functions};
 use homogen_codegen::description::Name;
 use homogen_codegen::expand::expand;
 use homogen_codegen::function::Function;
 use homogen_codegen::print::rust::{self, Item, Source, World};
 use homogen_codegen::request::setting::text::together;
 
-/// Show the code that a derive expands to, formatted, with its price
+/// Print the code of a derive, formatted, with its operation count
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
@@ -26,10 +24,10 @@ pub(super) struct Inspect {
     /// The function; several with + between them share their work
     #[arg(long, value_name = "NAME", value_parser = |text: &str| together(text).map(Together))]
     function: Together,
-    /// The link whose pose or Jacobian is wanted, instead of the tip's
+    /// The link of the pose or Jacobian, instead of the end effector
     #[arg(long, alias = "frames", value_name = "LINK")]
     frame: Option<String>,
-    /// The type of number [default: any, as a type parameter]
+    /// The type of numbers [default: any, as a type parameter]
     #[arg(long, value_enum)]
     scalar: Option<Scalar>,
 }
@@ -39,14 +37,14 @@ pub(super) struct Inspect {
 struct Together(Vec<Function>);
 
 impl Inspect {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         let description = self.robot.description(input)?;
         let mut request = self.robot.request();
         request.functions.push(self.function.0.clone());
         request.frames.extend(self.frame.as_deref().map(Name::from));
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
         let mut module = expand(&description, &request)?;
-        // A further frame comes after the tip's.
+        // A further frame comes after that of the end effector.
         let last = module.functions.len().saturating_sub(1);
         module.functions.drain(..last);
         let item = Item::named_after(&module.about.robot);

@@ -1,8 +1,7 @@
-//! JSON as it is printed.
+//! Prints JSON so that people can read it.
 //!
-//! In: a value. Out: text in which a list of numbers or names is one line, and whatever fits a
-//! line is one, so that a matrix can be read; what cannot be seen is an escape. It never changes a
-//! number or a name.
+//! A list of numbers or names is on one line, and so is everything that fits, so that a matrix looks like one.
+//! Invisible characters are escaped.
 
 use std::fmt::Write;
 
@@ -11,14 +10,13 @@ use serde_json::{Map, Value, json};
 use homogen_codegen::error::{Complaint, Place};
 use homogen_codegen::wording::is_hidden;
 
-/// What fits a line.
+/// Maximum width of a line.
 const WIDTH: usize = 100;
 
-/// The version of what commands answer in JSON: another one where a key goes or means something else, and the same
-/// where keys come.
+/// Version of the JSON answers; it changes if a key is removed or changes its meaning, and not if one is added.
 pub(super) const VERSION: u32 = 1;
 
-/// What a command answers: the value behind the version.
+/// The answer of a command: the value after the version.
 pub(super) fn answer(value: Value) -> String {
     let mut answer = Map::new();
     answer.insert("version".to_owned(), json!(VERSION));
@@ -28,7 +26,7 @@ pub(super) fn answer(value: Value) -> String {
     text(&Value::Object(answer))
 }
 
-/// The value, formatted, with a newline at its end.
+/// The formatted value, with a newline at its end.
 fn text(value: &Value) -> String {
     let mut text = String::new();
     write(value, 1, &mut text);
@@ -36,12 +34,12 @@ fn text(value: &Value) -> String {
     escaped(&text)
 }
 
-/// The value on one line, for the inside of an element of HTML: no mark of HTML is left in it.
+/// The value on one line, for an element of HTML: characters of HTML markup are escaped.
 pub(super) fn in_markup(value: &Value) -> String {
     let mut text = String::new();
     for letter in escaped(&value.to_string()).chars() {
         match letter {
-            // Beyond strings there are none.
+            // They occur only in strings.
             '<' | '>' | '&' => {
                 // Writing to a string cannot fail.
                 let _ = write!(text, "\\u{:04x}", u32::from(letter));
@@ -52,17 +50,16 @@ pub(super) fn in_markup(value: &Value) -> String {
     text
 }
 
-/// Doubts with their places.
-pub(super) fn warnings(doubts: &[Complaint]) -> Value {
-    let doubts = doubts.iter().map(|doubt| {
-        let (line, column) = line_and_column(doubt.place);
-        json!({ "line": line, "column": column, "message": doubt.message, "hint": doubt.hint })
+/// Warnings with their places.
+pub(super) fn warnings(warnings: &[Complaint]) -> Value {
+    let warnings = warnings.iter().map(|warning| {
+        let (line, column) = line_and_column(warning.place);
+        json!({ "line": line, "column": column, "message": warning.message, "hint": warning.hint })
     });
-    doubts.collect()
+    warnings.collect()
 }
 
-/// JSON whose strings have the escapes that JSON has for what a terminal or a reader would be
-/// deceived by; line breaks are between strings alone.
+/// JSON with invisible characters in strings escaped; line breaks occur only between strings.
 fn escaped(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -78,11 +75,11 @@ fn escaped(text: &str) -> String {
     shown
 }
 
-/// The line and the column of a place, null where it has none.
+/// Line and column of a place; null if it is not in the description's own file.
 pub(super) fn line_and_column(place: Place) -> (Value, Value) {
     match place {
         Place::File { line, column } => (json!(line), json!(column)),
-        Place::Token(_) | Place::Unknown => (Value::Null, Value::Null),
+        Place::Included { .. } | Place::Token(_) | Place::Unknown => (Value::Null, Value::Null),
     }
 }
 
@@ -128,7 +125,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_cannot_be_seen_is_an_escape() {
+    fn invisible_characters_are_escaped() {
         let name = "a\u{202e}b\n\u{1b}\u{7f}\u{85}\u{e0041}é\\";
         let text = text(&json!({ name: [name] }));
         assert!(!text.contains(|c| c != '\n' && is_hidden(c)), "{text}");

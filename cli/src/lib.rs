@@ -1,8 +1,7 @@
 //! The command line.
 //!
-//! In: arguments and standard input. Out: an [`Answer`], complete before anything of it is
-//! printed, so that a mistake leaves nothing on standard output. One file a command; none of them
-//! does a stage's work. Only `report` and `eval`, which may run for minutes, show how far they are.
+//! Each command has a file of its own. An [`Answer`] is complete before it is printed, so that nothing is on standard
+//! output after an error. Only `report` and `eval`, which may run for minutes, show progress.
 
 mod base_parameters;
 mod check;
@@ -35,7 +34,7 @@ use homogen_codegen::builder::FORMAT;
 use homogen_codegen::description::denavit_hartenberg;
 use homogen_codegen::error::Errors;
 
-/// Runs the program: answers, prints, and says how it went.
+/// Runs the program: answers, prints, and returns the exit status.
 pub fn run(
     arguments: impl IntoIterator<Item = OsString>,
     input: &mut dyn Read,
@@ -43,13 +42,13 @@ pub fn run(
     remarks: &mut dyn Write,
 ) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    // These show their own.
+    // These commands show progress themselves.
     let own = ["eval", "report"];
     let own = (arguments.get(1)).is_some_and(|command| own.iter().any(|name| command == name));
     let progress = (!own).then(Progress::start);
     let answer = answer(arguments, input);
     drop(progress);
-    // Nobody is left to be told if this fails.
+    // If this fails, there is nowhere to report it.
     let remarked = if colour::is_wanted() {
         colour::coloured(&answer.remarks)
     } else {
@@ -61,7 +60,7 @@ pub fn run(
         .and_then(|()| output.flush());
     match printed {
         Ok(()) => ExitCode::from(answer.code),
-        // `homogen inspect … | head` is no mistake.
+        // A closed pipe, as in `homogen inspect … | head`, is not an error.
         Err(reason) if reason.kind() == ErrorKind::BrokenPipe => ExitCode::from(answer.code),
         Err(reason) => {
             let _ = writeln!(remarks, "error: cannot write: {reason}");
@@ -70,25 +69,25 @@ pub fn run(
     }
 }
 
-/// What a call of the program leads to.
+/// Answer of the program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Answer {
-    /// For standard output; empty where there was a mistake.
+    /// For standard output; empty after an error.
     pub output: String,
-    /// For standard error: mistakes, doubts, notes.
+    /// For standard error: errors, warnings, notes.
     pub remarks: String,
-    /// 0, or 1 for a mistake in what was read, or 2 for one in the arguments, or 3 where a function was left out by a fault
-    /// of homogen.
+    /// Exit status: 0; 1 for an error in the input, 2 for one in the arguments, 3 if a function was left out because of
+    /// a fault of homogen.
     pub code: u8,
 }
 
-/// What the program says to these arguments, the first of which is its name.
+/// The answer to these arguments, the first of which is the program's name.
 pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Read) -> Answer {
     let program = match Program::try_parse_from(arguments) {
         Ok(program) => program,
         Err(usage) => return Answer::of_usage(&usage),
     };
-    let said = match &program.command {
+    let outcome = match &program.command {
         Command::Check(check) => check.run(input),
         Command::Inspect(inspect) => inspect.run(input),
         Command::Count(count) => count.run(input),
@@ -101,7 +100,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::New(new) => new.run(input),
         Command::Completions(completions) => completions.run(&mut Program::command()),
     };
-    said.unwrap_or_else(|errors| Answer {
+    outcome.unwrap_or_else(|errors| Answer {
         remarks: errors.to_string(),
         code: 1,
         ..Answer::default()
@@ -131,7 +130,7 @@ enum Command {
     Completions(completions::Completions),
 }
 
-/// The versions of the program and of what others read of it.
+/// The versions of the program and of its formats.
 fn versions() -> &'static str {
     static VERSIONS: LazyLock<String> = LazyLock::new(|| {
         format!(
@@ -145,8 +144,8 @@ fn versions() -> &'static str {
     &VERSIONS
 }
 
-/// What a command that did not fail says.
-type Said = Result<Answer, Errors>;
+/// The answer of a command, or errors.
+type Outcome = Result<Answer, Errors>;
 
 impl Answer {
     fn of_usage(usage: &clap::Error) -> Self {

@@ -1,7 +1,4 @@
-//! The binary `homogen`.
-//!
-//! In: arguments and standard streams. Out: an exit code. Everything else is in
-//! [`homogen_cli`], so that tests can call it.
+//! The binary `homogen`. Everything else is in [`homogen_cli`], so that tests can call it.
 
 use std::process::ExitCode;
 
@@ -10,7 +7,7 @@ fn main() -> ExitCode {
         std::env::args_os(),
         &mut std::io::stdin().lock(),
         &mut std::io::stdout().lock(),
-        // Not locked: the line that shows progress is written from another thread.
+        // Not locked, because another thread writes the progress.
         &mut std::io::stderr(),
     )
 }

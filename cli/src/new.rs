@@ -1,8 +1,7 @@
-//! `homogen new firmware`: a crate for a microcontroller, to begin with.
+//! `homogen new firmware`: a crate for a microcontroller with a control loop for a robot, which runs under QEMU.
 //!
-//! In: a description, a folder that is not there yet. Out: a small crate with a control loop for that robot, which
-//! runs under QEMU as it is. What a description says becomes numbers, file names of our own and escaped strings: no
-//! name in it becomes code. It never writes into a folder that is there.
+//! Parts of a description become numbers, fixed file names and escaped strings: no name in it becomes code. Existing
+//! folders are not changed.
 
 mod template;
 
@@ -13,9 +12,9 @@ use std::path::{Component, Path, PathBuf};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::options::{Asked, mistake};
-use super::{Answer, Said, functions};
+use super::{Answer, Outcome, functions};
 use homogen_codegen::builder::Builder;
-use homogen_codegen::description::Name;
+use homogen_codegen::description::{Name, mjcf};
 use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::Module;
@@ -25,7 +24,7 @@ use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::SCOPE;
 use homogen_codegen::space::{Entry, Kind};
 
-/// Write something to begin with
+/// Write a crate to begin with
 #[derive(Args, Clone, Debug)]
 pub(super) struct New {
     #[command(subcommand)]
@@ -44,23 +43,23 @@ Example:
   homogen new firmware arm.urdf --homogen ../homogen -o arm-firmware
   cd arm-firmware && cargo run --release")]
 struct Firmware {
-    /// A URDF file or a Denavit–Hartenberg table
+    /// A URDF or MJCF file, or a Denavit–Hartenberg table
     file: PathBuf,
     #[command(flatten)]
     scope: Asked<SCOPE>,
-    /// What it is compiled for
+    /// The processor to compile for
     #[arg(long, value_enum, default_value = "thumbv7em-none-eabihf")]
     target: Target,
-    /// The folder of a clone of homogen, seen from where you are
+    /// The folder of a clone of homogen, relative to the current folder
     /// [default: the version of this program, from the registry]
     #[arg(long, value_name = "FOLDER")]
     homogen: Option<PathBuf>,
-    /// The folder to write [default: the robot's name, and -firmware]
+    /// The folder to write [default: the robot's name with -firmware]
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
 
-/// What a firmware is compiled for, of which QEMU has a board.
+/// A processor of a firmware that QEMU has a board for.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Target {
     #[value(name = "thumbv7em-none-eabihf")]
@@ -80,7 +79,7 @@ impl Target {
         }
     }
 
-    /// Its processor, QEMU's board that has it, and which operations are chosen for it.
+    /// Its name, QEMU's board that has it, and the operations that are used for it.
     const fn board(self) -> [&'static str; 3] {
         match self {
             Self::M4F => ["cortex-m4", "mps2-an386", "CortexM4"],
@@ -98,14 +97,14 @@ impl Target {
 }
 
 impl New {
-    pub(super) fn run(&self, _: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, _: &mut dyn Read) -> Outcome {
         let What::Firmware(firmware) = &self.what;
         firmware.run()
     }
 }
 
 impl Firmware {
-    fn run(&self) -> Said {
+    fn run(&self) -> Outcome {
         let (builder, calls) = self.builder();
         let builder = builder
             .generate([Function::Gravity, Function::InverseDynamics])
@@ -116,14 +115,22 @@ impl Firmware {
         let folder = self.output.clone();
         let folder = folder.unwrap_or_else(|| PathBuf::from(format!("{robot}-firmware")));
         if fs::symlink_metadata(&folder).is_ok() {
-            let message = format!("{} is there already: it is left as it is", folder.display());
+            let message = format!("{} exists already, and is not changed", folder.display());
             return Err(mistake(message));
         }
-        let description = self.description();
-        let words = self.words(&module, &calls, &folder)?;
-        let mut files = template::firmware(&words);
+        if let Some(other) = module.about.source.beside.first() {
+            let message = format!(
+                "{} includes {}, but a firmware has one file of its robot",
+                self.file.display(),
+                other.display()
+            );
+            return Err(mistake(message));
+        }
         let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
         let text = fs::read(&self.file).map_err(read)?;
+        let description = self.description(&text);
+        let words = self.words(&module, &calls, &folder, description)?;
+        let mut files = template::firmware(&words);
         files.push((".gitignore", "/target\n".to_owned()));
         template::write_fresh(&folder, &files, (description, &text))
             .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
@@ -134,16 +141,22 @@ impl Firmware {
         })
     }
 
-    /// What the description is called in the crate.
-    fn description(&self) -> &'static str {
+    /// The name of the description in the crate.
+    fn description(&self, text: &[u8]) -> &'static str {
         let is_table = self.file.extension().is_some_and(|ending| ending == "dh");
-        if is_table { "robot.dh" } else { "robot.urdf" }
+        if is_table {
+            "robot.dh"
+        } else if is_mjcf(text) {
+            "robot.xml"
+        } else {
+            "robot.urdf"
+        }
     }
 
     /// The builder of the robot, and the calls that make it in a build script.
     fn builder(&self) -> (Builder, String) {
         let request = self.scope.and(Request::default());
-        // Debug of strings is a literal of Rust.
+        // `Debug` of a string is a literal of Rust.
         let call = |method: &'static str| move |link: &Name| format!("{method}({:?})", link.text);
         let mut calls = Vec::new();
         calls.extend(request.base.iter().map(call("base")));
@@ -161,23 +174,23 @@ impl Firmware {
         )
     }
 
-    /// What stands for the words of the template.
+    /// The replacements of the words of the template.
     fn words(
         &self,
         module: &Module,
         calls: &str,
         folder: &Path,
+        description: &'static str,
     ) -> Result<[(&'static str, String); 12], Errors> {
         let [processor, machine, chosen] = self.target.board();
         let spaces = &module.spaces;
         let alike = spaces.coordinates.len() == spaces.velocities.len()
             && (spaces.coordinates.iter().zip(&spaces.velocities)).all(|(q, qd)| q.name == qd.name);
         let start = start(&spaces.coordinates);
-        let description = self.description();
-        let format = if description == "robot.dh" {
-            "denavit_hartenberg"
-        } else {
-            "urdf"
+        let format = match description {
+            "robot.dh" => "denavit_hartenberg",
+            "robot.xml" => "mjcf",
+            _ => "urdf",
         };
         Ok([
             (
@@ -201,17 +214,17 @@ impl Firmware {
         ])
     }
 
-    /// Where cargo finds the engine.
+    /// The source of the engine for cargo.
     fn codegen(&self, folder: &Path) -> Result<String, Errors> {
         let Some(homogen) = &self.homogen else {
             return Ok(format!("\"={}\"", env!("CARGO_PKG_VERSION")));
         };
         let engine = homogen.join("codegen");
         if !engine.join("Cargo.toml").is_file() {
-            let message = format!("{} is no clone of homogen", homogen.display());
+            let message = format!("{} is not a clone of homogen", homogen.display());
             return Err(mistake(message));
         }
-        // A path of Cargo.toml begins at its folder.
+        // Paths in Cargo.toml are relative to its folder.
         let plain = |path: &Path| {
             let mut parts = path.components();
             parts.all(|part| matches!(part, Component::Normal(_)))
@@ -228,7 +241,7 @@ impl Firmware {
     }
 }
 
-/// A posture to begin with: the middle of what is described, and unturned.
+/// A configuration to begin with: the middle of the limits, and no rotation.
 fn start(coordinates: &[Entry]) -> Vec<String> {
     let mut quaternions = 0;
     let start = coordinates.iter().map(|entry| {
@@ -240,13 +253,13 @@ fn start(coordinates: &[Entry]) -> Vec<String> {
             .range
             .map_or(0.0, |[least, most]| f64::midpoint(least, most));
         let middle: f64 = format!("{middle:.3}").parse().unwrap_or(0.0);
-        // No −0.
+        // Avoids −0.
         format!("{:?}", middle + 0.0)
     });
     start.collect()
 }
 
-/// The name of a package: small letters, digits and dashes, a letter first.
+/// The name of a package: lower case letters, digits and dashes, a letter first.
 fn package(robot: &str) -> String {
     let letters = robot
         .chars()
@@ -265,12 +278,17 @@ fn package(robot: &str) -> String {
     }
 }
 
+/// True if the bytes of a file are MJCF.
+fn is_mjcf(text: &[u8]) -> bool {
+    std::str::from_utf8(text).is_ok_and(mjcf::is_meant)
+}
+
 #[cfg(test)]
 mod tests {
     use super::package;
 
     #[test]
-    fn names_of_packages_are_no_code() {
+    fn names_of_packages_are_not_code() {
         let robots = ["Panda", "2nd arm", "\"]\nx = 1", "機器", "../..", "a_b"];
         let names = ["panda", "robot-2nd-arm", "x---1", "robot", "robot", "a-b"];
         assert_eq!(robots.map(package), names);

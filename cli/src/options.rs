@@ -1,7 +1,4 @@
-//! The options that all commands share.
-//!
-//! In: arguments. Out: the description they name and the [`Request`] they make. It never looks at
-//! what the description says.
+//! Options that all commands share: the description and the [`Request`].
 
 use std::fmt::Write;
 use std::io::{self, ErrorKind, Read};
@@ -10,23 +7,23 @@ use std::path::{Path, PathBuf};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
 use homogen_codegen::chain::Chain;
-use homogen_codegen::description::urdf::LARGEST_FILE;
-use homogen_codegen::description::{self, Description, inline};
+use homogen_codegen::description::LARGEST_FILE;
+use homogen_codegen::description::{self, Description, Source, inline};
 use homogen_codegen::error::{Complaint, Errors, Place};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, Setting, SettingForm};
 use homogen_codegen::wording::visible;
 
-/// Flags of groups of settings, each with its value as it was written.
+/// Options of groups of settings, each with its value as written.
 #[derive(Clone, Debug)]
 pub(super) struct Asked<const GROUPS: u8>(Vec<(&'static Setting, String)>);
 
 impl<const GROUPS: u8> Asked<GROUPS> {
-    /// A request, and what the flags say besides.
+    /// A request with the values of these options.
     pub(super) fn and(&self, mut request: Request) -> Request {
         for (setting, value) in &self.0 {
-            // What could be refused was refused when the arguments were read.
+            // Errors were reported when the arguments were read.
             let _ = setting.take(value, &mut request);
         }
         request
@@ -38,7 +35,7 @@ fn settings(groups: u8) -> impl Iterator<Item = &'static Setting> {
     settings.filter(move |setting| setting.group & groups != 0)
 }
 
-/// Clap's argument of a setting. A flag without a value has an empty one.
+/// The clap argument of a setting. A switch has an empty value.
 fn argument(setting: &'static Setting) -> Arg {
     let name = setting.flag_name();
     let take = |text: &str| {
@@ -53,7 +50,7 @@ fn argument(setting: &'static Setting) -> Arg {
         argument = argument.requires(other);
     }
     if let SettingForm::Switch(_) = setting.form {
-        // Not true or false, which clap would take it for.
+        // Prevents clap from reading true or false.
         let argument = argument.action(ArgAction::Set);
         return argument.num_args(0).default_missing_value("");
     }
@@ -106,23 +103,23 @@ impl<const GROUPS: u8> FromArgMatches for Asked<GROUPS> {
     }
 }
 
-/// Which robot, and which part of it.
+/// The robot, and the part of it.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
-    /// A URDF file or a Denavit–Hartenberg table; `-` reads standard input
+    /// A URDF or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
     #[command(flatten)]
     pub(super) asked: Asked<{ SCOPE | ROBOT }>,
 }
 
-/// How an answer is printed.
+/// Format of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
     Text,
     Json,
 }
 
-/// The type of number.
+/// The type of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Scalar {
     F32,
@@ -130,7 +127,7 @@ pub(super) enum Scalar {
 }
 
 impl Scalar {
-    /// How many bytes a number has.
+    /// Number of bytes of a number.
     pub(super) const fn bytes(self) -> usize {
         match self {
             Self::F32 => size_of::<f32>(),
@@ -140,7 +137,7 @@ impl Scalar {
 }
 
 impl Robot {
-    /// Reads the file, and closes the loops.
+    /// Reads the file, and adds the loops.
     pub(super) fn description(&self, input: &mut dyn Read) -> Result<Description, Errors> {
         let mut errors = Errors::new();
         let mut description = self.written(input)?;
@@ -153,7 +150,7 @@ impl Robot {
         errors.into_result(description)
     }
 
-    /// What is written in the file.
+    /// The description as in the file.
     pub(super) fn written(&self, input: &mut dyn Read) -> Result<Description, Errors> {
         let mut errors = Errors::new();
         let description = if is_standard_input(&self.file) {
@@ -183,15 +180,15 @@ impl From<Scalar> for Real {
     }
 }
 
-/// What messages call standard input.
+/// The name of standard input in messages.
 pub(super) const STANDARD_INPUT: &str = "<stdin>";
 
-/// Whether a path stands for standard input.
+/// True if a path means standard input.
 pub(super) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// All bytes of standard input, which may have no end.
+/// All bytes of standard input, with a limit.
 pub(super) fn read(input: &mut dyn Read) -> Result<Vec<u8>, Errors> {
     let mut bytes = Vec::new();
     let most = LARGEST_FILE as u64;
@@ -205,7 +202,7 @@ pub(super) fn read(input: &mut dyn Read) -> Result<Vec<u8>, Errors> {
     }
 }
 
-/// That a file of states cannot be read.
+/// The error of an unreadable file of states.
 pub(super) fn unreadable(path: &Path, reason: &io::Error) -> Errors {
     let what = match reason.kind() {
         ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -214,30 +211,26 @@ pub(super) fn unreadable(path: &Path, reason: &io::Error) -> Errors {
     mistake(format!("cannot read {}: {what}", path.display()))
 }
 
-/// One mistake without a place.
+/// An error without a place.
 pub(super) fn mistake(message: impl Into<String>) -> Errors {
     let mut errors = Errors::new();
     errors.push(Place::Unknown, message);
     errors
 }
 
-/// Warnings about a robot as standard error has them.
+/// Warnings about a robot, as printed on standard error.
 pub(super) fn warnings(chain: &Chain) -> String {
-    let file = chain.description.source.file.as_deref();
-    warnings_in(file, &chain.report.warnings)
+    warnings_of(&chain.description.source, &chain.report.warnings)
 }
 
-/// Warnings about a description in a file, as standard error has them.
-pub(super) fn warnings_in(file: Option<&str>, warnings: &[Complaint]) -> String {
-    let mut errors = Errors::new();
-    if let Some(file) = file {
-        errors.set_file(file, None);
-    }
+/// Warnings about a description, as printed on standard error.
+pub(super) fn warnings_of(source: &Source, warnings: &[Complaint]) -> String {
+    let errors = source.errors();
     let mut text = String::new();
-    for doubt in warnings {
+    for warning in warnings {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "warning: {}", errors.locate(doubt));
-        if let Some(hint) = &doubt.hint {
+        let _ = writeln!(text, "warning: {}", errors.locate(warning));
+        if let Some(hint) = &warning.hint {
             let _ = writeln!(text, "  hint: {}", visible(hint));
         }
     }

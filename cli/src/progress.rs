@@ -1,7 +1,5 @@
-//! A line that says that the program is still at work.
-//!
-//! In: how much of the work is done, where that can be counted. Out: after a second, on a terminal, the time that has
-//! passed and the share of the work. It never touches a stream that is not a terminal, and leaves no trace.
+//! A progress line on the terminal: after a second, the elapsed time and the share of the work. Other streams are not
+//! written to, and the line is removed at the end.
 
 use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
@@ -16,7 +14,7 @@ pub(super) struct Progress {
     running: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// How many states there are, and how many of them are done.
+/// Numbers of all and of finished states.
 #[derive(Default)]
 struct Counted {
     done: AtomicUsize,
@@ -34,12 +32,12 @@ impl Progress {
         Self { counted, running }
     }
 
-    /// From now on the work is that many states.
+    /// Sets the number of states.
     pub(super) fn of(&self, states: usize) {
         self.counted.all.store(states, Ordering::Relaxed);
     }
 
-    /// So many more states are done.
+    /// Adds finished states.
     pub(super) fn add(&self, states: usize) {
         self.counted.done.fetch_add(states, Ordering::Relaxed);
     }
@@ -49,13 +47,13 @@ impl Drop for Progress {
     fn drop(&mut self) {
         if let Some((sender, thread)) = self.running.take() {
             drop(sender);
-            // A line that could not be shown is no reason to fail.
+            // A failed progress line is not an error.
             let _ = thread.join();
         }
     }
 }
 
-/// Counts the seconds until the other end of the channel is gone.
+/// Counts the seconds until the other end of the channel is closed.
 fn show(receiver: &Receiver<()>, counted: &Counted) {
     let start = Instant::now();
     let mut shown = false;
@@ -75,7 +73,7 @@ fn show(receiver: &Receiver<()>, counted: &Counted) {
 }
 
 impl Counted {
-    /// What is said after so many seconds.
+    /// The text after `seconds`.
     fn line(&self, seconds: u64) -> String {
         let (done, all) = (
             self.done.load(Ordering::Relaxed),

@@ -1,7 +1,5 @@
-//! `homogen python`: a package for Python that `pip` builds.
-//!
-//! In: a description, names of functions, a folder. Out: what the builder of a build script writes. It never
-//! leaves a part of a package, and never writes over what it has not written.
+//! `homogen python`: a package for Python that `pip` builds, as the builder writes it. A folder is written completely
+//! or not at all, and other folders are not overwritten.
 
 use std::io::Read;
 use std::path::PathBuf;
@@ -10,11 +8,11 @@ use clap::Args;
 
 use super::functions::{self, Generated};
 use super::options::{Scalar, is_standard_input, mistake};
-use super::{Answer, Said};
+use super::{Answer, Outcome};
 use homogen_codegen::builder::{module_of, write_folder};
 use homogen_codegen::request::Request;
 
-/// Write a package for Python: the functions of a robot for NumPy, of one state or of many
+/// Write a package for Python: the functions of a robot for NumPy arrays, of one state or of many
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
@@ -24,18 +22,20 @@ Example:
 pub(super) struct Python {
     #[command(flatten)]
     generated: Generated,
-    /// The type of number
+    /// The type of numbers
     #[arg(long, value_enum, default_value = "f64")]
     scalar: Scalar,
-    /// The folder to write, after which the module is called
+    /// The folder to write; the module has its name
     #[arg(long, short, value_name = "FOLDER")]
     output: PathBuf,
 }
 
 impl Python {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         if is_standard_input(&self.output) {
-            return Err(mistake("a package is many files: name a folder"));
+            return Err(mistake(
+                "a package consists of several files: name a folder",
+            ));
         }
         let module = module_of(&self.output)?;
         let request = Request {

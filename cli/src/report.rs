@@ -1,8 +1,6 @@
-//! `homogen report`: speed against error, measured on this machine.
+//! `homogen report`: speed and error, measured on this machine.
 //!
-//! In: a clone of the repository, somewhere above the current folder. Out: what the crate
-//! `report/program` writes there. It only finds and starts that crate, which compiles what it
-//! measures.
+//! Finds and runs the crate `report/program` of a clone of the repository, at or above the current folder.
 
 use std::env;
 use std::ffi::OsString;
@@ -12,16 +10,16 @@ use std::process::Command;
 use clap::Args;
 
 use super::options::mistake;
-use super::{Answer, Said};
+use super::{Answer, Outcome};
 use homogen_codegen::error::{Errors, Place};
 
-/// Measure speed against error on this machine, and write tables and plots
+/// Measure speed and error on this machine, and write tables and plots
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Everything after `report` goes to the crate report/program of the repository:
-  --output FOLDER   where to write [default: report in the repository]
+  --output FOLDER   the folder to write to [default: report in the repository]
   --long            measure six times as long
-  --peers FOLDER    other implementations beside ours, as report/peer/setup.sh sets them up
+  --peers FOLDER    other implementations to compare with, as set up by report/peer/setup.sh
 Example:
   homogen report --output report-of-my-machine")]
 pub(super) struct Report {
@@ -30,7 +28,7 @@ pub(super) struct Report {
 }
 
 impl Report {
-    pub(super) fn run(&self) -> Said {
+    pub(super) fn run(&self) -> Outcome {
         let here = env::current_dir().map_err(|reason| mistake(reason.to_string()))?;
         let manifest = find(&here)?;
         let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -48,7 +46,7 @@ impl Report {
     }
 }
 
-/// The manifest of the report's crate, in the nearest clone of the repository around a folder.
+/// The manifest of the report's crate, in the nearest clone at or above a folder.
 fn find(folder: &Path) -> Result<PathBuf, Errors> {
     let mut clones = folder.ancestors().filter(|folder| {
         let holds = |path| folder.join(path).is_file();
@@ -81,12 +79,12 @@ mod tests {
     }
 
     #[test]
-    fn outside_of_a_clone_it_says_what_to_do() {
+    fn outside_of_a_clone_there_is_a_hint() {
         let errors = find(Path::new("/no/clone")).expect_err("there is none");
-        let told = errors.to_string();
+        let message = errors.to_string();
         assert!(
-            told.contains("/no/clone") && told.contains("hint: "),
-            "{told}"
+            message.contains("/no/clone") && message.contains("hint: "),
+            "{message}"
         );
     }
 }

@@ -1,9 +1,8 @@
 //! `homogen show`: a robot and its functions as a page for a browser.
 //!
-//! In: a description and names of functions. Out: one file of HTML that asks no network for anything:
-//! the robot as a skeleton that can be turned and whose joints can be moved, what was read and what
-//! became of it, and every function with its price, its error and its code. What is said of the robot
-//! stands in it as data, of which nothing can run. It never measures a time.
+//! One file of HTML without network requests: the robot as a skeleton to rotate, with joints to move, a summary of the
+//! description, and every function with its operation count, error bound and code. Texts of the robot are data in it
+//! and cannot run.
 
 mod function;
 mod names;
@@ -21,18 +20,18 @@ use serde_json::{Value, json};
 use super::functions::{self, Functions};
 use super::generate::write;
 use super::options::{Robot, Scalar, is_standard_input};
-use super::{Answer, Said, check, count, json};
+use super::{Answer, Outcome, check, count, json};
 use homogen_codegen::expand;
 use homogen_codegen::template::filled;
 use homogen_codegen::wording::visible;
 
-/// The page, with a mark where each of the following goes.
+/// The page, with marks for the following parts.
 const PAGE: &str = include_str!("show/page.html");
 
-/// Its only style.
+/// Its style sheet.
 const STYLE: &str = include_str!("show/page.css");
 
-/// Its only script: a room a file, in a scope of its own.
+/// Its script: one file for each part, in a scope of its own.
 const SCRIPT: &str = concat!(
     "\"use strict\";\n{\n",
     include_str!("show/elements.js"),
@@ -50,26 +49,26 @@ const SCRIPT: &str = concat!(
     "}\n"
 );
 
-/// SHA-256 of the script and of the style, in base 64: the page says that nothing else may run or dress
-/// it. A test computes them again and tells what they should be.
-const SCRIPT_HASH: &str = "G/ecWel5VvELKDsptQHWOxELQ8uBVWianxrHcxECoP4=";
+/// SHA-256 of the script and of the style sheet, in base 64: the page forbids all others. A test compares them, and
+/// prints the correct ones.
+const SCRIPT_HASH: &str = "JbDaOGl7wH2xDOJ1Q5FzgGKpNWag4dIiUGaVW59HV3c=";
 const STYLE_HASH: &str = "wOxuCR3ghyg76YeukayPW6PNA+Gjulf/QfJhrLtLwsw=";
 
-/// Write a page for a browser: the robot as a skeleton to move, what was read, every function with its
-/// price, its error and its code
+/// Write a page for a browser: the robot as a skeleton to move, the description, and every function with its operation
+/// count, error bound and code
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
   homogen show arm.urdf -o arm.html
 
-The page is one file and needs no network. Prices are counted; no time is measured, and with --processor the
+The page is one file and needs no network. Operations are counted; no time is measured, and with --processor the
 cycles are those of its model.")]
 pub(super) struct Show {
     #[command(flatten)]
     robot: Robot,
     #[command(flatten)]
     functions: Functions,
-    /// The type of number in the code [default: any, as a type parameter]
+    /// The type of numbers in the code [default: any, as a type parameter]
     #[arg(long, value_enum)]
     scalar: Option<Scalar>,
     /// The file to write; `-` is standard output
@@ -78,11 +77,11 @@ pub(super) struct Show {
 }
 
 impl Show {
-    pub(super) fn run(&self, input: &mut dyn Read) -> Said {
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         let description = self.robot.description(input)?;
         let mut request = self.functions.and(self.robot.request());
         request.scalar = self.scalar.map(Into::into).unwrap_or_default();
-        // A page tells where each name comes from, which an array between sections would hide.
+        // The page shows the origin of each name, which an array between sections would hide.
         request.section = Some(usize::MAX);
         let chain = expand::identified_if_asked(expand::understand(&description, &request)?);
         let module = expand::of_chain(&chain)?;
@@ -132,7 +131,7 @@ fn page(data: &Value) -> String {
     filled(PAGE, &words)
 }
 
-/// The same with everything that is not to be seen written out, in names and in what is said of them.
+/// The value with invisible characters escaped, in names and texts.
 fn shown(value: Value) -> Value {
     match value {
         Value::String(text) => Value::String(visible(&text).into_owned()),

@@ -1,9 +1,8 @@
-//! How far rounding can take the results of a function.
+//! Bounds of rounding errors: how far the results of a function can be from the exact ones.
 //!
-//! In: a chain, functions, their program, and what it computes with. Out: an [`Accuracy`], what
-//! stands beside the price: the worst of each joint's results that share a unit. It never says less
-//! than "at most": where nothing can be said that holds for every state of the range, it gives the
-//! reason.
+//! In: a chain, functions, their program and its arithmetic. Out: an [`Accuracy`], which is documented
+//! beside the operation count: the worst error of each joint's results that share a unit. Every bound
+//! holds in all states of the range; where none is known, the reason is given.
 
 mod articulated;
 pub mod mobility;
@@ -24,8 +23,8 @@ use crate::real::Real;
 use crate::schedule::Program;
 use crate::space::Variable;
 
-/// Bounds the errors of a program that computes some functions one after the other; of those that
-/// solve something it says nothing.
+/// Bounds the errors of a program that computes some functions one after the other. `None` if all of
+/// them solve an equation; [`of_plan`] bounds those.
 #[must_use]
 pub fn of(
     chain: &Chain,

@@ -1,15 +1,14 @@
-//! The arithmetic of generated code that brings its own sines: `f32` and `f64`, without fused products.
+//! Arithmetic of generated code with its own sines: `f32` and `f64`, without fused operations.
 //!
-//! In: a number. Out: what a file for `core` alone, one in C or a package for Python makes of it, to the last bit,
-//! wherever its sines are precise; beyond, the platform's. It is no arithmetic of the engine's own: what is printed
-//! never depends on it.
+//! In: a number. Out: the results of a file for `core` alone, of C or of a Python package, bit for bit, up to the
+//! maximum angle of their sines; beyond, those of the platform. The engine's own results do not depend on it.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::expression::Arithmetic;
 use crate::real::{Real, Trigonometry};
 
-/// A number whose sines are those that generated code brings along.
+/// Number with the sines of generated code.
 #[derive(Clone, Copy, Debug)]
 pub struct Own<T>(T);
 

@@ -1,8 +1,8 @@
-//! The door for build scripts.
+//! Front end for build scripts.
 //!
-//! In: calls, in the vocabulary of the derive's attributes. Out: a readable file in `OUT_DIR` that
-//! needs `core` and nothing else, one in C with its header, or a package for Python. It never reads or writes anything
-//! before [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
+//! The methods of [`Builder`] have the names of the derive's keys. It writes a readable Rust file to `OUT_DIR` that
+//! needs only `core`, a C file with its header, or a package for Python. Nothing is read or written before
+//! [`Builder::write`], [`Builder::to_tokens`] or [`Builder::to_source`].
 
 mod c;
 mod command;
@@ -58,8 +58,8 @@ use crate::request::{Parameter, Request, Target};
 /// In the crate: `include!(concat!(env!("OUT_DIR"), "/arm.rs"));`.
 ///
 /// Nothing is read before [`write`](Self::write), [`write_c`](Self::write_c), [`to_source`](Self::to_source),
-/// [`to_c`](Self::to_c) or [`to_tokens`](Self::to_tokens); then every mistake of the file and of the options is told
-/// at once. Options are in the vocabulary of the attributes of `#[derive(Robot)]`:
+/// [`to_c`](Self::to_c) or [`to_tokens`](Self::to_tokens). All errors of the file and of the options are then reported
+/// at once. Options have the names of the keys of `#[derive(Robot)]`:
 ///
 /// ```
 /// use homogen_codegen::{Builder, Function, Real, Target};
@@ -91,26 +91,32 @@ pub struct Builder {
     name: Option<Ident>,
     request: Request,
     library: Library,
-    /// Whether files are ASCII.
+    /// True if files are restricted to ASCII.
     ascii: bool,
-    /// Options that are not what they should be; told with all other mistakes.
+    /// Errors of options; reported together with all others.
     mistakes: Errors,
     expand: Expand,
 }
 
-/// Where the description comes from.
+/// Source of the description.
 #[derive(Clone)]
 enum Origin {
     File(PathBuf),
     Description(Box<Description>),
 }
 
-/// All stages but the last.
+/// All stages before printing.
 type Expand = fn(&Description, &Request) -> Result<Module, Errors>;
 
 impl Builder {
-    /// A robot in a URDF file; a relative path begins at the package of the build script.
+    /// A robot in a URDF file; relative paths begin at the folder of the build script's package.
     pub fn from_urdf(path: impl Into<PathBuf>) -> Self {
+        Self::new(Origin::File(path.into()))
+    }
+
+    /// A robot in an MJCF file, the format of MuJoCo, with the files that it includes; relative paths begin at the
+    /// folder of the build script's package.
+    pub fn from_mjcf(path: impl Into<PathBuf>) -> Self {
         Self::new(Origin::File(path.into()))
     }
 
@@ -119,7 +125,7 @@ impl Builder {
         Self::new(Origin::File(path.into()))
     }
 
-    /// A robot that is described already.
+    /// A robot with a description that is already read.
     pub fn from_description(description: Description) -> Self {
         Self::new(Origin::Description(Box::new(description)))
     }
@@ -136,7 +142,7 @@ impl Builder {
         }
     }
 
-    /// All that a request says, in place of what was said before.
+    /// Replaces the whole request.
     pub fn request(self, request: Request) -> Self {
         Self { request, ..self }
     }
@@ -153,110 +159,110 @@ impl Builder {
         self
     }
 
-    /// The name of the struct that is written; the robot's own where none is given. One of a type that Rust has, such
-    /// as `f64`, gets an underscore.
+    /// The name of the generated struct; the robot's own by default. The name of a primitive type of Rust, such as
+    /// `f64`, gets an underscore.
     pub fn name(mut self, name: &str) -> Self {
         self.name = self.parsed(name);
         self
     }
 
-    /// The link taken as fixed; the root where none is named.
+    /// The fixed link; the root by default.
     pub fn base(self, link: impl Into<String>) -> Self {
         self.with(|asked| asked.base = Some(named(link)))
     }
 
-    /// Frees the base: it moves anyhow, as the joint `root`, and is no longer taken as fixed.
+    /// Makes the base floating: it moves by the joint `root`.
     pub fn floating(self) -> Self {
         self.with(|asked| asked.floating = true)
     }
 
-    /// The link whose frame poses and Jacobians are of.
+    /// The end effector: the link of poses and Jacobians.
     pub fn tip(self, link: impl Into<String>) -> Self {
         self.with(|asked| asked.tip = Some(named(link)))
     }
 
-    /// Locks every joint that does not move the tip.
+    /// Locks every joint that does not move the end effector.
     pub fn path_only(self) -> Self {
         self.with(|asked| asked.path_only = true)
     }
 
-    /// Holds a joint still at zero; the bodies it carries stay as mass.
+    /// Locks a joint at 0; the bodies that it moves stay as mass.
     pub fn lock(self, joint: impl Into<String>) -> Self {
         self.with(|asked| asked.lock.push((named(joint), None)))
     }
 
-    /// Holds a joint still at a coordinate, in rad or m.
+    /// Locks a joint at a coordinate, in rad or m.
     pub fn lock_at(self, joint: impl Into<String>, coordinate: f64) -> Self {
         let held = (named(joint), Some(coordinate.into()));
         self.with(|asked| asked.lock.push(held))
     }
 
-    /// Takes a link off with all that it carries, and with their mass.
+    /// Removes a link with all its descendants, and with their mass.
     pub fn drop(self, link: impl Into<String>) -> Self {
         self.with(|asked| asked.drop.push(named(link)))
     }
 
-    /// Closes a loop by a joint between two links that hang on the base anyhow, told as behind the word
-    /// `loop` of attributes: `"pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0) }"`.
+    /// Adds a joint that closes a loop between two links of the tree, written as after the word `loop` in attributes:
+    /// `"pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0) }"`.
     pub fn closed(self, text: impl Into<String>) -> Self {
         self.with(|asked| asked.loops.push(text.into()))
     }
 
-    /// The joints that are driven, where loops move the others.
+    /// The actuated joints of a robot with loops.
     pub fn actuated<J: Into<String>>(self, joints: impl IntoIterator<Item = J>) -> Self {
         self.with(|asked| asked.actuated.extend(joints.into_iter().map(named)))
     }
 
-    /// Further links whose frames the functions of a frame are generated for.
+    /// Further links with functions of their frame.
     pub fn frames<L: Into<String>>(self, links: impl IntoIterator<Item = L>) -> Self {
         self.with(|asked| asked.frames.extend(links.into_iter().map(named)))
     }
 
-    /// The acceleration of gravity in the base frame, in m/s²; (0, 0, −9.81) where none is given.
+    /// The acceleration of gravity in the base frame, in m/s²; (0, 0, −9.81) by default.
     pub fn gravity(self, gravity: [f64; 3]) -> Self {
         self.with(|asked| asked.gravity = Some(gravity.map(Number::from)))
     }
 
-    /// A link on which the surroundings act: inverse and forward dynamics and their derivatives take
-    /// `actions`, one for each such link in the order of these calls, in the link's frame.
+    /// A link with an external wrench: inverse and forward dynamics and their derivatives take `actions`, a wrench for
+    /// each such link in the order of these calls, in the link's frame.
     pub fn external(self, link: impl Into<String>) -> Self {
         self.with(|asked| asked.external.push(named(link)))
     }
 
-    /// All these actions are in frame 0: in its axes, with the couple about its origin.
+    /// The external wrenches are in frame 0: in its axes, with the moment about its origin.
     pub fn external_in_frame_0(self) -> Self {
         self.with(|asked| asked.external_in_frame_0 = true)
     }
 
-    /// Models the damping and the friction that the description has.
+    /// Models the damping and friction of the description.
     pub fn friction(self) -> Self {
         self.with(|asked| asked.friction = true)
     }
 
-    /// Models the rotors that the description has, with their gears.
+    /// Models the rotors of the description, with their gears.
     pub fn rotors(self) -> Self {
         self.with(|asked| asked.rotors = true)
     }
 
-    /// Viscous friction of a joint, in N m s/rad or N s/m: one number, or one for each of its velocities.
-    /// With it all friction is modelled that the description has.
+    /// Viscous friction of a joint, in N m s/rad or N s/m: one number, or one for each of its velocities. All friction
+    /// of the description is then modelled, too.
     pub fn damping(self, joint: &str, damping: impl AsRef<[f64]>) -> Self {
         self.drive(joint, Part::Damping, damping.as_ref())
     }
 
-    /// Coulomb friction of a joint, in N m or N: what it takes times the sign of the rate, nothing at rest.
+    /// Coulomb friction of a joint, in N m or N: multiplied by the sign of the velocity, zero at rest.
     pub fn coulomb_friction(self, joint: &str, friction: impl AsRef<[f64]>) -> Self {
         self.drive(joint, Part::Friction, friction.as_ref())
     }
 
-    /// Inertia that a joint feels beside that of the bodies, in kg m² or kg. With it all rotors are modelled
-    /// that the description has.
+    /// Inertia at a joint in addition to the bodies, in kg m² or kg. All rotors of the description are then modelled,
+    /// too.
     pub fn armature(self, joint: &str, armature: impl AsRef<[f64]>) -> Self {
         self.drive(joint, Part::Armature, armature.as_ref())
     }
 
-    /// A rotor, by its inertia in kg m² and its turns for each of the joint: the joint feels the inertia
-    /// times the square of the ratio.
+    /// A rotor, by its inertia in kg m² and its turns for one of the joint: the inertia is multiplied by the square of
+    /// the ratio.
     pub fn rotor(self, joint: &str, inertia: f64, ratio: f64) -> Self {
         let with_inertia = self.drive(joint, Part::Rotor, &[inertia]);
         with_inertia.drive(joint, Part::Ratio, &[ratio])
@@ -272,18 +278,23 @@ impl Builder {
         self.with(|asked| asked.exact = true)
     }
 
-    /// Refuses what is doubtful, such as inertias that no body can have, instead of warning.
+    /// Makes warnings errors, such as those of non-physical inertias.
     pub fn strict(self) -> Self {
         self.with(|asked| asked.strict = true)
     }
 
-    /// The type of number; without the runtime [`Real::Generic`] is taken for `f64`.
+    /// Writes warnings only into comments, and does not report them to cargo.
+    pub fn quiet(self) -> Self {
+        self.with(|asked| asked.quiet = true)
+    }
+
+    /// The type of numbers; without the runtime [`Real::Generic`] becomes `f64`.
     pub fn scalar(self, scalar: Real) -> Self {
         self.with(|asked| asked.scalar = scalar)
     }
 
-    /// Takes slices of states besides, `gravity_batch` beside `gravity`, on the widest vectors of the processor
-    /// that runs. It takes [`runtime`](Self::runtime), with its feature `batch`.
+    /// Adds functions of slices of states, `gravity_batch` beside `gravity`, on the widest vectors of the processor at
+    /// run time. It needs [`runtime`](Self::runtime), with its feature `batch`.
     pub fn batch(self) -> Self {
         self.with(|asked| asked.batch = true)
     }
@@ -294,12 +305,12 @@ impl Builder {
         self.with(|asked| asked.functions.extend(functions))
     }
 
-    /// Functions that become one method: they share their work and are returned as a tuple.
+    /// Functions that become one method: they share their work and return a tuple.
     pub fn all_of(self, functions: impl IntoIterator<Item = Function>) -> Self {
         self.with(|asked| asked.functions.push(functions.into_iter().collect()))
     }
 
-    /// How the functions are computed; what is not chosen is left to the engine.
+    /// Algorithms and frames of the functions; the engine chooses the rest.
     ///
     /// ```no_run
     /// # fn main() -> Result<(), homogen_codegen::error::Errors> {
@@ -317,38 +328,39 @@ impl Builder {
         self.with(|asked| asked.formulation = formulation)
     }
 
-    /// The processor that the functions run on; it decides which operations are chosen, and the price
-    /// tells its cycles.
+    /// The processor that the functions run on: it decides which operations are used, and the comments state its
+    /// cycles.
     pub fn processor(self, processor: Processor) -> Self {
         self.with(|asked| asked.processor = processor)
     }
 
-    /// Computes once what depends on fields alone: `arm.prepare()` gives a value with the same functions, of
-    /// which each computes the rest. In C it is `arm_prepare` and a struct for it to fill; the functions of
-    /// [`Builder::extern_c`] are those of the robot itself.
+    /// Computes once what depends only on fields: `arm.prepare()` returns a value with the same functions, which
+    /// compute the rest. In C it is `arm_prepare` with a struct to fill. The functions of [`Builder::extern_c`] are
+    /// those of the robot itself.
     pub fn prepare(self) -> Self {
         self.with(|asked| asked.prepare = true)
     }
 
-    /// The most statements of one compiled function: a longer one is cut into sections that are called one after
-    /// the other, with the same bits. Without this, functions of more than 8000 statements are cut into sections
-    /// of at most 2000. A function that takes slices of states besides is never cut.
+    /// Maximum number of statements of one compiled function: a longer one is cut into sections that are called one
+    /// after the other, with identical results. By default, functions of more than 8000 statements are cut into
+    /// sections of at most 2000. Functions of slices of states are never cut.
     pub fn section(self, most: NonZeroUsize) -> Self {
         self.with(|asked| asked.section = Some(most.get()))
     }
 
-    /// A public field of the struct that takes the place of a number of the description.
+    /// Adds a public field to the struct that replaces a number of the description.
     ///
-    /// Error bounds are for a mass from zero to twice what is described (to 1 kg where that is
-    /// nothing), for entries of vectors of up to twice the largest that is described (of up to 1); for a
-    /// payload of up to 1 kg, whose centre is up to 0.25 m off along each axis.
+    /// Error bounds hold for a mass from 0 to twice the described one (to 1 kg if that is 0), for entries of vectors up
+    /// to twice the largest described one (up to 1), and for a payload of up to 1 kg whose centre of mass is up to 0.25
+    /// m away along each axis.
     pub fn parameter(self, field: &str, target: Target) -> Self {
         self.field(field, target, None)
     }
 
-    /// The same, with the range that each of its entries is meant to have: `0.0..=3.0`; of a payload its mass.
+    /// As [`parameter`](Self::parameter), with a range of each entry: `0.0..=3.0`; of a payload it is the range of its
+    /// mass.
     ///
-    /// Error bounds are for this range; nothing checks it at run time.
+    /// Error bounds hold for this range; it is not checked at run time.
     pub fn parameter_within(
         mut self,
         field: &str,
@@ -376,43 +388,41 @@ impl Builder {
 
     /// The path of a function from an angle \[rad\] to its sine and cosine.
     ///
-    /// Where none is given the file brings its own: straight code in the type of its numbers, whose
-    /// doc comment tells error and range (3200 rad in `f32`, 2e5 rad in `f64`). `"::libm::sincosf"`
-    /// and `"::libm::sincos"` are ready for any angle (the first computes in double precision), and
-    /// `"crate::sines::table"` may be whatever suits the processor.
+    /// By default the file has its own: code without branches in the type of its numbers, whose doc comment states
+    /// error and range (3200 rad in `f32`, 2e5 rad in `f64`). `"::libm::sincosf"` and `"::libm::sincos"` accept any
+    /// angle (the first computes in double precision), and `"crate::sines::table"` may be any function of your own.
     pub fn sin_cos(mut self, path: &str) -> Self {
         self.library.sin_cos = self.path(path);
         self
     }
 
-    /// Functions for C beside the methods, whose names are this and the method's: `arm_gravity`. Where both together
-    /// could be those of another robot, as `mobile_base_regressor` could be the base regressor of `mobile_`, a second
-    /// underscore stands between them.
+    /// Adds functions for C beside the methods, with names of this prefix and the method: `arm_gravity`. A second
+    /// underscore is inserted where the name could belong to another robot, as `mobile_base_regressor` could be the
+    /// base regressor of `mobile_`.
     ///
-    /// [`Builder::write_c_header`] writes the header that declares them. They are `#[no_mangle]`,
-    /// which compilers from Rust 1.82 on take and `forbid(unsafe_code)` does not: nothing else in the
-    /// program may have their names.
+    /// [`Builder::write_c_header`] writes the header that declares them. They are `#[no_mangle]`, which compilers since
+    /// Rust 1.82 accept and `forbid(unsafe_code)` rejects: their names must be unique in the program.
     pub fn extern_c(mut self, prefix: &str) -> Self {
         let letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
         if prefix.starts_with(|c: char| c.is_ascii_digit()) || !prefix.chars().all(letter) {
-            let message = format!("no name in C begins with `{prefix}`");
+            let message = format!("`{prefix}` cannot begin a name in C");
             self.mistakes.push(Place::Unknown, message);
         }
         self.library.c_prefix = Some(prefix.to_owned());
         self
     }
 
-    /// Files without a character beyond ASCII: letters of other alphabets are spelt in comments (`theta`, `q_dot`,
-    /// `m^2`), and stand as `\u{…}` in names of joints.
+    /// Restricts files to ASCII: other letters are spelled in comments (`theta`, `q_dot`, `m^2`), and written as
+    /// `\u{…}` in names of joints.
     ///
-    /// What gives functions their names, such as a further frame, has to be ASCII then.
+    /// Names that become names of functions, such as that of a further frame, must then be ASCII.
     pub fn ascii(mut self) -> Self {
         self.ascii = true;
         self
     }
 
-    /// Writes what the derive would: code for a crate that has the runtime, at `path`
-    /// (`::homogen`), with typed matrices and traits.
+    /// Writes the code of the derive, for a crate with the runtime at `path` (`::homogen`), with typed matrices and
+    /// traits.
     pub fn runtime(mut self, path: &str) -> Self {
         self.request.runtime = self.path(path);
         self
@@ -423,11 +433,11 @@ impl Builder {
         path.map(ToTokens::into_token_stream)
     }
 
-    /// A part of Rust, or a mistake.
+    /// A piece of Rust, or an error.
     fn parsed<T: Parse>(&mut self, text: &str) -> Option<T> {
         let parsed = syn::parse_str(text);
         if let Err(reason) = &parsed {
-            let message = format!("`{text}` is not what an option wants: {reason}");
+            let message = format!("`{text}` is not valid Rust for this option: {reason}");
             self.mistakes.push(Place::Unknown, message);
         }
         parsed.ok()

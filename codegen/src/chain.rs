@@ -1,9 +1,8 @@
-//! What a description means: bodies that move against each other, by one velocity each.
+//! Interpretation of a description: a tree of bodies with one velocity each.
 //!
-//! In: a [`Description`] and a [`Request`]. Out: a [`Chain`] of the moving joints, parents before
-//! children, in which everything that is held still is part of the body that carries it; every
-//! mistake that takes two items to see is found here. It never chooses what is cheap: where frames go
-//! and mass sits is for [`layout`](crate::layout).
+//! In: a [`Description`] and a [`Request`]. Out: a [`Chain`] of the moving joints, parents before children. Links on
+//! fixed or locked joints are merged with the body that carries them. Every error that takes two items to see is found
+//! here. Frames and inertial parameters are chosen later, by [`layout`](crate::layout).
 
 mod angle;
 pub mod base_parameters;
@@ -38,7 +37,7 @@ use crate::request::{Parameter, Request};
 use crate::space::{CoordinateId, Entry, FieldId, FrameId, Kind, Spaces, VelocityId};
 
 id! {
-    /// The number of a body among those of a [`Chain`], and of what moves it: in every list that has an entry for
+    /// The number of a body of a [`Chain`] and of the joint that moves it: an index of every list with an entry for
     /// each of [`Chain::joints`].
     BodyId
 }
@@ -46,86 +45,85 @@ id! {
 /// The moving joints of a robot and the bodies they carry.
 #[derive(Clone, Debug)]
 pub struct Chain {
-    /// The description that it is of, with a free root where one was asked for.
+    /// The description, with a floating root if one was requested.
     pub description: Rc<Description>,
-    /// What was asked for of that.
+    /// The request.
     pub request: Rc<Request>,
-    /// The scalars of all that follows: numbers, and the run-time parameters.
+    /// The graph of all scalars below: numbers and run-time parameters.
     pub graph: Graph,
-    /// The freedoms of the joints, parents before children.
+    /// The degrees of freedom of the joints, parents before children.
     pub joints: List<BodyId, Joint>,
-    /// The lists that arguments and results are over.
+    /// The lists that arguments and results range over.
     spaces: Spaces,
     /// The joints that close loops, in the order of the description.
     pub loops: Vec<Loop>,
-    /// Which velocities are driven, where loops move the others.
+    /// The velocities with an actuator; loops move the others.
     pub actuated: List<VelocityId, bool>,
-    /// The frames asked for: the tip first, where there is one.
+    /// The requested frames: the tip first, if there is one.
     pub frames: List<FrameId, Frame>,
-    /// The links on which something acts from outside.
+    /// The links with an external wrench.
     pub external: Vec<Frame>,
-    /// Whether the first of `frames` is the tip.
+    /// True if the first of `frames` is the tip.
     pub has_tip: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
     pub gravity: Vector<Expr>,
-    /// What the description says of the numbers that struct fields stand for, in the order of the
-    /// request's parameters.
+    /// The description's values of the numbers that are struct fields, in the order of the request's parameters.
     pub nominal: List<FieldId, Vec<f64>>,
-    /// What became of the description on the way.
+    /// Merged, locked and left out items, and warnings.
     pub report: Report,
-    /// Whether behind the inertial parameters of links there are those of drives: where any is modelled.
+    /// True if armature, damping and friction of joints follow the inertial parameters of links: if any is modelled.
     pub identifies_drives: bool,
-    /// The combinations of inertial parameters that torques determine; `None` where nobody has asked for them
+    /// The combinations of inertial parameters that torques determine; `None` until requested
     /// ([`Chain::identified`]).
     pub base_parameters: Option<base_parameters::BaseParameters>,
 }
 
-/// A freedom of a joint and the body it moves: of a joint with several, all but the last body carry
-/// nothing but the next.
+/// A degree of freedom of a joint and the body it moves. If a joint has several, all bodies but the last have no
+/// inertia and carry the next.
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// What its velocity is called: as the joint, where that has no other.
+    /// The name of its velocity: that of the joint, if it has only one.
     pub name: String,
-    /// The name of the joint it is of.
+    /// The name of its joint in the description.
     pub of: String,
-    /// Where that stands.
+    /// The place of that joint in the description.
     pub place: Place,
-    /// The joint that carries the body it hangs on; none for the fixed base.
+    /// The joint that carries the parent body; `None` for the fixed base.
     pub parent: Option<BodyId>,
-    /// The motion it allows.
+    /// Its type of motion.
     pub motion: Motion,
-    /// M from the parent body's frame to this body's at q = 0.
+    /// M of this body's frame in the parent body's, at q = 0.
     pub placement: Pose<Expr>,
-    /// Direction of the axis in this body's frame, through its origin; of length 1.
+    /// Direction of the axis in this body's frame, through its origin; unit length.
     pub axis: Vector<Expr>,
-    /// The link that the body is, and M from the body's frame to the link's; none for one between two velocities
+    /// The link that the body is, and M of the link's frame in the body's; `None` for a body between two velocities
     /// of a joint.
     pub link: Option<(String, Pose<Expr>)>,
-    /// J of the body in its frame, with all that is fixed to it.
+    /// J of the body in its frame, with all links merged into it.
     pub inertia: Inertia<Expr>,
-    /// What its displacement is a function of.
+    /// The coordinates that determine its displacement.
     pub position: Position,
-    /// Its place among the velocities.
+    /// Its index among the velocities.
     pub velocity: VelocityId,
-    /// What is modelled of its drive.
+    /// Its armature, damping and friction.
     pub drive: Drive<Expr>,
 }
 
-/// What the displacement of a body against the one it hangs on is a function of.
+/// The coordinates that determine the displacement of a body relative to its parent.
 #[derive(Clone, Copy, Debug)]
 pub enum Position {
-    /// An entry of q, times a factor: along the axis. The factor is not 1 of a joint that follows another
-    /// in another measure, and is that of its rates as well.
+    /// An entry of q times a factor, along the axis. The factor also applies to velocities. It differs from 1 for mimic
+    /// joints only.
     Along {
         /// The entry.
         coordinate: CoordinateId,
-        /// The factor, a number.
+        /// The factor, a constant.
         factor: Expr,
     },
-    /// The entries of q from here on, with all that come after it of its joint.
+    /// The entries of q from here on, together for all bodies of the joint.
     Posture(Posture, CoordinateId),
-    /// Nothing: the first of its joint has taken it along. All of them have the same frame, and their
-    /// velocities are seen in it.
+    /// None: the first body of the joint already has the whole displacement. All bodies of the joint have the same
+    /// frame, and their velocities are in its axes.
     Taken,
 }
 
@@ -134,9 +132,9 @@ pub enum Position {
 pub struct Frame {
     /// The link whose frame it is.
     pub name: String,
-    /// The joint that carries the body; none for the fixed base.
+    /// The joint that carries the body; `None` for the fixed base.
     pub body: Option<BodyId>,
-    /// M from the body's frame to this one.
+    /// M of this frame in the body's frame.
     pub placement: Pose<Expr>,
 }
 
@@ -145,50 +143,50 @@ pub struct Frame {
 pub struct Loop {
     /// Its name.
     pub name: String,
-    /// Where that stands.
+    /// The place in the description.
     pub place: Place,
-    /// What its kind is called.
+    /// The name of its type.
     pub word: &'static str,
-    /// The frames that it holds together, A and B, each called as the link is that it is fixed to.
+    /// The frames A and B that it joins, each with the name of its link.
     pub frames: [Frame; 2],
-    /// What it closes.
+    /// Its residuals.
     pub rows: Vec<Row>,
-    /// The length of a rod \[m\]; of a joint with two axes, the cosine of their angle.
+    /// The length of a rod \[m\]; for a universal loop, the cosine of the angle between its axes.
     pub size: Expr,
 }
 
-/// What was merged, held, left out or repaired.
+/// Links and joints that were merged, locked, left out or corrected.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// The link taken as fixed.
+    /// The link that is the base.
     pub base: String,
     /// The links that are modelled, in the order of the description.
     pub links: Vec<String>,
-    /// The joints that move, in the order of their coordinates.
+    /// The moving joints, in the order of their coordinates.
     pub joints: Vec<String>,
-    /// Links that became part of the body of another: (link, link that carries it).
+    /// Links merged into another: (link, link that carries it).
     pub merged: Vec<(String, String)>,
-    /// Joints that follow others, in the order of the description.
+    /// Mimic joints, in the order of the description.
     pub mimicked: Vec<Mimicked>,
-    /// Joints held still, with their coordinate.
+    /// Locked joints, with their coordinate.
     pub locked: Vec<(String, f64)>,
-    /// Links that were taken off, or that the base leaves behind.
+    /// Links that were detached, or that are not carried by the chosen base.
     pub dropped: Vec<String>,
     /// Angles taken for right angles, and residues taken for zero.
     pub snapped: Vec<Snapped>,
     /// Quaternions taken for rotations by right angles.
     pub turned: Vec<Turned>,
-    /// What loops would close, and is closed whatever the robot does, by name.
+    /// Residuals of loops that are zero in every configuration, by name.
     pub closed: Vec<String>,
-    /// Residuals that depend on others where the loops are closed, by name.
+    /// Residuals that depend on others when the loops are closed, by name.
     pub dependent: Vec<String>,
     /// The planes of planar joints whose axis is not z.
     pub planes: Vec<Plane>,
-    /// Doubts, each with its place.
+    /// Warnings, each with its place.
     pub warnings: Vec<Complaint>,
 }
 
-/// The plane in which a planar joint moves, in the frame that the joint's is at q = 0.
+/// The plane in which a planar joint moves, in the joint's frame at q = 0.
 #[derive(Clone, Debug)]
 pub struct Plane {
     /// The joint.
@@ -208,7 +206,7 @@ impl Plane {
     }
 }
 
-/// A direction by the name of the axis that it is, or by its entries.
+/// A direction, as the name of its axis or by its entries.
 fn direction(entries: [f64; 3]) -> String {
     for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
         let others = entries[(k + 1) % 3].abs() + entries[(k + 2) % 3].abs();
@@ -221,48 +219,48 @@ fn direction(entries: [f64; 3]) -> String {
     format!("[{}]", entries.join(", "))
 }
 
-/// A joint that follows another: multiplier · q + offset.
+/// A mimic joint: its coordinate is multiplier · q + offset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mimicked {
     /// The joint.
     pub joint: String,
-    /// The joint whose coordinate q is.
+    /// The mimicked joint, whose coordinate is q.
     pub leader: String,
-    /// What q is multiplied by.
+    /// The multiplier.
     pub multiplier: f64,
-    /// What is added [rad or m].
+    /// The offset [rad or m].
     pub offset: f64,
 }
 
 /// A number that was taken for a multiple of a right angle, or a residue that was taken for zero.
 #[derive(Clone, Debug)]
 pub struct Snapped {
-    /// The joint or link it belongs to.
+    /// The joint or link with the number.
     pub item: String,
-    /// As written: an angle \[rad\], or an entry of an offset \[m\] or of an axis, times a power of two where that is
-    /// of quite another length than 1.
+    /// As written: an angle \[rad\], or an entry of an offset \[m\] or of an axis. An axis whose length is far from 1
+    /// is scaled by a power of two.
     pub written: f64,
-    /// Quarter turns; 0 of a residue, whatever it is an entry of.
+    /// Quarter turns; 0 for a residue.
     pub quarters: i64,
-    /// Where it stands.
+    /// The place in the description.
     pub place: Place,
 }
 
 /// A quaternion x, y, z, w that was taken for a rotation by right angles.
 #[derive(Clone, Debug)]
 pub struct Turned {
-    /// The joint or link it belongs to.
+    /// The joint or link with the quaternion.
     pub item: String,
     /// As written.
     pub written: [f64; 4],
-    /// What the entries mean: of each four times the square, with the sign of the entry; 1 of ½, 2 of √½, 4 of 1.
+    /// Four times the square of each exact entry, with the sign of the entry: 1 for ½, 2 for √½, 4 for 1.
     pub squares: [i64; 4],
-    /// Where it stands.
+    /// The place in the description.
     pub place: Place,
 }
 
 impl Report {
-    /// How many angles and quaternions were taken for right angles, and how many residues for zero.
+    /// The numbers of angles and quaternions taken for right angles, and of residues taken for zero.
     #[must_use]
     pub fn right_angles_and_residues(&self) -> (usize, usize) {
         let residues = self.snapped.iter().filter(|number| number.quarters == 0);
@@ -273,19 +271,19 @@ impl Report {
 }
 
 impl Chain {
-    /// The lists that arguments and results are over.
+    /// The lists that arguments and results range over.
     #[must_use]
     pub const fn spaces(&self) -> &Spaces {
         &self.spaces
     }
 
-    /// The struct field of that number.
+    /// The struct field with a number.
     #[must_use]
     pub fn field(&self, field: FieldId) -> &Parameter {
         &self.request.parameters[field.index()]
     }
 
-    /// The same chain with its base parameters, which the base regressor is over.
+    /// The same chain with its base parameters, which the base regressor ranges over.
     #[must_use]
     pub fn identified(mut self) -> Self {
         let found = base_parameters::base_parameters(&self);
@@ -297,13 +295,13 @@ impl Chain {
         self
     }
 
-    /// Changes what its loops close, and the list of it.
+    /// Changes the residuals of its loops, and updates the list of residuals.
     pub fn close(&mut self, change: impl FnOnce(&mut [Loop])) {
         change(&mut self.loops);
         self.spaces.constraints = closure::entries(&self.loops);
     }
 
-    /// The first of `joints` that a velocity moves by itself: not one that follows it.
+    /// The first of `joints` with a velocity, which is no mimic joint.
     #[must_use]
     pub fn mover(&self, velocity: VelocityId) -> BodyId {
         let of = &self.spaces.velocities[velocity].name;
@@ -311,13 +309,13 @@ impl Chain {
         mover.expect("each velocity has a joint that is called as it is")
     }
 
-    /// Whether every body has a velocity of its own, and none follows another.
+    /// True if every body has a velocity of its own, so that there is no mimic joint.
     #[must_use]
     pub fn all_lead(&self) -> bool {
         self.joints.len() == self.spaces.velocities.len()
     }
 
-    /// The most joints that stand in a row.
+    /// Largest number of joints in a row.
     #[must_use]
     pub fn longest(&self) -> usize {
         let mut before: List<BodyId, usize> = List::new();
@@ -327,16 +325,16 @@ impl Chain {
         before.into_iter().max().unwrap_or(0)
     }
 
-    /// Whether so many joints stand in a row that accelerations are left to articulated bodies: from here on a
-    /// mass matrix takes ten times as many operations with its factors, and each further joint as many again as
-    /// there are joints.
+    /// True if so many joints are in a row that accelerations are left to articulated bodies. From here on a mass
+    /// matrix with its factors takes ten times as many operations, and each further joint adds as many as there are
+    /// joints.
     #[must_use]
     pub fn is_long(&self) -> bool {
         const LONG: usize = 48;
         self.all_lead() && self.longest() >= LONG
     }
 
-    /// Whether joints feel more than their bodies: an armature or friction, or a field that may be one.
+    /// True if some joint has an armature, damping or friction, or a field that sets one.
     #[must_use]
     pub fn is_driven(&self) -> bool {
         let is_there = |entry: Expr| !self.graph.term(entry).is_zero();
@@ -351,7 +349,7 @@ impl Chain {
         joint.motion.screw(axis).entries()
     }
 
-    /// How many joints move a frame.
+    /// Number of joints that move a frame.
     #[must_use]
     pub fn joints_to(&self, frame: FrameId) -> usize {
         let mut at = self.frames.get(frame).and_then(|frame| frame.body);
@@ -381,7 +379,7 @@ fn parameters(link: &str) -> impl Iterator<Item = Entry> {
     })
 }
 
-/// What is identified of a joint's drive, in the order of [`Drive::entries`].
+/// The identified parameters of a joint's armature, damping and friction, in the order of [`Drive::entries`].
 fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
     let slides = matches!(joint.motion, Motion::Prismatic);
     let parts = [Part::Armature, Part::Damping, Part::Friction];
@@ -395,12 +393,16 @@ fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
         })
 }
 
-/// Understands a description as the request wants it.
+/// Interprets a description for a request.
 ///
 /// # Errors
-/// All the mistakes that are found.
+/// All mistakes that are found.
 pub fn build(description: &Description, request: &Request) -> Result<Chain, Errors> {
-    let (description, request) = root::freed(description, request);
+    let described = Request {
+        gravity: request.gravity.or(description.gravity),
+        ..request.clone()
+    };
+    let (description, request) = root::freed(description, &described);
     let (description, request) = (&description, &request);
     let beside = |errors: Errors| errors.beside(description.warnings.iter().cloned());
     let tree = check::check(description, request).map_err(beside)?;

@@ -1,10 +1,9 @@
-//! Every expansion is checked before it is printed.
+//! The check of every expansion, before it is printed.
 //!
-//! In: a description, what was asked for of it, and the programs that are to be printed. Out: nothing,
-//! or a mistake that names function, entry and both numbers. The programs are run at a few states, in
-//! 106 bits, against products of 4×4 matrices of the description as it was written: no merging, no
-//! layout, no regrouping, no rules, no schedule. What they may differ by is what the rounding of their
-//! literals to `f64` explains. It never changes a program.
+//! In: a description, the request, and the programs to be printed. Out: an error with function, entry and both
+//! numbers if a program is wrong. The programs are run at a few states in 106 bits and compared with products of 4×4
+//! matrices of the description as written: without merging, layout, regrouping, rules or schedule. The rounding of
+//! their literals to `f64` bounds the difference that is allowed.
 
 mod base_parameters;
 mod closing;
@@ -37,24 +36,24 @@ use robot::Contradiction;
 #[cfg(feature = "files")]
 pub use vectors::vectors;
 
-/// A robot at a few states, by which programs are judged.
+/// A robot at a few states, with which programs are compared.
 pub struct Check {
     source: Source,
     place: Place,
     spaces: Spaces,
     states: Vec<Dense>,
-    /// Why its base parameters cannot be had.
+    /// The error of its base parameters, if there is one.
     base_parameters: Result<(), Errors>,
 }
 
-/// At how many states a robot of so many joints is looked at: beyond, one has to do, and takes as long.
+/// Largest number of joints checked at several states; longer robots are checked at one, which takes as long.
 const SEVERAL: usize = 20;
 
-/// How a robot is at fault where it contradicts itself.
+/// The hint of errors that are faults of the engine.
 const FAULT: &str =
     "this is a fault of homogen and not of the description: please report it, with the description";
 
-/// Whether what was refused is at fault, and not what was described or asked for.
+/// True if an error is a fault of the engine, and not of the description or the request.
 #[must_use]
 pub fn is_fault(refusal: &Errors) -> bool {
     let mut hints = refusal
@@ -64,7 +63,7 @@ pub fn is_fault(refusal: &Errors) -> bool {
     hints.any(|hint| hint == Some(FAULT))
 }
 
-/// A refusal that is a fault, for tests of what becomes of one.
+/// An error that is a fault of the engine, for tests of its handling.
 #[cfg(test)]
 pub(crate) fn fault(message: &str) -> Errors {
     let mut errors = Errors::new();
@@ -73,10 +72,10 @@ pub(crate) fn fault(message: &str) -> Errors {
 }
 
 impl Check {
-    /// Computes what the description says of a chain.
+    /// Computes the robot of a chain's description.
     ///
     /// # Errors
-    /// Where they do not agree on which joints move, or on what a number was taken for.
+    /// If description and chain disagree on which joints move, or on the meaning of a number.
     pub fn of(chain: &Chain) -> Result<Self, Errors> {
         let place = chain.description.name.place;
         let count = if chain.joints.len() > SEVERAL { 1 } else { 2 };
@@ -86,7 +85,7 @@ impl Check {
         };
         let states = || {
             let mut states = states::states(chain, count);
-            // The equations of the loops hold in every state; where some depend on others, only in closed ones.
+            // The equations of the loops hold in every state; dependent ones only in closed configurations.
             if let [_, second] = &mut *states
                 && let Some(closed) = states::closed(chain, 1, at)?
             {
@@ -112,7 +111,7 @@ impl Check {
         }
     }
 
-    /// Holds a plan against the description; where it is refused, that stands in its place.
+    /// Compares a plan with the description; an error replaces a wrong plan.
     #[must_use]
     pub fn judge<'c>(&self, planned: Planned<'c>, scalar: Real) -> Planned<'c> {
         let judged = planned.plan.and_then(|plan| {
@@ -125,10 +124,10 @@ impl Check {
         }
     }
 
-    /// Holds what a module has beside its functions against the description: the robot as data, and what is computed once.
+    /// Compares the other parts of a module with the description: the robot as data, and the prepared part.
     ///
     /// # Errors
-    /// Where one of them is another.
+    /// If one of them is wrong.
     pub fn judge_module(&self, module: &Module) -> Result<(), Errors> {
         let mut errors = Errors::new();
         for judged in [self.judge_data(&module.data), self.judge_prepared(module)] {
@@ -139,12 +138,10 @@ impl Check {
         errors.into_result(())
     }
 
-    /// Holds a program that computes some functions one after the other, of that frame,
-    /// against the description.
+    /// Compares a program that computes some functions one after the other, for a frame, with the description.
     ///
     /// # Errors
-    /// Where a result is another one, or where a number of the program is not one in the type that it is
-    /// printed for.
+    /// If a result is wrong, or if a number of the program is not finite in the type that it is printed for.
     pub fn judge_program(
         &self,
         functions: &[Function],
@@ -173,14 +170,13 @@ impl Check {
         Ok(())
     }
 
-    /// Holds what is left of functions whose part of fields alone is computed once against the whole of them:
-    /// bit for bit.
+    /// Compares prepared functions with the whole ones, bit for bit.
     ///
     /// # Errors
-    /// Where a result is another one.
-    fn judge_prepared(&self, listing: &Module) -> Result<(), Errors> {
+    /// If a result differs.
+    fn judge_prepared(&self, module: &Module) -> Result<(), Errors> {
         let mut errors = self.source.errors();
-        let Some(prepared) = &listing.prepared else {
+        let Some(prepared) = &module.prepared else {
             return Ok(());
         };
         for dense in &self.states {
@@ -190,7 +186,7 @@ impl Check {
                 Input::Parameter(_, value) => values[usize::from(value)],
                 Input::Variable(..) => state(input),
             };
-            for (whole, left) in listing.functions.iter().zip(&prepared.functions) {
+            for (whole, left) in module.functions.iter().zip(&prepared.functions) {
                 let bits = |results: Vec<f64>| -> Vec<u64> {
                     results.into_iter().map(f64::to_bits).collect()
                 };
@@ -204,11 +200,11 @@ impl Check {
         Ok(())
     }
 
-    /// Holds the robot as data against the description: its frames, the torques of its motion, and the
-    /// residuals of its loops with what changes them.
+    /// Compares the robot as data with the description: its frames, the torques of its motion, and the residuals of its
+    /// loops with their derivatives.
     ///
     /// # Errors
-    /// Where one of them is another, or where a number is not one.
+    /// If one of them is wrong, or a number is not finite.
     pub(crate) fn judge_data(&self, data: &ChainData) -> Result<(), Errors> {
         for program in [&data.program, &data.loops.program] {
             self.printable(program, Real::F64)?;
@@ -277,7 +273,7 @@ impl Check {
     }
 }
 
-/// Refuses the first number that is not one in the type that it is printed for.
+/// Rejects the first number that is not finite in the type that it is printed for.
 fn printable(
     (source, place): (&Source, Place),
     numbers: impl Iterator<Item = f64>,
@@ -306,7 +302,7 @@ fn printable(
     Ok(())
 }
 
-/// The numbers that stand in a program.
+/// The literals of a program.
 fn literals(program: &Program) -> impl Iterator<Item = f64> {
     program.operands().filter_map(|operand| match operand {
         Operand::Literal(number) => Some(number),
@@ -314,18 +310,17 @@ fn literals(program: &Program) -> impl Iterator<Item = f64> {
     })
 }
 
-/// An entry that is not what it should be.
+/// A wrong entry.
 struct Wrong {
     entry: usize,
     found: f64,
     expected: f64,
 }
 
-/// How far off beside the largest entry a solution may be of which pivots are left out that roundings might
-/// have made: no bound of it is finite.
+/// Relative error allowed for a solution without a finite bound, whose pivots may be rounding errors.
 const UNBOUNDED: f64 = 1e-6;
 
-/// The first entry of a function that is not what the description says.
+/// The first entry of a function that disagrees with the description.
 fn first_wrong(
     dense: &Dense,
     function: Function,
@@ -342,8 +337,7 @@ fn first_wrong(
         }
     };
     debug_assert_eq!(expected.len(), found.len());
-    // Frames that are turned, and turned back, leave of a residue no more digits than 106 bits have
-    // beside the whole.
+    // Rotating a residue and back leaves it with as many digits as 106 bits have beside the whole vector.
     let sizes = expected.iter().map(|expected| expected.size());
     let largest = sizes.fold(0.0, f64::max);
     let whole = Approximate::literal(largest).noise();
@@ -352,7 +346,7 @@ fn first_wrong(
         let distance = (found.value - expected.value).to_f64().abs();
         let mut most = found.error + found.noise() + expected.noise() + whole;
         if function.is_constrained() {
-            // What is solved for is as uncertain by what was written as by what is printed.
+            // A solution has the uncertainty of the described numbers and of the printed ones.
             most += expected.error;
             if !most.is_finite() {
                 most = UNBOUNDED * largest;
@@ -364,7 +358,7 @@ fn first_wrong(
 }
 
 fn wrong(entry: usize, found: f64, expected: f64, right: bool) -> Option<Wrong> {
-    // What is not a number is not right.
+    // NaN is wrong as well.
     (!right).then_some(Wrong {
         entry,
         found,

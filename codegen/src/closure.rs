@@ -1,77 +1,74 @@
-//! The joints that close loops: what they leave free between two links that hang on the base anyhow.
+//! Types of joints that close loops between two links of the tree.
 //!
-//! A shared noun, and the table of all kinds. A frame A is fixed to one link and a frame B to the other;
-//! what such a joint closes are entries of M of B in A, which is the product of all matrices along the
-//! loop (paper, II: Π M = 1). Each of them is a [`Row`]. It never knows how links move.
+//! Frame A is fixed to the first link and frame B to the second. The constraints are entries of the pose M of B in A,
+//! the product of all matrices along the loop (paper, II: Π M = 1). Each constraint is a [`Row`].
 
 use crate::number::Number;
 use crate::space::Kind;
 
-/// What a joint that closes a loop leaves free.
+/// Type of a joint that closes a loop, by the motions that it allows.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Closure {
-    /// Nothing.
+    /// No motion.
     Fixed,
-    /// To turn about z of A.
+    /// Rotation about z of A.
     Revolute,
-    /// To slide along z of A.
+    /// Translation along z of A.
     Prismatic,
-    /// Both.
+    /// Rotation about z of A and translation along it.
     Cylindrical,
-    /// To turn about z of A, and then about z of B.
+    /// Rotation about z of A, and then about z of B.
     Universal,
-    /// To slide across z of A, and to turn about it.
+    /// Translation perpendicular to z of A, and rotation about it.
     Planar,
-    /// To slide anywhere.
+    /// Any translation.
     Translation,
-    /// To turn anyhow.
+    /// Any rotation.
     Spherical,
-    /// All that keeps the origins of A and B so far apart \[m\]: a rod without mass between two spherical
-    /// joints.
+    /// Any motion with the origins of A and B at a fixed distance: a massless rod between two spherical joints.
     Rod {
         /// Its length \[m\].
         length: Number,
     },
 }
 
-/// What is known of a kind.
+/// Properties of a type.
 pub struct Definition {
-    /// What it is called in every reader.
+    /// Its name in all formats.
     pub word: &'static str,
-    /// How many axes a description gives it: of two the first is z of A and the second z of B, of one it is
-    /// z of both.
+    /// Number of axes in a description. Of two, the first is z of A and the second z of B; a single one is z of both.
     pub axes: usize,
-    /// What it closes.
+    /// Its constraints.
     pub rows: &'static [Row],
-    /// Makes it; a rod asks for its length.
+    /// Makes the type; the argument is the length of a rod.
     make: fn(Number) -> Closure,
 }
 
-/// An equation of a closure: something that is zero where the loop is closed.
+/// A constraint: a quantity that is zero if the loop is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Row {
-    /// How far the origin of B is from that of A along an axis of A \[m\].
+    /// Coordinate of the origin of B along an axis of A \[m\].
     Along(usize),
-    /// An axis of A times an axis of B, which are perpendicular.
+    /// Product of an axis of A and an axis of B, which are perpendicular.
     Product(usize, usize),
-    /// z of A times z of B, beyond what it is as described.
+    /// Product of z of A and z of B, minus its described value.
     Inclined,
-    /// (d² − l²)/2l of the distance d of the origins and the length l: to first order d − l \[m\].
+    /// (d² − l²)/2l for the distance d of the origins and the length l: to first order d − l \[m\].
     Distance,
 }
 
 const ALONG: [Row; 3] = [Row::Along(0), Row::Along(1), Row::Along(2)];
 const PARALLEL: [Row; 2] = [Row::Product(0, 2), Row::Product(1, 2)];
-const TURNED: [Row; 3] = [Row::Product(0, 1), Row::Product(1, 2), Row::Product(2, 0)];
+const ROTATED: [Row; 3] = [Row::Product(0, 1), Row::Product(1, 2), Row::Product(2, 0)];
 
-/// All kinds, in the order in which messages list them.
+/// All types, in the order of messages.
 pub const ALL: [Definition; 9] = [
     Definition::new(
         "fixed",
         0,
         &[
-            ALONG[0], ALONG[1], ALONG[2], TURNED[0], TURNED[1], TURNED[2],
+            ALONG[0], ALONG[1], ALONG[2], ROTATED[0], ROTATED[1], ROTATED[2],
         ],
         |_| Closure::Fixed,
     ),
@@ -84,7 +81,7 @@ pub const ALL: [Definition; 9] = [
     Definition::new(
         "prismatic",
         1,
-        &[ALONG[0], ALONG[1], TURNED[0], TURNED[1], TURNED[2]],
+        &[ALONG[0], ALONG[1], ROTATED[0], ROTATED[1], ROTATED[2]],
         |_| Closure::Prismatic,
     ),
     Definition::new(
@@ -102,7 +99,7 @@ pub const ALL: [Definition; 9] = [
     Definition::new("planar", 1, &[ALONG[2], PARALLEL[0], PARALLEL[1]], |_| {
         Closure::Planar
     }),
-    Definition::new("translation", 0, &TURNED, |_| Closure::Translation),
+    Definition::new("translation", 0, &ROTATED, |_| Closure::Translation),
     Definition::new("spherical", 0, &ALONG, |_| Closure::Spherical),
     Definition::new("rod", 0, &[Row::Distance], |length| Closure::Rod { length }),
 ];
@@ -122,22 +119,22 @@ impl Definition {
         }
     }
 
-    /// The kind of that name.
+    /// The type with a name.
     #[must_use]
     pub fn named(word: &str) -> Option<&'static Self> {
         ALL.iter().find(|kind| kind.word == word)
     }
 
-    /// Whether it has a length.
+    /// True for a rod.
     #[must_use]
     pub fn has_length(&self) -> bool {
         self.rows.contains(&Row::Distance)
     }
 
-    /// A joint of this kind; `length` is asked for where it has one.
+    /// A joint of this type; `length` is called for a rod.
     ///
     /// # Errors
-    /// That of `length`.
+    /// The error of `length`.
     pub fn with_length<E>(&self, length: impl FnOnce() -> Result<Number, E>) -> Result<Closure, E> {
         let length = if self.has_length() {
             length()?
@@ -149,7 +146,7 @@ impl Definition {
 }
 
 impl Closure {
-    /// What is known of its kind.
+    /// Properties of its type.
     #[must_use]
     pub const fn definition(self) -> &'static Definition {
         let [
@@ -187,7 +184,7 @@ impl Closure {
 }
 
 impl Row {
-    /// What it measures: a length, or the cosine of an angle that is near a right one.
+    /// Its unit: of a length, or of the cosine of an angle near a right angle.
     #[must_use]
     pub const fn kind(self) -> Kind {
         match self {
@@ -196,7 +193,7 @@ impl Row {
         }
     }
 
-    /// What it is called: as the loop is, where that has one alone, or with the axes that it is about.
+    /// Its name: that of the loop if it is the only constraint, otherwise with its axes.
     #[must_use]
     pub fn name(self, of: &str) -> String {
         let axis = |k: usize| ["x", "y", "z"][k];

@@ -1,8 +1,8 @@
-//! The functions of a robot, by products of 4×4 matrices in frame 0, as the paper writes them.
+//! The functions of a robot by products of 4×4 matrices in frame 0, as the paper writes them.
 //!
-//! In: a [`Robot`], link by link, and a [`State`]. Out: a [`Dense`], which each function's own file
-//! asks for what it is. Every product is multiplied out, and no recursion is known but that from
-//! parents to children: nothing here is shared with the matrices that are expanded.
+//! In: a [`Robot`], link by link, and a [`State`]. Out: a [`Dense`], from which each function's own file takes its
+//! value. Every product is multiplied out, and the only recursion is that from parents to children: nothing is shared
+//! with the matrices that are expanded.
 
 mod approximate;
 mod constrained;
@@ -21,7 +21,7 @@ use crate::list::{self, Id, List, Square};
 use crate::space::{Arguments, FieldId, FrameId, ParameterId, Variable, VelocityId};
 use posture::{Posture, Rates};
 
-/// What a program reads.
+/// The inputs of a program.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct State {
     pub(crate) arguments: Arguments<Double>,
@@ -36,22 +36,22 @@ impl State {
         }
     }
 
-    /// What an argument has for each velocity.
+    /// The entries of an argument over velocities.
     pub(crate) fn of_velocities(&self, variable: Variable) -> List<VelocityId, Approximate> {
         let entries = self.arguments[variable].iter().copied();
         entries.map(Approximate::exact).collect()
     }
 
-    /// How many velocities there are.
+    /// The number of velocities.
     pub(crate) fn velocities(&self) -> usize {
         self.arguments[Variable::Qd].len()
     }
 }
 
-/// How much of a state's motion is taken.
+/// The part of a state's motion that is used.
 #[derive(Clone, Copy)]
 pub(crate) enum Motion {
-    /// None: at rest.
+    /// At rest.
     Rest,
     /// q̇ alone.
     Coasting,
@@ -68,7 +68,7 @@ type Moving<'a> = (
 /// A robot at a state.
 pub(crate) struct Dense {
     pub(crate) state: State,
-    /// The part of the whole that is added to each pivot of the equations of loops, as rounding may do.
+    /// The part of the whole that is added to each pivot of the equations of loops, like a rounding error.
     pub(crate) disturbance: f64,
     posture: Posture,
     mass_matrix: OnceCell<Square<VelocityId, Approximate>>,
@@ -91,8 +91,8 @@ impl Dense {
         self.posture.pose(frame)
     }
 
-    /// The columns of a Jacobian: u and b of the joints that move a frame, each seen in some way, and
-    /// zeros for the others.
+    /// The columns of a Jacobian: u and b of the joints that move a frame, after a change of frame, and zeros for the
+    /// others.
     pub(crate) fn columns(
         &self,
         frame: FrameId,
@@ -108,7 +108,7 @@ impl Dense {
         columns
     }
 
-    /// The same of their rates: what is made of L and of L̇ = W L − L W.
+    /// The same for the derivatives: a function of L and of L̇ = W L − L W.
     pub(crate) fn column_rates(
         &self,
         frame: FrameId,
@@ -130,7 +130,7 @@ impl Dense {
         self.posture.loops()
     }
 
-    /// The screws of the joints that move a frame, with their places in q̇.
+    /// The screws of the joints that move a frame, with their indices in q̇.
     fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Approximate>)> {
         self.posture.moving(frame)
     }
@@ -169,18 +169,18 @@ impl Dense {
         links.fold(Matrix::zero(), |sum, (_, inertia)| sum.plus(inertia))
     }
 
-    /// Where the mass that joints move has its centre.
+    /// The centre of the mass that joints move.
     pub(crate) fn mass_center(&self) -> [Approximate; 3] {
         let inertia = self.inertia();
         inertia.column().map(|moment| moment / inertia.0[3][3])
     }
 
-    /// Σ W J of the links that joints move; its last column are the linear momenta.
+    /// Σ W J of the links that joints move; its last column is the linear momentum.
     pub(crate) fn moments(&self, motion: Motion) -> Matrix<Approximate> {
         self.moments_at(&self.rates(motion))
     }
 
-    /// The same at a unit rate of each joint alone.
+    /// The same at a unit velocity of each joint alone.
     pub(crate) fn unit_moments(&self) -> impl Iterator<Item = Matrix<Approximate>> {
         list::ids(self.state.velocities()).map(move |k| {
             let mut rates = self.rates(Motion::Rest);
@@ -207,13 +207,13 @@ impl Dense {
         back.times(action).times(&back.transposed())
     }
 
-    /// A linear momentum as the velocity of the centre of mass.
+    /// The velocity of the centre of mass, from a linear momentum.
     pub(crate) fn by_mass(&self, momentum: [Approximate; 3]) -> [Approximate; 3] {
         let mass = self.inertia().0[3][3];
         momentum.map(|entry| entry / mass)
     }
 
-    /// What the armatures of all joints have of twice the kinetic energy.
+    /// The sum of armature times squared velocity over all joints: twice their kinetic energy.
     pub(crate) fn twice_energy_of_drives(&self) -> Approximate {
         let rates = self.rates(Motion::Coasting).first;
         let energies = self.posture.freedoms().map(|freedom| {
@@ -236,32 +236,32 @@ impl Dense {
         self.posture.torques(&self.rates(motion))
     }
 
-    /// τ of the whole motion, under the actions from outside.
+    /// τ of the whole motion, with the external wrenches.
     pub(crate) fn driving_torques(&self) -> List<VelocityId, Approximate> {
-        self.less_outside(self.torques(Motion::Driven))
+        self.less_external(self.torques(Motion::Driven))
     }
 
-    /// τ less what actions from outside do.
-    fn less_outside(
+    /// τ less the torques of the external wrenches.
+    fn less_external(
         &self,
         torques: List<VelocityId, Approximate>,
     ) -> List<VelocityId, Approximate> {
-        let outside = self
+        let external = self
             .posture
-            .outside(&self.state.arguments[Variable::Actions]);
-        let both = torques.into_iter().zip(outside);
-        both.map(|(torque, outside)| torque - outside).collect()
+            .external_torques(&self.state.arguments[Variable::Actions]);
+        let both = torques.into_iter().zip(external);
+        both.map(|(torque, external)| torque - external).collect()
     }
 
-    /// τ of accelerations that were found, under the actions from outside.
+    /// τ of computed accelerations, with the external wrenches.
     pub(crate) fn torques_of(
         &self,
         qdd: List<VelocityId, Approximate>,
     ) -> List<VelocityId, Approximate> {
-        self.less_outside(self.posture.torques(&self.rates_with(qdd)))
+        self.less_external(self.posture.torques(&self.rates_with(qdd)))
     }
 
-    /// Y of τ = Y π, row by row.
+    /// Y of τ = Y π, by rows.
     pub(crate) fn regressor(&self) -> Vec<Approximate> {
         self.rows_of(&self.columns_of_regressor().iter().collect::<Vec<_>>())
     }
@@ -274,7 +274,7 @@ impl Dense {
         self.regressor.get_or_init(found)
     }
 
-    /// Y by its columns, and the sizes of what their entries are sums of; nothing of links of which no column is wanted.
+    /// Y by its columns, and the sizes of the terms of their entries; links without a wanted column are left out.
     pub(crate) fn regressor_and_sizes(
         &self,
         is_wanted: impl Fn(ParameterId) -> bool,
@@ -286,22 +286,22 @@ impl Dense {
         )
     }
 
-    /// A matrix row by row, of its columns.
+    /// A matrix by rows, from its columns.
     fn rows_of(&self, columns: &[&List<VelocityId, Approximate>]) -> Vec<Approximate> {
         let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
         list::ids(self.state.velocities()).flat_map(row).collect()
     }
 
-    /// Of those columns the ones that the base regressor has.
+    /// The columns of the base regressor, by rows.
     pub(crate) fn base_regressor(&self) -> Vec<Approximate> {
         let all = self.columns_of_regressor();
         let columns = self.posture.base_columns().iter();
         self.rows_of(&columns.map(|&column| &all[column]).collect::<Vec<_>>())
     }
 
-    /// τ of the motion without q̈, under the actions from outside.
+    /// τ of the motion without q̈, with the external wrenches.
     pub(crate) fn coasting_torques(&self) -> List<VelocityId, Approximate> {
-        self.less_outside(self.torques(Motion::Coasting))
+        self.less_external(self.torques(Motion::Coasting))
     }
 
     /// ∂τ/∂q at rest, against gravity.
@@ -310,12 +310,12 @@ impl Dense {
         by_coordinate
     }
 
-    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, under the actions from outside.
+    /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, with the external wrenches.
     pub(crate) fn torque_derivatives(&self) -> [Square<VelocityId, Approximate>; 2] {
         self.derivatives_at(&self.rates(Motion::Driven))
     }
 
-    /// The same of accelerations that were found.
+    /// The same at computed accelerations.
     pub(crate) fn torque_derivatives_of(
         &self,
         qdd: List<VelocityId, Approximate>,
@@ -325,26 +325,26 @@ impl Dense {
 
     fn derivatives_at(&self, rates: &Rates) -> [Square<VelocityId, Approximate>; 2] {
         let [mut by_coordinate, by_rate] = self.posture.torque_derivatives(rates);
-        let outside = self
+        let external = self
             .posture
-            .outside_derivative(&self.state.arguments[Variable::Actions]);
+            .external_derivative(&self.state.arguments[Variable::Actions]);
         for place in by_coordinate.places() {
-            by_coordinate[place] = by_coordinate[place] - outside[place];
+            by_coordinate[place] = by_coordinate[place] - external[place];
         }
         [by_coordinate, by_rate]
     }
 
-    /// C.
+    /// The Coriolis matrix C.
     pub(crate) fn coriolis_matrix(&self) -> Square<VelocityId, Approximate> {
         self.posture.coriolis_matrix(&self.rates(Motion::Coasting))
     }
 
-    /// M.
+    /// The mass matrix M.
     pub(crate) fn mass_matrix(&self) -> &Square<VelocityId, Approximate> {
         self.mass_matrix.get_or_init(|| self.posture.mass_matrix())
     }
 
-    /// q̇ with accelerations that were found.
+    /// q̇ with computed accelerations.
     fn rates_with(&self, second: List<VelocityId, Approximate>) -> Rates {
         Rates {
             second,

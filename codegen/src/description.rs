@@ -1,6 +1,6 @@
-//! What the user wrote, before anything is concluded from it.
+//! Descriptions of robots as the user wrote them, before anything is derived.
 //!
-//! In: a URDF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
+//! In: a URDF or MJCF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only
 //! what can be seen in one item alone; what takes two items belongs to the chain stage.
 
@@ -15,6 +15,8 @@ pub(crate) mod fingerprint;
 pub mod inline;
 mod item;
 mod kind;
+mod load;
+pub mod mjcf;
 mod names;
 mod number;
 mod position;
@@ -25,6 +27,7 @@ mod unmodelled;
 pub mod urdf;
 #[doc(hidden)]
 pub mod words;
+mod xml;
 
 pub use self::file::{is_utf_16, read_bytes, read_file, read_text};
 pub use self::item::Item;
@@ -33,6 +36,8 @@ pub use self::robot::{
 };
 pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};
+#[doc(hidden)]
+pub use self::xml::LARGEST_FILE;
 pub use crate::joint::JointKind;
 pub use crate::name::Name;
 pub use crate::number::Number;

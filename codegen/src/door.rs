@@ -1,17 +1,19 @@
-//! The doors for the compiler: what `#[derive(Robot)]` and `chain!` become.
+//! Front end for the macros `#[derive(Robot)]` and `chain!`.
 //!
-//! In: the tokens of a struct or of a robot written in place. Out: the generated code; or every
-//! mistake under the word that caused it, and stubs that keep the rest of the program compiling.
+//! The tokens become the generated code. If there are errors, they become each error at the word that caused it, with
+//! stubs that keep the rest of the program compiling.
 
 use std::path::{Path, PathBuf};
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
+use syn::ext::IdentExt;
 
 use crate::description::{Description, HOW_TO_ASK, Item, attributes, inline};
 use crate::error::{Errors, Place};
 use crate::expand::{expand, settled, understand};
 use crate::function::Function;
+use crate::module::About;
 use crate::print::rust::{self, Declaration, World};
 use crate::space::Spaces;
 use crate::{chain, request};
@@ -38,7 +40,7 @@ pub fn chain(tokens: TokenStream) -> TokenStream {
     }
 }
 
-/// Where relative paths in macros begin: the folder of the user's `Cargo.toml`.
+/// The folder that relative paths in macros begin at: that of the user's `Cargo.toml`.
 fn folder() -> PathBuf {
     std::env::var_os("CARGO_MANIFEST_DIR")
         .map(PathBuf::from)
@@ -52,12 +54,11 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         generics: item.generics.clone(),
         declaration: declare(item),
     };
-    // Of what was misread the joints are not even counted: any number of them is better than a
-    // wrong one.
+    // After an error in the description, even the number of joints is uncertain, so the stubs accept any number.
     let read = item.description.as_ref().filter(|_| errors.is_empty());
     if let Some(description) = read.filter(|_| !item.names_functions) {
         let ident = &item.ident;
-        let message = format!("{ident} does not say which functions to generate");
+        let message = format!("{ident} does not name the functions to generate");
         errors.push_with_hint(Place::Token(ident.span()), message, HOW_TO_ASK);
         if let Err(mistakes) = understand(description, &item.request) {
             errors.append(mistakes);
@@ -66,13 +67,13 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
         match expand(description, &item.request) {
             Ok(module) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
-                let watch = file.map(|path| watch(&path));
-                let doubts = module.about.located_warnings().into_iter();
-                let doubts = doubts.map(|doubt| warning(&doubt, item.ident.span()));
-                let doubts: TokenStream = doubts.collect();
+                let beside = description.source.beside.iter();
+                let watched = file.iter().chain(beside).map(|path| watch(path));
+                let watch: TokenStream = watched.collect();
+                let warnings = warnings(&module.about, item);
                 let world = World::runtime(item.request.runtime.as_ref());
                 let robot = rust::print(&module, &target, &world);
-                return quote! { #robot #watch #doubts };
+                return quote! { #robot #watch #warnings };
             }
             Err(mistakes) => errors.append(mistakes),
         }
@@ -83,27 +84,67 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
     quote! { #mistakes #stub }
 }
 
-/// What makes the compiler expand again when a file changes.
+/// Makes the compiler expand again when a file changes.
 fn watch(path: &Path) -> TokenStream {
     let path = path.to_string_lossy();
     quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); }
 }
 
-/// A warning of the compiler. Stable Rust has none for macros but that of a deprecated item, whose
-/// note can say anything, and what a derive wrote is not warned of unless it stands at a token of
-/// the user's.
-fn warning(doubt: &str, at: Span) -> TokenStream {
+/// The warnings about a robot for the compiler, each with its hint and the key that silences it.
+fn warnings(about: &About, item: &Item) -> TokenStream {
+    if item.request.quiet {
+        return TokenStream::new();
+    }
+    let warnings = about.located_warnings().into_iter().zip(&about.warnings);
+    let warnings = warnings.map(|(text, warning)| {
+        let hint = warning.hint.as_ref().map(|hint| format!(": {hint}"));
+        (text + &hint.unwrap_or_default(), item.ident.span())
+    });
+    let forgotten = forgotten_fields(item).map(|field| {
+        let text = format!(
+            "field `{field}` has no attribute and changes nothing: write #[robot(mass_of = \"link\")] above it, or rename it"
+        );
+        (text, field.span())
+    });
+    let warnings = warnings
+        .chain(forgotten)
+        .map(|(text, at)| warning(&format!("{text}; the key `quiet` silences warnings"), at));
+    warnings.collect()
+}
+
+/// Fields without an attribute that are probably meant as parameters: beside fields with an attribute, and named
+/// `payload` or like a link or a joint.
+fn forgotten_fields(item: &Item) -> impl Iterator<Item = &Ident> {
+    let plain = |name: &str| {
+        name.replace(|letter: char| !letter.is_alphanumeric(), "_")
+            .to_lowercase()
+    };
+    let description = item.description.iter();
+    let names = description.flat_map(|robot| {
+        let links = robot.links.iter().map(|link| &link.name);
+        links.chain(robot.joints.iter().map(|joint| &joint.name))
+    });
+    let mut names: Vec<String> = names.map(|name| plain(&name.text)).collect();
+    names.push("payload".to_owned());
+    let is_beside_others = !item.request.parameters.is_empty();
+    let fields = item.own_fields.iter();
+    fields
+        .filter(move |field| is_beside_others && names.contains(&plain(&field.unraw().to_string())))
+}
+
+/// A warning of the compiler. On stable Rust a macro can only cause the warning of a deprecated item, whose note is any
+/// text, and only at a token of the user's.
+fn warning(text: &str, at: Span) -> TokenStream {
     quote_spanned! {at=>
         const _: () = {
-            #[deprecated(note = #doubt)]
-            const DOUBT: () = ();
-            DOUBT
+            #[deprecated(note = #text)]
+            const ROBOT: () = ();
+            ROBOT
         };
     }
 }
 
-/// The lists of a robot, if the description holds together when no more is asked of it than what
-/// decides about them.
+/// The joints and coordinates of a robot, if the description is valid with the part of the request that decides them.
 fn spaces(description: &Description, request: &request::Request) -> Option<Spaces> {
     let shape = request::Request {
         base: request.base.clone(),

@@ -1,8 +1,8 @@
-//! Every mistake and every doubt about a description, each with its place.
+//! Errors and warnings about a description, each with its place.
 //!
-//! In: a place, a sentence, a hint. Out: one [`Errors`] that holds them all, to be shown to a
-//! person or handed to the compiler, with the warnings found until then beside them, which may be the cause. It
-//! never stops at the first mistake: the stages push, and ask once at the end whether anything was pushed.
+//! The stages report every error to one [`Errors`] and continue; the caller asks once at the end if there are any. The
+//! errors are shown to a person or passed to the compiler, together with the warnings found so far, which may explain
+//! them.
 
 use std::fmt;
 
@@ -11,14 +11,23 @@ use quote::quote_spanned;
 
 use crate::wording::visible;
 
-/// Where something was written.
+/// The place of a word in the user's text.
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Place {
-    /// Nowhere that could be pointed at: a default, or an option given in code.
+    /// Unknown: a default, or an option set in code.
     #[default]
     Unknown,
     /// A line and a column of the description's file, both counted from 1.
     File {
+        /// Line, from 1.
+        line: u32,
+        /// Column in characters, from 1.
+        column: u32,
+    },
+    /// A line and a column of a file that the description's file includes.
+    Included {
+        /// The index of the file in the list of included files.
+        file: u32,
         /// Line, from 1.
         line: u32,
         /// Column in characters, from 1.
@@ -29,60 +38,76 @@ pub enum Place {
 }
 
 impl Place {
-    /// Line and column in the description's file; none where it is not in one.
+    /// Line and column in the description's file; `None` for other places.
     #[must_use]
     pub const fn line_and_column(self) -> Option<(u32, u32)> {
         match self {
             Self::File { line, column } => Some((line, column)),
+            Self::Included { .. } | Self::Token(_) | Self::Unknown => None,
+        }
+    }
+
+    /// Key to sort places by: the number of the file, line and column; `None` if the place is not in a file.
+    #[must_use]
+    pub const fn order(self) -> Option<(u32, u32, u32)> {
+        match self {
+            Self::File { line, column } => Some((0, line, column)),
+            Self::Included { file, line, column } => Some((file + 1, line, column)),
             Self::Token(_) | Self::Unknown => None,
         }
     }
 }
 
-/// One mistake or one doubt: what is wrong, where, and what to do about it.
+/// An error or a warning: what is wrong, where, and what to do.
 #[derive(Clone, Debug)]
 pub struct Complaint {
-    /// Where the words stand that caused it.
+    /// The place of the words that caused it.
     pub place: Place,
-    /// What is wrong, as a sentence without a full stop that names the item.
+    /// A sentence without a full stop that names the item.
     pub message: String,
-    /// What the user could write instead.
+    /// Advice: what to write instead.
     pub hint: Option<String>,
 }
 
-/// The mistakes of one description, in the order in which they were found.
+/// The errors of one description, in the order in which they were found.
 #[derive(Clone, Default)]
 pub struct Errors {
     file: Option<String>,
+    /// The names of included files, by their indices.
+    included: Vec<String>,
     anchor: Option<Span>,
     complaints: Vec<Complaint>,
     left_out: usize,
-    /// What is shown beside mistakes.
+    /// Warnings, shown beside errors.
     warnings: Vec<Complaint>,
 }
 
-/// How many warnings are shown beside mistakes.
+/// Maximum number of warnings shown beside errors.
 const BESIDE: usize = 10;
 
-/// How many mistakes are kept; of the others, which only a broken file of megabytes has, the
-/// number.
+/// Maximum number of errors that are kept; further ones, of a broken file of megabytes, are counted.
 const KEPT: usize = 1000;
 
 impl Errors {
-    /// No mistakes yet, in a description without a file.
+    /// An empty list, of a description without a file.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Names the file that every [`Place::File`] of this list belongs to, and the token of the
-    /// user's code that named it, under which the compiler shows such a mistake.
+    /// Sets the file of every [`Place::File`], and the token that named it in the user's code, under which the compiler
+    /// shows such errors.
     pub fn set_file(&mut self, file: impl Into<String>, anchor: Option<Span>) {
         self.file = Some(file.into());
         self.anchor = anchor;
     }
 
-    /// Records a mistake.
+    /// Sets the names of included files, which [`Place::Included`] refers to.
+    pub fn set_included(&mut self, files: Vec<String>) {
+        self.included = files;
+    }
+
+    /// Adds an error.
     pub fn push(&mut self, place: Place, message: impl Into<String>) {
         self.record(Complaint {
             place,
@@ -91,7 +116,7 @@ impl Errors {
         });
     }
 
-    /// Records a mistake and what to do about it.
+    /// Adds an error with a hint.
     pub fn push_with_hint(
         &mut self,
         place: Place,
@@ -106,10 +131,13 @@ impl Errors {
         });
     }
 
-    /// Takes over what another list holds; a file named there is kept where none is named here.
+    /// Adds the errors of another list; its file is taken over if this list has none.
     pub fn append(&mut self, other: Errors) {
         self.file = self.file.take().or(other.file);
         self.anchor = self.anchor.or(other.anchor);
+        if self.included.is_empty() {
+            self.included = other.included;
+        }
         self.left_out += other.left_out;
         for complaint in other.complaints {
             self.record(complaint);
@@ -117,12 +145,12 @@ impl Errors {
         self.warn(other.warnings);
     }
 
-    /// Adds warnings, to be shown where there are mistakes as well; each once.
+    /// Adds warnings, each once, to be shown if there are errors.
     pub fn warn(&mut self, warnings: impl IntoIterator<Item = Complaint>) {
         for warning in warnings {
-            let place = warning.place.line_and_column();
+            let place = warning.place.order();
             let is_same = |known: &Complaint| {
-                known.message == warning.message && known.place.line_and_column() == place
+                known.message == warning.message && known.place.order() == place
             };
             if self.warnings.len() < KEPT && !self.warnings.iter().any(is_same) {
                 self.warnings.push(warning);
@@ -130,14 +158,14 @@ impl Errors {
         }
     }
 
-    /// The same mistakes with warnings beside them.
+    /// The same errors, with warnings beside them.
     #[must_use]
     pub fn beside(mut self, warnings: impl IntoIterator<Item = Complaint>) -> Self {
         self.warn(warnings);
         self
     }
 
-    /// Records a complaint as a mistake.
+    /// Adds a [`Complaint`] as an error.
     pub fn record(&mut self, complaint: Complaint) {
         if self.complaints.len() < KEPT {
             self.complaints.push(complaint);
@@ -146,22 +174,22 @@ impl Errors {
         }
     }
 
-    /// Whether nothing was pushed.
+    /// True if there are no errors.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.complaints.is_empty()
     }
 
-    /// The mistakes in the order in which they were found; the first thousand, if they are more.
+    /// The errors, in the order in which they were found; at most the first thousand.
     #[must_use]
     pub fn complaints(&self) -> &[Complaint] {
         &self.complaints
     }
 
-    /// Gives `value` back if nothing was pushed.
+    /// Returns `value` if there are no errors.
     ///
     /// # Errors
-    /// All the mistakes, where there are any.
+    /// All errors, if there are any.
     pub fn into_result<T>(self, value: T) -> Result<T, Errors> {
         if self.is_empty() {
             Ok(value)
@@ -170,9 +198,8 @@ impl Errors {
         }
     }
 
-    /// One line for a complaint, as editors and people read it:
-    /// `arm.urdf:112:7: joint "elbow" has no <axis>`. What cannot be seen is written out:
-    /// `\u{202e}`.
+    /// One line for an error or a warning, as editors and people read it: `arm.urdf:112:7: joint "elbow" has no
+    /// <axis>`. Invisible characters are escaped: `\u{202e}`.
     #[must_use]
     pub fn locate(&self, complaint: &Complaint) -> String {
         let message = visible(&complaint.message);
@@ -180,12 +207,17 @@ impl Errors {
             (Place::File { line, column }, Some(file)) => {
                 format!("{}:{line}:{column}: {message}", visible(file))
             }
+            (Place::Included { file, line, column }, _) => {
+                let file = self.included.get(file as usize);
+                let file = file.map_or("an included file", String::as_str);
+                format!("{}:{line}:{column}: {message}", visible(file))
+            }
             (Place::File { line, column }, None) => format!("{line}:{column}: {message}"),
             (_, _) => message.into_owned(),
         }
     }
 
-    /// The mistakes as `compile_error!`s, each under the word that caused it.
+    /// The errors as `compile_error!`s, each at the word that caused it.
     #[must_use]
     pub fn to_compile_errors(&self) -> TokenStream {
         let anchor = self.anchor.unwrap_or_else(Span::call_site);
@@ -193,10 +225,10 @@ impl Errors {
         let errors = self.complaints.iter().enumerate().map(|(k, complaint)| {
             let span = match complaint.place {
                 Place::Token(span) => span,
-                Place::File { .. } | Place::Unknown => anchor,
+                Place::File { .. } | Place::Included { .. } | Place::Unknown => anchor,
             };
             let mut message = self.with_hint(complaint, "hint: ");
-            // Macros have no warnings of their own.
+            // Stable Rust has no warnings of macros, so they go with the last error.
             if k == last {
                 for warning in self.warnings.iter().take(BESIDE) {
                     let warning = self.with_hint(warning, "hint: ");
@@ -208,7 +240,7 @@ impl Errors {
         errors.collect()
     }
 
-    /// A complaint with its hint in a line of its own.
+    /// A message with its hint on a line of its own.
     fn with_hint(&self, complaint: &Complaint, before: &str) -> String {
         let message = self.locate(complaint);
         match &complaint.hint {
@@ -240,7 +272,7 @@ impl fmt::Display for Errors {
     }
 }
 
-/// The same as for people, because a build script that returns the mistakes shows them so.
+/// Equal to `Display`, because build scripts print returned errors by `Debug`.
 impl fmt::Debug for Errors {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(out)?;

@@ -1,7 +1,6 @@
 //! Driver: runs all stages on a description and returns the generated module.
-//!
-//! In: a description and a request. Out: a [`Module`]. It only connects the stages: what is refused, left out or warned of,
-//! each of them knows.
+//! In: a description and a request. Out: a [`Module`]. It only connects the stages: each of them knows what it rejects,
+//! leaves out or warns of.
 
 mod about;
 mod batches;
@@ -34,7 +33,7 @@ pub fn expand(description: &Description, request: &Request) -> Result<Module, Er
     of_chain(&identified_if_asked(understand(description, request)?))
 }
 
-/// The same of a robot that is understood, with its base parameters where they are asked for.
+/// Expands a robot that has been interpreted, with its base parameters if they are requested.
 ///
 /// # Errors
 /// Every mistake of the request.

@@ -1,8 +1,8 @@
-//! Scalars that are not known yet: a hash-consed graph of arithmetic.
+//! Symbolic scalars: a hash-consed graph of arithmetic.
 //!
-//! In: numbers, inputs, operations. Out: a [`Graph`] in which children come before parents and equal
-//! expressions are one node, in a canonical form fixed at construction (`graph.rs` lists it). It never
-//! knows what the numbers mean, and equal calls give equal graphs on every platform.
+//! In: numbers, inputs, operations. Out: a [`Graph`] in which children come before parents and equal expressions are
+//! one node, in a canonical form fixed at construction (`graph.rs` lists it). Equal calls give equal graphs on every
+//! platform.
 
 mod derivative;
 mod double;

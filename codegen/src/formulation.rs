@@ -1,11 +1,11 @@
-//! How functions are computed, among ways that differ in speed and rounding alone.
+//! Formulations: algorithms and frames for the same function, which differ in operation count and rounding.
 //!
-//! A shared noun: a choice for each part, and the words that say it in attributes, in build scripts
-//! and on the command line. It never knows what a choice is good for.
+//! A [`Formulation`] has a choice for each part. The words for the choices are the same in attributes, in build scripts
+//! and on the command line.
 
 use crate::wording::{known, list, quoted};
 
-/// One choice for each part; by default what the engine chooses.
+/// A choice for each part; the default is the engine's choice.
 ///
 /// ```
 /// use homogen_codegen::formulation::{Formulation, Forward, Parameters};
@@ -19,100 +19,99 @@ use crate::wording::{known, list, quoted};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Formulation {
-    /// The frame in which the recursions run.
+    /// Frame of the recursions.
     pub frame: Frame,
-    /// The inertial parameters that dynamics starts from.
+    /// Inertial parameters that dynamics starts from.
     pub parameters: Parameters,
-    /// How accelerations are found from forces, and the inverse of the mass matrix; where none is
-    /// chosen, by what is cheapest of what was measured to be accurate enough.
+    /// Algorithm for accelerations and for the inverse of the mass matrix; `None` for the cheapest of those that are
+    /// accurate enough by measurement.
     pub forward: Option<Forward>,
-    /// Whether the angles of parallel axes are summed.
+    /// Treatment of the angles of parallel axes.
     pub angles: Angles,
-    /// Whether a product and a sum are rounded once.
+    /// Rounding of products in sums.
     pub products: Products,
-    /// Where sines and cosines come from.
+    /// Source of sines and cosines.
     pub sines: Sines,
 }
 
-/// The frame in which the recursions run.
+/// Frame of the recursions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Frame {
-    /// That of each link: the least work, and no digit lost far from the base.
+    /// The frame of each link: the fewest operations, and no loss of accuracy far from the base.
     #[default]
     Link,
     /// Frame 0, in which the paper writes every sum.
     Base,
 }
 
-/// Which inertial parameters dynamics starts from.
+/// Inertial parameters that dynamics starts from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Parameters {
-    /// Base parameters: mass that no joint can feel is counted on the other side of it.
+    /// Base parameters: mass that does not load a joint is moved to its inboard side.
     #[default]
     Regrouped,
-    /// Those of the description.
+    /// Parameters of the description.
     Raw,
 }
 
-/// How accelerations are found from forces: by forward dynamics, and as the inverse of the mass matrix,
-/// each column of which is the acceleration by a unit force.
+/// Algorithm for forward dynamics and for the inverse of the mass matrix, whose columns are accelerations by unit
+/// forces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forward {
-    /// By the mass matrix and its factors.
+    /// Factorisation of the mass matrix.
     MassMatrix {
-        /// How often the result is refined, with the inverse dynamics as the residual; at most
-        /// twice.
+        /// Number of refinements with the inverse dynamics as residual; at most two.
         refinements: usize,
     },
-    /// By the articulated-body recursion, which takes the parameters of the description.
+    /// Articulated-body recursion, with the parameters of the description.
     Articulated,
 }
 
 impl Forward {
-    /// By the mass matrix and its factors, as they come out.
+    /// Factorisation of the mass matrix without refinement.
     pub const UNREFINED: Self = Self::MassMatrix { refinements: 0 };
 }
 
-/// What becomes of the angles of joints that follow each other with parallel axes.
+/// Treatment of the angles of consecutive joints with parallel axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Angles {
-    /// Each has its sine and cosine, and a function is as accurate at any number of turns.
+    /// Each angle has its own sine and cosine; accuracy does not depend on the number of turns.
     #[default]
     Apart,
-    /// They are summed first where that is cheaper. It costs the digits that a sum of large angles
-    /// has no room for: an error of the angle of up to u |q|, which nobody sees within a few turns.
-    /// The frame of a link that carries none but such joints keeps the axes of the link before it.
+    /// Angles are summed first if that costs fewer operations. The rounded sum has an error of up to u |q|, with the
+    /// unit roundoff u, which matters only beyond a few turns. The frame of a link that carries only such joints keeps
+    /// the axes of the link before it.
     Merged,
 }
 
-/// Whether a product and a sum become one operation.
+/// Rounding of a product in a sum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Products {
-    /// Rounded once where the target can, and where nothing that must cancel is spoilt.
+    /// Fused, with one rounding, where the target has the instruction, except for differences that must cancel.
     #[default]
     Fused,
-    /// Rounded each for itself, on every target.
+    /// Two roundings, on every target.
     Unfused,
 }
 
-/// Where sines and cosines come from.
+/// Source of sines and cosines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sines {
-    /// Our own, all at once: those of `Scalar::sin_cos_all`; those that a file for `core` alone
-    /// brings along or is given.
+    /// Sines of this project, all at once: `Scalar::sin_cos_all`; in a file for `core` alone, those in the file or a
+    /// function of the user.
     #[default]
     Own,
-    /// The platform's, one by one: those of `Scalar::sin_cos`, which are the standard library's or
-    /// `libm`'s; `libm`'s in a file for `core` alone that is given none.
+    /// Sines of the platform, one by one: `Scalar::sin_cos`, which is the standard library's or `libm`'s; in a file for
+    /// `core` alone without a function of the user, `libm`'s.
     Platform,
 }
 
-/// Why a formulation is none.
+/// Reason for the rejection of a formulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// What is wrong, as a sentence without a full stop.
+    /// Message, a sentence without a full stop.
     pub message: String,
-    /// What could be said instead.
+    /// Hint with a valid choice.
     pub hint: String,
 }
 
@@ -127,7 +126,7 @@ enum Choice {
     Sines(Sines),
 }
 
-/// The words, each with the value that it needs and what it chooses.
+/// Words, the value that each needs, and its choice.
 #[rustfmt::skip]
 const WORDS: [(&str, Option<&str>, Choice); 14] = [
     ("link_frames",    None,      Choice::Frame(Frame::Link)),
@@ -146,7 +145,7 @@ const WORDS: [(&str, Option<&str>, Choice); 14] = [
     ("platform_sines", None,      Choice::Sines(Sines::Platform)),
 ];
 
-/// The words, each once.
+/// All words, once each.
 pub(crate) fn words() -> Vec<&'static str> {
     let mut words: Vec<&str> = WORDS.iter().map(|(word, ..)| *word).collect();
     words.dedup();
@@ -154,19 +153,21 @@ pub(crate) fn words() -> Vec<&'static str> {
 }
 
 impl Formulation {
-    /// What differs from the default, in the words of attributes.
+    /// Choices that differ from the default, in words.
     #[must_use]
     pub fn words(&self) -> Vec<String> {
-        let chosen = WORDS
-            .iter()
-            .filter(|(.., choice)| choice.is_made_in(self) && !choice.is_made_in(&Self::default()));
-        chosen.map(|(word, value, _)| said(word, *value)).collect()
+        let chosen = WORDS.iter().filter(|(.., choice)| {
+            choice.is_chosen_in(self) && !choice.is_chosen_in(&Self::default())
+        });
+        chosen
+            .map(|(word, value, _)| written(word, *value))
+            .collect()
     }
 
-    /// Whether all choices can be had together.
+    /// Checks that all choices can be combined.
     ///
     /// # Errors
-    /// Where there is no such way.
+    /// If no algorithm has all of them.
     pub fn check(&self) -> Result<(), Refusal> {
         match (self.forward, self.frame) {
             (Some(Forward::Articulated), Frame::Base) => Err(Refusal {
@@ -183,7 +184,7 @@ impl Formulation {
 }
 
 impl Choice {
-    fn make_in(self, formulation: &mut Formulation) {
+    fn apply(self, formulation: &mut Formulation) {
         match self {
             Self::Frame(frame) => formulation.frame = frame,
             Self::Parameters(parameters) => formulation.parameters = parameters,
@@ -194,18 +195,18 @@ impl Choice {
         }
     }
 
-    fn is_made_in(self, formulation: &Formulation) -> bool {
+    fn is_chosen_in(self, formulation: &Formulation) -> bool {
         let mut made = *formulation;
-        self.make_in(&mut made);
+        self.apply(&mut made);
         made == *formulation
     }
 
-    fn is_of_the_part_of(self, other: Self) -> bool {
+    fn is_for_same_part_as(self, other: Self) -> bool {
         std::mem::discriminant(&self) == std::mem::discriminant(&other)
     }
 }
 
-/// A formulation as far as it has been said.
+/// State of the reading of a formulation.
 #[derive(Default)]
 #[doc(hidden)]
 pub struct Reader {
@@ -214,10 +215,10 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// Takes a word, and the value given with it.
+    /// Reads a word with its value.
     ///
     /// # Errors
-    /// Of a word that is none, or comes twice.
+    /// For an unknown word, a missing or unexpected value, or a contradiction to an earlier word.
     pub fn take(&mut self, word: &str, value: Option<&str>) -> Result<(), Refusal> {
         let rows = || WORDS.iter().filter(|(known, ..)| *known == word);
         if rows().next().is_none() {
@@ -240,38 +241,38 @@ impl Reader {
                 hint: values(word),
             });
         };
-        let said = said(word, value);
+        let text = written(word, value);
         let mut made = self.made.iter();
-        if let Some((before, _)) = made.find(|(_, other)| other.is_of_the_part_of(*choice)) {
+        if let Some((before, _)) = made.find(|(_, other)| other.is_for_same_part_as(*choice)) {
             return Err(Refusal {
-                message: if *before == said {
-                    format!("{} is said twice", quoted(&said))
+                message: if *before == text {
+                    format!("{} is said twice", quoted(&text))
                 } else {
-                    format!("{} contradicts {}", quoted(&said), quoted(before))
+                    format!("{} contradicts {}", quoted(&text), quoted(before))
                 },
                 hint: "leave one of them out".to_owned(),
             });
         }
-        choice.make_in(&mut self.formulation);
-        self.made.push((said, *choice));
+        choice.apply(&mut self.formulation);
+        self.made.push((text, *choice));
         self.formulation.check()
     }
 
-    /// What all the words say together.
+    /// Formulation of all words.
     #[must_use]
     pub fn formulation(self) -> Formulation {
         self.formulation
     }
 }
 
-fn said(word: &str, value: Option<&str>) -> String {
+fn written(word: &str, value: Option<&str>) -> String {
     value.map_or_else(|| word.to_owned(), |value| format!("{word} = {value}"))
 }
 
 /// `write refined = 0, refined = 1 or …`.
 fn values(word: &str) -> String {
     let rows = WORDS.iter().filter(|(known, ..)| *known == word);
-    let all: Vec<String> = rows.map(|(word, value, _)| said(word, *value)).collect();
+    let all: Vec<String> = rows.map(|(word, value, _)| written(word, *value)).collect();
     format!(
         "write {}",
         list(all.iter().map(String::as_str)).replace(" and ", " or ")
@@ -282,7 +283,7 @@ fn values(word: &str) -> String {
 mod tests {
     use super::{Angles, Formulation, Forward, Frame, Parameters, Products, Reader, Sines};
 
-    /// What some words say, or why not.
+    /// Formulation of some words, or the message of its rejection.
     fn read(words: &[(&str, Option<&str>)]) -> Result<Formulation, String> {
         let mut reader = Reader::default();
         for (word, value) in words {
@@ -294,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn every_part_is_said_and_told_again() {
+    fn every_choice_is_read_and_written() {
         let all = Formulation {
             frame: Frame::Base,
             parameters: Parameters::Raw,
@@ -303,7 +304,7 @@ mod tests {
             products: Products::Unfused,
             sines: Sines::Platform,
         };
-        let said = [
+        let words = [
             ("frame_0", None),
             ("raw", None),
             ("refined", Some("2")),
@@ -311,7 +312,7 @@ mod tests {
             ("unfused", None),
             ("platform_sines", None),
         ];
-        assert_eq!(read(&said), Ok(all));
+        assert_eq!(read(&words), Ok(all));
         assert_eq!(
             all.words(),
             [
@@ -329,7 +330,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_formulation_is_told() {
+    fn invalid_formulations_are_rejected() {
         for (words, refusal) in [
             (
                 vec![("row", None)],

@@ -1,49 +1,49 @@
 //! The functions that can be generated.
 //!
-//! A shared noun, and the list of all functions: what is known of one stands in its own file, as a
-//! `Definition`, and every stage and every door asks it by way of `table`.
+//! The file of each function defines its name, arguments, result, expressions and reference as a `Definition`; `table`
+//! has the methods by which all stages ask for them.
 
-/// Calls a macro with every function: its file, and what it is; in braces those of robots with loops.
+/// Calls a macro with every function: variant, file and doc comment; those of robots with loops are in braces.
 macro_rules! every_function {
     ($then:ident) => {
         $then! {
             ForwardKinematics: forward_kinematics, "M₀,tip.";
-            SpatialJacobian: spatial_jacobian, "Columns L₁…L_N in frame 0, pole at its origin.";
-            BodyJacobian: body_jacobian, "Columns L₁…L_N in the frame of the tip, pole at its origin.";
-            GeometricJacobian: geometric_jacobian, "Columns in the axes of frame 0, pole at the origin of the tip.";
-            SpatialJacobianRate: spatial_jacobian_rate, "The rate of the spatial Jacobian.";
-            BodyJacobianRate: body_jacobian_rate, "The rate of the entries of the body Jacobian.";
-            GeometricJacobianRate: geometric_jacobian_rate, "The rate of the geometric Jacobian.";
-            Velocity: velocity, "W₀,tip₍₀₎.";
-            Acceleration: acceleration, "H₀,tip₍₀₎, without gravity.";
+            SpatialJacobian: spatial_jacobian, "Columns L₁…L_N in the axes of frame 0, reference point at its origin.";
+            BodyJacobian: body_jacobian, "Columns L₁…L_N in the axes of the end effector's frame, reference point at its origin.";
+            GeometricJacobian: geometric_jacobian, "Columns L₁…L_N in the axes of frame 0, reference point at the end effector.";
+            SpatialJacobianRate: spatial_jacobian_rate, "The time derivative of the spatial Jacobian.";
+            BodyJacobianRate: body_jacobian_rate, "The time derivative of the entries of the body Jacobian.";
+            GeometricJacobianRate: geometric_jacobian_rate, "The time derivative of the geometric Jacobian.";
+            TipVelocity: velocity, "W₀,tip₍₀₎.";
+            TipAcceleration: acceleration, "H₀,tip₍₀₎, without gravity.";
             AccelerationBias: acceleration_bias, "H₀,tip₍₀₎ at q̈ = 0, without gravity.";
-            InverseDynamics: inverse_dynamics, "Joint forces and torques that produce q̈.";
+            InverseDynamics: inverse_dynamics, "Joint torques and forces that produce q̈.";
             Gravity: gravity, "Inverse dynamics at rest.";
             Bias: bias, "Inverse dynamics at q̈ = 0: Coriolis, centrifugal and gravity terms.";
             MassMatrix: mass_matrix, "The joint-space inertia matrix.";
-            ForwardDynamics: forward_dynamics, "Joint accelerations that forces and torques produce.";
+            ForwardDynamics: forward_dynamics, "Joint accelerations that torques and forces produce.";
             MassMatrixInverse: mass_matrix_inverse, "The inverse of the joint-space inertia matrix.";
             KineticEnergy: kinetic_energy, "The kinetic energy ½ Σ Tr(W J Wᵗ) \\[J\\].";
-            PotentialEnergy: potential_energy, "The potential energy −Σ Tr(H_g J) \\[J\\] of what joints move, zero at the origin of frame 0.";
+            PotentialEnergy: potential_energy, "The potential energy −Σ Tr(H_g J) \\[J\\] of all bodies that joints move, zero at the origin of frame 0.";
             Regressor: regressor, "Y of τ = Y π, where π are the inertial parameters of the links.";
             BaseRegressor: base_regressor, "Y of τ = Y π, where π are the base parameters.";
-            CenterOfMass: center_of_mass, "The centre of mass of what joints move \\[m\\], in frame 0.";
-            CenterOfMassVelocity: center_of_mass_velocity, "Its velocity [m/s].";
-            CenterOfMassJacobian: center_of_mass_jacobian, "Its velocity at a unit rate of each joint.";
-            Momentum: momentum, "Γ₍₀₎ of what joints move.";
-            CentroidalMomentum: centroidal_momentum, "Γ of what joints move about their centre of mass, in the axes of frame 0.";
-            CentroidalMomentumMatrix: centroidal_momentum_matrix, "Its columns: Γ at a unit rate of each joint.";
-            CentroidalMomentumBias: centroidal_momentum_bias, "What changes it at q̈ = 0.";
-            InverseDynamicsDerivatives: inverse_dynamics_derivatives, "What changes of q and q̇ do to the torques of inverse dynamics.";
-            ForwardDynamicsDerivatives: forward_dynamics_derivatives, "What changes of q, q̇ and τ do to the accelerations of forward dynamics.";
-            GravityDerivative: gravity_derivative, "What a change of q does to the torques at rest.";
+            CenterOfMass: center_of_mass, "The centre of mass of all bodies that joints move \\[m\\], in frame 0.";
+            CenterOfMassVelocity: center_of_mass_velocity, "The velocity of the centre of mass [m/s].";
+            CenterOfMassJacobian: center_of_mass_jacobian, "The Jacobian of the centre of mass.";
+            TotalMomentum: momentum, "The momentum Γ₍₀₎ of all bodies that joints move.";
+            CentroidalMomentum: centroidal_momentum, "Their momentum Γ about the centre of mass, in the axes of frame 0.";
+            CentroidalMomentumMatrix: centroidal_momentum_matrix, "The centroidal momentum at unit velocity of each degree of freedom.";
+            CentroidalMomentumBias: centroidal_momentum_bias, "The rate of change of the centroidal momentum at q̈ = 0.";
+            InverseDynamicsDerivatives: inverse_dynamics_derivatives, "Derivatives of inverse dynamics by q and q̇.";
+            ForwardDynamicsDerivatives: forward_dynamics_derivatives, "Derivatives of forward dynamics by q, q̇ and τ.";
+            GravityDerivative: gravity_derivative, "The derivative of gravity torques by q.";
             CoriolisMatrix: coriolis_matrix, "C of τ = M q̈ + C q̇ + gravity, with Ṁ = C + Cᵗ.";
             {
                 Constraint: constraint, "The residuals of the loops.";
-                ConstraintJacobian: constraint_jacobian, "What velocities change them by.";
-                ConstraintBias: constraint_bias, "Their accelerations at q̈ = 0.";
-                ConstrainedForwardDynamics: constrained_forward_dynamics, "Joint accelerations that forces and torques produce where loops are held together, and what holds them.";
-                ActuatedInverseDynamics: actuated_inverse_dynamics, "The torques and forces of driven joints that produce q̈, where loops move the others.";
+                ConstraintJacobian: constraint_jacobian, "The Jacobian of the residuals of the loops.";
+                ConstraintBias: constraint_bias, "Second time derivatives of the residuals at q̈ = 0.";
+                ConstrainedForwardDynamics: constrained_forward_dynamics, "Joint accelerations under the constraints of the loops, and constraint forces.";
+                ActuatedInverseDynamics: actuated_inverse_dynamics, "Torques and forces of the actuated joints of a robot with loops that produce q̈.";
             }
         }
     };
@@ -107,10 +107,10 @@ macro_rules! functions {
         }
 
         impl Function {
-            /// All that every robot can have, in the order of the documentation.
+            /// Functions of every robot, in the order of the documentation.
             pub const ALL: [Self; [$($about),*].len()] = [$(Self::$variant),*];
 
-            /// Those that a robot with loops can have besides.
+            /// Additional functions of robots with loops.
             pub const OF_LOOPS: [Self; [$($of_loops_about),*].len()] = [$(Self::$of_loops),*];
         }
     };

@@ -1,9 +1,8 @@
-//! The joints that a description can have.
+//! Joint types.
 //!
-//! A shared noun, and the table of all kinds: what is known of one stands in its own file, as a
-//! [`Definition`]. A joint is a row of [`Freedom`]s with one velocity each; either they come one after
-//! the other and each has a coordinate of its own, or a [`Posture`] says where all of them together
-//! have taken the body. How bodies move by one freedom is said by [`Motion`].
+//! Each type is a [`Definition`] in a file of its own. A joint is a list of degrees of freedom ([`Freedom`]), with one
+//! velocity each. Either they are in series and each has its own coordinate, or a [`Posture`] defines the coordinates
+//! of all together. [`Motion`] is the motion of one degree of freedom.
 
 mod continuous;
 mod cylindrical;
@@ -27,7 +26,7 @@ pub use posture::Posture;
 use crate::number::Number;
 use crate::space::Kind;
 
-/// What a joint allows.
+/// Type of a joint.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum JointKind {
@@ -44,7 +43,7 @@ pub enum JointKind {
     },
     /// Rotation \[rad\] and translation \[m\] about and along one axis, each with its own coordinate.
     Cylindrical,
-    /// Rotation about one axis and then about another, which the first one turns \[rad\].
+    /// Rotation about one axis and then about a second one, which the first rotation moves \[rad\].
     Universal,
     /// Translation along x, y and z of the joint's frame \[m\].
     Translation,
@@ -54,42 +53,41 @@ pub enum JointKind {
     Spherical,
     /// Any motion: translation \[m\] and a quaternion of unit length.
     Floating,
-    /// Nothing.
+    /// No motion.
     Fixed,
 }
 
-/// What is known of a kind of joint.
+/// Properties of a joint type.
 pub struct Definition {
-    /// What it is called in every reader.
+    /// Its name in all formats.
     pub word: &'static str,
-    /// What it allows, from the link it hangs on outwards: one for each velocity.
+    /// Its degrees of freedom from the parent link outwards: one for each velocity.
     pub freedoms: &'static [Freedom],
-    /// What says where all freedoms together have taken the body; none where each has its own
-    /// coordinate.
+    /// Coordinates of all degrees of freedom together; `None` if each has a coordinate of its own.
     pub posture: Option<Posture>,
-    /// Makes it; a helical freedom asks for the pitch.
+    /// Makes the type; the argument is the pitch of a screw.
     make: fn(Number) -> JointKind,
 }
 
-/// A motion with one velocity.
+/// A degree of freedom: a motion with one velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct Freedom {
-    /// The name of its velocity, and of its coordinate where it has one, beside others of the same joint.
+    /// Name of its velocity, and of its coordinate if it has one, within the joint.
     pub name: &'static str,
-    /// What it does.
+    /// Type of motion.
     pub movement: Movement,
-    /// About or along which direction.
+    /// Direction of the axis.
     pub along: Along,
 }
 
-/// What a freedom does.
+/// Motion of one degree of freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Movement {
-    /// Turn about a direction.
+    /// Rotation about a direction.
     Turn,
-    /// Slide along it.
+    /// Translation along it.
     Slide,
-    /// Do both, in a fixed ratio.
+    /// Both, in a fixed ratio.
     Helix,
 }
 
@@ -100,11 +98,11 @@ pub enum Along {
     Axis,
     /// Its second axis.
     Second,
-    /// An axis of the frame: x, y or z, of which the last is the joint's own where it has one.
+    /// An axis of the frame: x, y or z. z is the joint's own axis if it has one.
     Frame(usize),
 }
 
-/// All kinds, in the order in which messages list them.
+/// All types, in the order of messages.
 pub const ALL: [&Definition; 11] = [
     &revolute::DEFINITION,
     &continuous::DEFINITION,
@@ -120,7 +118,7 @@ pub const ALL: [&Definition; 11] = [
 ];
 
 impl Freedom {
-    const fn turn(name: &'static str, along: Along) -> Self {
+    const fn rotation(name: &'static str, along: Along) -> Self {
         let movement = Movement::Turn;
         Self {
             name,
@@ -129,7 +127,7 @@ impl Freedom {
         }
     }
 
-    const fn slide(name: &'static str, along: Along) -> Self {
+    const fn translation(name: &'static str, along: Along) -> Self {
         let movement = Movement::Slide;
         Self {
             name,
@@ -140,13 +138,13 @@ impl Freedom {
 }
 
 impl Definition {
-    /// Whether a joint of this kind moves.
+    /// True if a joint of this type moves.
     #[must_use]
     pub const fn moves(&self) -> bool {
         !self.freedoms.is_empty()
     }
 
-    /// How many axes a description gives it.
+    /// Number of axes in a description.
     #[must_use]
     pub fn axes(&self) -> usize {
         let along = |direction| self.freedoms.iter().any(|one| one.along == direction);
@@ -157,10 +155,10 @@ impl Definition {
         }
     }
 
-    /// A joint of this kind; `pitch` is asked for where there is a helical freedom.
+    /// A joint of this type; `pitch` is called for a screw.
     ///
     /// # Errors
-    /// That of `pitch`.
+    /// The error of `pitch`.
     pub fn with_pitch<E>(&self, pitch: impl FnOnce() -> Result<Number, E>) -> Result<JointKind, E> {
         let helical = |freedom: &Freedom| freedom.movement == Movement::Helix;
         let pitch = if self.freedoms.iter().any(helical) {
@@ -173,7 +171,7 @@ impl Definition {
 }
 
 impl JointKind {
-    /// What is known of its kind.
+    /// Properties of its type.
     #[must_use]
     pub const fn definition(self) -> &'static Definition {
         match self {
@@ -191,38 +189,37 @@ impl JointKind {
         }
     }
 
-    /// What it is called.
+    /// Its name.
     #[must_use]
     pub const fn word(self) -> &'static str {
         self.definition().word
     }
 
-    /// Whether it moves.
+    /// True if it moves.
     #[must_use]
     pub const fn moves(self) -> bool {
         self.definition().moves()
     }
 
-    /// Whether it has more than one velocity.
+    /// True if it has more than one velocity.
     #[must_use]
     pub const fn has_several(self) -> bool {
         self.freedoms().len() > 1
     }
 
-    /// What it allows, from the link it hangs on outwards.
+    /// Its degrees of freedom, from the parent link outwards.
     #[must_use]
     pub const fn freedoms(self) -> &'static [Freedom] {
         self.definition().freedoms
     }
 
-    /// What says where all its freedoms together have taken the body, where they are not one after the
-    /// other.
+    /// Coordinates of all its degrees of freedom together; `None` if they are in series.
     #[must_use]
     pub const fn posture(self) -> Option<Posture> {
         self.definition().posture
     }
 
-    /// The translation per radian of a helical freedom [m/rad].
+    /// Translation per radian of a screw [m/rad].
     #[must_use]
     pub const fn pitch(self) -> Option<Number> {
         match self {
@@ -231,7 +228,7 @@ impl JointKind {
         }
     }
 
-    /// What the velocities of a joint are called: as the joint is where it has one.
+    /// Names of the velocities of a joint: that of the joint if there is only one.
     pub fn velocities(self, joint: &str) -> impl Iterator<Item = (String, Freedom)> {
         let freedoms = self.freedoms();
         freedoms.iter().map(move |&freedom| {
@@ -243,7 +240,7 @@ impl JointKind {
         })
     }
 
-    /// What the coordinates of a joint are called, and what each of them is.
+    /// Names of the coordinates of a joint, with the kind of each.
     #[must_use]
     pub fn coordinates(self, joint: &str) -> Vec<(String, Kind)> {
         if let Some(posture) = self.posture() {
@@ -260,7 +257,7 @@ impl JointKind {
 }
 
 impl Movement {
-    /// What its coordinate measures.
+    /// Kind of its coordinate.
     #[must_use]
     pub const fn kind(self) -> Kind {
         match self {

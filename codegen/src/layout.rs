@@ -1,9 +1,9 @@
-//! Which frame each body gets: anywhere along its joint's axis and at any angle about it (structure
-//! rule 6); and which body counts mass that no joint can feel (structure rule 4).
+//! Layout: the frame of each body, anywhere along its joint's axis and at any angle about it (structure rule 6), and
+//! the regrouping of inertial parameters to base parameters (structure rule 4).
 //!
-//! In: a [`Chain`] and a [`Layout`]. Out: [`Bodies`] whose joints of one coordinate move about or along z,
-//! placed so that as many entries of the placements as possible are 0 or 1. It never decides which layout
-//! is best: that is counted, function by function.
+//! In: a [`Chain`] and a [`Layout`]. Out: [`Bodies`] whose joints with one coordinate move about or along z, placed so
+//! that as many entries of the placements as possible are 0 or 1. Which layout is best is decided by the operation
+//! count of each function.
 
 mod bodies;
 mod frames;
@@ -17,35 +17,35 @@ use crate::chain::{Chain, Position};
 use crate::expression::{Double, Graph};
 use crate::matrix::Pose;
 
-/// A way to choose the frames.
+/// A choice of the frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// Put x along the common normal of a joint's axis and the next one's, and the origin at its
-    /// foot (modified Denavit–Hartenberg), instead of where the description has them.
+    /// Puts x along the common normal of a joint's axis and the next one's, and the origin at its foot (modified
+    /// Denavit–Hartenberg), instead of the described frame.
     pub normals: bool,
-    /// Where the origin of a sliding body goes.
+    /// The origin of a body on a prismatic joint.
     pub sliding: Sliding,
-    /// Turn the frame of a last body so that its centre of mass lies in the xz plane.
+    /// Rotates the frame of a last body so that its centre of mass lies in the xz plane.
     pub turn_ends: bool,
-    /// Regroup the inertial parameters.
+    /// Regroups the inertial parameters.
     pub regroup: bool,
 }
 
-/// Where the origin of a sliding body goes, which may be anywhere.
+/// The origin of a body on a prismatic joint, which is free to choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sliding {
-    /// Where the description has it.
+    /// The origin of the description.
     AsDescribed,
-    /// At the origin of the body it hangs on.
+    /// The origin of its parent body.
     AtParent,
-    /// At the origin of the first body that hangs on it.
+    /// The origin of its first child body.
     AtChild,
-    /// At its centre of mass, after regrouping.
+    /// Its centre of mass, after regrouping.
     AtMassCenter,
 }
 
 impl Layout {
-    /// Frames and parameters as the description has them.
+    /// Frames and parameters of the description.
     pub const DESCRIBED: Self = Self {
         normals: false,
         sliding: Sliding::AsDescribed,
@@ -53,20 +53,20 @@ impl Layout {
         regroup: false,
     };
 
-    /// Layouts worth counting for functions that need no inertia.
+    /// Layouts to compare for functions that need no inertia.
     #[must_use]
     pub fn for_kinematics(chain: &Chain) -> Vec<Self> {
-        let seats = Self::seats(
+        let sliding = Self::sliding(
             chain,
             &[Sliding::AsDescribed, Sliding::AtParent, Sliding::AtChild],
         );
-        Self::all(&seats, &[false], false)
+        Self::all(&sliding, &[false], false)
     }
 
-    /// Layouts worth counting for dynamics that base parameters suffice for.
+    /// Layouts to compare for dynamics, for which base parameters suffice.
     #[must_use]
     pub fn for_dynamics(chain: &Chain) -> Vec<Self> {
-        let seats = Self::seats(
+        let sliding = Self::sliding(
             chain,
             &[
                 Sliding::AsDescribed,
@@ -75,10 +75,10 @@ impl Layout {
                 Sliding::AtMassCenter,
             ],
         );
-        Self::all(&seats, &[false, true], true)
+        Self::all(&sliding, &[false, true], true)
     }
 
-    fn seats(chain: &Chain, all: &[Sliding]) -> Vec<Sliding> {
+    fn sliding(chain: &Chain, all: &[Sliding]) -> Vec<Sliding> {
         let slides = chain
             .joints
             .iter()
@@ -90,10 +90,10 @@ impl Layout {
         }
     }
 
-    fn all(seats: &[Sliding], turns: &[bool], regroup: bool) -> Vec<Self> {
+    fn all(sliding: &[Sliding], turns: &[bool], regroup: bool) -> Vec<Self> {
         let mut layouts = Vec::new();
         for normals in [false, true] {
-            for &sliding in seats {
+            for &sliding in sliding {
                 for &turn_ends in turns {
                     layouts.push(Self {
                         normals,

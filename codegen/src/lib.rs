@@ -1,4 +1,4 @@
-//! Turns the description of a robot into straight-line code for its kinematics and dynamics.
+//! Generates straight-line code for the kinematics and dynamics of a robot from its description.
 //!
 //! ```
 //! use homogen_codegen::{Builder, Function::Gravity, Real};
@@ -14,12 +14,11 @@
 //! # Ok::<(), homogen_codegen::error::Errors>(())
 //! ```
 //!
-//! [`Builder`] is the door for build scripts, and needs `core` alone of what it writes for, or C99
-//! ([`Builder::write_c`]); the crate `homogen-cli`, whose binary is `homogen`, is the door for shells; the derive and the macro of
-//! the crate `homogen` are those for the compiler. [`Function`] lists what can be asked for, [`Formulation`] how it
-//! is computed, [`Processor`] for what.
+//! [`Builder`] is the front end for build scripts and writes Rust for `core` alone, C99 ([`Builder::write_c`]), LLVM IR
+//! and Python packages. The command line `homogen` is in the crate `homogen-cli`, the derive and the macro in the crate
+//! `homogen`. [`Function`] lists the functions, [`Formulation`] the algorithms and [`Processor`] the targets.
 //!
-//! The engine is a row of stages, each of which knows the one before it, and [`expand`] connects them:
+//! The engine is a pipeline of stages; each uses the one before it, and [`expand`] connects them:
 //!
 //! ```text
 //! description ──► chain ──► plan ──────────► module ──► print
@@ -51,8 +50,7 @@ mod random;
 pub mod real;
 pub mod request;
 
-// Not for users: what the macros call, and the stages and nouns that the project's own tests and
-// reports look at.
+// Not for users: called by the macros, the tests and the reports of the project.
 #[doc(hidden)]
 pub mod accuracy;
 #[cfg(feature = "files")]

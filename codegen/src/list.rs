@@ -1,35 +1,34 @@
-//! Lists whose entries are numbered by a type of their own, so that the number of a body does not open a
-//! list of velocities.
+//! Typed lists and matrices: each kind of list has an index type of its own, so that an index of a body can't be used
+//! in a list of velocities.
 //!
-//! In: entries, one after the other. Out: a [`List`], which is a slice but for its numbers, and a [`Square`]
-//! of what any two of them have in common. It never knows what is generated: each kind of number stands in the
-//! file of the list that it numbers.
+//! A [`List`] is a slice with such indices, a [`Square`] a matrix over two of them. Index types are declared next to
+//! their lists.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
 use std::ops::{Deref, DerefMut, Index, IndexMut};
 
-/// The number of an entry in one kind of list.
+/// Index of an entry in one kind of list.
 pub trait Id: Copy + Ord + Debug {
-    /// That of the entry with so many before it.
+    /// Index from an offset.
     fn new(index: usize) -> Self;
 
-    /// How many entries are before it.
+    /// Offset in the list.
     fn index(self) -> usize;
 
-    /// Its number where the first has 1, as the paper counts, and names do.
+    /// Number that counts from 1, as in the paper and in names.
     fn number(self) -> usize {
         self.index() + 1
     }
 
-    /// The number of the entry so many behind it.
+    /// Index of a later entry.
     #[must_use]
     fn plus(self, count: usize) -> Self {
         Self::new(self.index() + count)
     }
 }
 
-/// Declares the number of an entry in one kind of list.
+/// Declares an index type.
 macro_rules! id {
     ($(#[$about:meta])* $name:ident) => {
         $(#[$about])*
@@ -55,14 +54,14 @@ macro_rules! id {
 }
 pub(crate) use id;
 
-/// A list whose entries have numbers of one kind.
+/// List with its own index type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct List<I, T> {
     entries: Vec<T>,
     numbers: PhantomData<I>,
 }
 
-/// The numbers of so many entries, in order.
+/// The first `count` indices, in order.
 pub fn ids<I: Id>(
     count: usize,
 ) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + Clone + use<I> {
@@ -70,7 +69,7 @@ pub fn ids<I: Id>(
 }
 
 impl<I: Id, T> List<I, T> {
-    /// Nothing yet.
+    /// An empty list.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -79,7 +78,7 @@ impl<I: Id, T> List<I, T> {
         }
     }
 
-    /// The same entry as often as another list has one.
+    /// `count` copies of an entry.
     #[must_use]
     pub fn filled(entry: T, count: usize) -> Self
     where
@@ -88,19 +87,19 @@ impl<I: Id, T> List<I, T> {
         vec![entry; count].into()
     }
 
-    /// Adds an entry; its number.
+    /// Adds an entry and returns its index.
     pub fn push(&mut self, entry: T) -> I {
         self.entries.push(entry);
         I::new(self.entries.len() - 1)
     }
 
-    /// The number that the next entry will have.
+    /// Index of the next entry to be added.
     #[must_use]
     pub fn next(&self) -> I {
         I::new(self.entries.len())
     }
 
-    /// The numbers of all entries, in order.
+    /// Indices of all entries, in order.
     #[must_use]
     pub fn ids(
         &self,
@@ -108,30 +107,30 @@ impl<I: Id, T> List<I, T> {
         ids(self.entries.len())
     }
 
-    /// All entries, each with its number.
+    /// All entries with their indices.
     #[must_use]
     pub fn numbered(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator {
         self.ids().zip(&self.entries)
     }
 
-    /// The number of the first entry that is so.
+    /// Index of the first entry with a property.
     pub fn find(&self, is: impl FnMut(&T) -> bool) -> Option<I> {
         self.entries.iter().position(is).map(I::new)
     }
 
-    /// The entry of that number, if there is one.
+    /// Entry with this index, if there is one.
     #[must_use]
     pub fn get(&self, id: I) -> Option<&T> {
         self.entries.get(id.index())
     }
 
-    /// The same list by other numbers, where both count the same.
+    /// The same list with another index type, for lists that correspond entry by entry.
     #[must_use]
     pub fn renumbered<J>(self) -> List<J, T> {
         self.entries.into()
     }
 
-    /// Of each entry something else.
+    /// List of the mapped entries.
     #[must_use]
     pub fn map<U>(&self, of: impl FnMut(&T) -> U) -> List<I, U> {
         self.entries.iter().map(of).collect()
@@ -226,7 +225,7 @@ impl<I: Id, T> IndexMut<I> for List<I, T> {
     }
 }
 
-/// A square matrix with a row and a column for each entry of a list.
+/// Square matrix with a row and a column for each entry of a list.
 #[derive(Clone, Debug)]
 pub struct Square<I, T> {
     count: usize,
@@ -235,7 +234,7 @@ pub struct Square<I, T> {
 }
 
 impl<I: Id, T: Copy> Square<I, T> {
-    /// The same entry everywhere, of so many rows.
+    /// Matrix of equal entries with `count` rows.
     #[must_use]
     pub fn filled(entry: T, count: usize) -> Self {
         Self {
@@ -245,7 +244,7 @@ impl<I: Id, T: Copy> Square<I, T> {
         }
     }
 
-    /// Of its entries, row by row.
+    /// Matrix from its entries, row by row.
     #[must_use]
     pub fn of_rows(entries: &[T]) -> Self {
         Self {
@@ -255,7 +254,7 @@ impl<I: Id, T: Copy> Square<I, T> {
         }
     }
 
-    /// Of its columns, each of which has an entry for every row.
+    /// Matrix from its columns.
     #[must_use]
     pub fn of_columns(columns: &List<I, List<I, T>>) -> Self {
         let row = |row: I| columns.iter().map(move |column| column[row]);
@@ -266,7 +265,7 @@ impl<I: Id, T: Copy> Square<I, T> {
         }
     }
 
-    /// The numbers of its rows, and of its columns.
+    /// Indices of its rows, which are those of its columns.
     #[must_use]
     pub fn ids(
         &self,
@@ -274,43 +273,43 @@ impl<I: Id, T: Copy> Square<I, T> {
         ids(self.count)
     }
 
-    /// The places of its entries, row by row.
+    /// Indices of its entries, row by row.
     pub fn places(&self) -> impl Iterator<Item = (I, I)> + use<I, T> {
         let columns = self.ids();
         let row = move |row: I| columns.clone().map(move |column| (row, column));
         self.ids().flat_map(row)
     }
 
-    /// The entry of its first row and column.
+    /// Entry of the first row and column.
     ///
     /// # Panics
-    /// Where there is none.
+    /// If the matrix is empty.
     #[must_use]
     pub fn first(&self) -> T {
         self.entries[0]
     }
 
-    /// Its rows, from the first on.
+    /// Rows.
     pub fn rows(&self) -> impl Iterator<Item = List<I, T>> {
         self.ids().map(|row| self.row(row).collect())
     }
 
-    /// One of its rows.
+    /// Row.
     pub fn row(&self, row: I) -> impl Iterator<Item = T> {
         self.ids().map(move |column| self[(row, column)])
     }
 
-    /// One of its columns.
+    /// Column.
     pub fn column(&self, column: I) -> List<I, T> {
         self.ids().map(|row| self[(row, column)]).collect()
     }
 
-    /// Its diagonal.
+    /// Diagonal.
     pub fn diagonal(&self) -> impl Iterator<Item = T> {
         self.ids().map(|k| self[(k, k)])
     }
 
-    /// The same matrix by other numbers, where both count the same.
+    /// The same matrix with another index type, for lists that correspond entry by entry.
     #[must_use]
     pub fn renumbered<J>(self) -> Square<J, T> {
         Square {
@@ -320,7 +319,7 @@ impl<I: Id, T: Copy> Square<I, T> {
         }
     }
 
-    /// Changes an entry and its mirror image, for what is symmetric.
+    /// Sets an entry and its mirror image.
     pub fn set_both(&mut self, (row, column): (I, I), entry: T) {
         self[(row, column)] = entry;
         self[(column, row)] = entry;
@@ -328,7 +327,7 @@ impl<I: Id, T: Copy> Square<I, T> {
 }
 
 impl<I, T> From<Square<I, T>> for Vec<T> {
-    /// Its entries, row by row.
+    /// Entries, row by row.
     fn from(square: Square<I, T>) -> Self {
         square.entries
     }

@@ -1,8 +1,8 @@
-//! The 4×4 matrices of Legnani et al. 1996 over scalars that are not known yet.
+//! The 4×4 matrices of Legnani et al. 1996 over symbolic scalars.
 //!
 //! In: [`Term`](crate::expression::Term)s. Out: the paper's M, L, W, H, J and Φ, and Y, each kept as its blocks, with
-//! the operations that mean something for it. What is zero or one in a block costs nothing, because
-//! the graph folds it away. It never decides in which frame or order anything is computed.
+//! their operations. Zeros and ones in a block cost nothing, because the graph folds them. Frames and the order of
+//! computation are chosen by the callers.
 //!
 //! | letter | type | blocks |
 //! |---|---|---|

@@ -1,8 +1,7 @@
 //! The recursions that functions share, as matrices of expressions.
 //!
-//! In: the bodies of a chain with their frames, in a [`Scene`]. Out: scalars. Recursions run in the
-//! frames of the links (structure rules 1 to 3), or, with joints whose matrices are all there, in frame
-//! 0. It knows no function, and never counts, orders or prints.
+//! In: the bodies of a chain with their frames, in a [`Scene`]. Out: scalars. Recursions run in the frames of the links
+//! (structure rules 1 to 3), or with all matrices in frame 0.
 
 mod alike;
 pub(crate) mod articulated;
@@ -47,7 +46,7 @@ use crate::list::{self, List, Square};
 use crate::matrix::{Action, Inertia, Screw, Vector};
 use crate::space::{FrameId, ParameterId, Variable, VelocityId};
 
-/// What a function is built from: bodies with their frames, a state, and the way.
+/// The data of a function: bodies with their frames, a state, and the algorithm.
 pub struct Scene<'s, 'g> {
     graph: &'g Graph,
     frame: FrameId,
@@ -57,7 +56,7 @@ pub struct Scene<'s, 'g> {
 }
 
 impl<'s, 'g> Scene<'s, 'g> {
-    /// Of that frame, where a function is of one.
+    /// A scene with a frame, for functions of a frame.
     pub(crate) fn new(graph: &'g Graph, bodies: &'s Bodies<'g>, frame: FrameId, way: Way) -> Self {
         Self {
             graph,
@@ -68,18 +67,18 @@ impl<'s, 'g> Scene<'s, 'g> {
         }
     }
 
-    /// For each velocity the one that it is eliminated into: that of the joint which carries the body it
-    /// moves, or, where joints follow others, the nearest that any of its bodies has to do with.
+    /// For each velocity the next one in the elimination: that of the joint that carries the body it moves or, with
+    /// mimic joints, the nearest one coupled with any of its bodies.
     pub(crate) fn parents(&self) -> List<VelocityId, Option<VelocityId>> {
         velocities::parents(self.bodies)
     }
 
-    /// The way to the frame, in the frames of the links.
+    /// The path to the frame, in the frames of the links.
     pub(crate) fn link_path(&self) -> carry::Path<'g> {
         carry::path(self.bodies, self.frame, &self.state, self.way)
     }
 
-    /// The way to the frame, in the frame in which recursions run.
+    /// The path to the frame, in the frame of the recursions.
     pub(crate) fn path(&self) -> carry::Path<'g> {
         match self.way.frame {
             Frame::Link => self.link_path(),
@@ -87,13 +86,13 @@ impl<'s, 'g> Scene<'s, 'g> {
         }
     }
 
-    /// The joints at work, in the frames of the links.
+    /// The joints with their displacements, in the frames of the links.
     pub(crate) fn link_joints(&self) -> carry::Joints<'g> {
         carry::joints(self.bodies, &self.state, self.way)
     }
 
-    /// The same with what is left to the base, but seen from the root: for what is the same wherever the origin of
-    /// frame 0 is. So nothing is lost of a robot that is far from there, and its way there is not computed.
+    /// The same with the inertia of the base, but with the origin of frame 0 at the root: for functions that do not
+    /// depend on that origin. A robot far from it then loses no digits, and the path to it is not computed.
     pub(crate) fn seen_from_root(&self) -> (carry::Joints<'g>, Inertia<Term<'g>>) {
         let base = self.bodies.base;
         match self.way.frame {
@@ -102,7 +101,7 @@ impl<'s, 'g> Scene<'s, 'g> {
         }
     }
 
-    /// The joints at work, in the frame in which recursions run.
+    /// The joints with their displacements, in the frame of the recursions.
     pub(crate) fn joints(&self) -> carry::Joints<'g> {
         match self.way.frame {
             Frame::Link => self.link_joints(),
@@ -121,12 +120,12 @@ impl<'s, 'g> Scene<'s, 'g> {
         self.velocities().map(entry).collect()
     }
 
-    /// The same where no velocity changes.
+    /// q̈ = 0, one entry a velocity.
     pub(crate) fn coasting(&self) -> List<VelocityId, Term<'g>> {
         List::filled(self.state.zero(), self.velocities().len())
     }
 
-    /// H of the frame without gravity, where `second` is the second rate of a body.
+    /// H of the frame without gravity, where `second` is the joint acceleration of a body.
     pub(crate) fn acceleration(&self, second: impl Fn(BodyId) -> Term<'g>) -> Vec<Term<'g>> {
         match (self.way.frame, self.way.pose) {
             (Frame::Link, Carried::Outwards) => {
@@ -137,13 +136,13 @@ impl<'s, 'g> Scene<'s, 'g> {
         }
     }
 
-    /// τ of a motion with the given q̈, one entry a velocity each, less what the surroundings do: τ − Σ Jᵗ Φ.
+    /// τ of a motion with the given q̈, one entry a velocity, less the torques of external wrenches: τ − Σ Jᵗ Φ.
     pub(crate) fn driving(&self, qdd: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
-        let outside = self.outside(self.way.frame);
-        self.against(self.bodies.gravity, &self.state, qdd, &outside)
+        let external = self.outside(self.way.frame);
+        self.against(self.bodies.gravity, &self.state, qdd, &external)
     }
 
-    /// The actions of the surroundings on bodies, in the frames of the links or in frame 0.
+    /// The external wrenches on bodies, in the frames of the links or in frame 0.
     pub(crate) fn outside(&self, frame: Frame) -> Vec<(BodyId, Action<Term<'g>>)> {
         let way = Way { frame, ..self.way };
         outside::outside(self.bodies, &self.state, way)
@@ -164,25 +163,25 @@ impl<'s, 'g> Scene<'s, 'g> {
         gravity: Vector<Term<'g>>,
         state: &State<'g>,
         qdd: &List<VelocityId, Term<'g>>,
-        outside: &[(BodyId, Action<Term<'g>>)],
+        external: &[(BodyId, Action<Term<'g>>)],
     ) -> List<VelocityId, Term<'g>> {
         let qdd = velocities::shared(state, self.bodies, qdd);
         let joints = self.joints();
-        let driving = newton_euler::inverse_dynamics(&joints, gravity, state, &qdd, outside);
+        let driving = newton_euler::inverse_dynamics(&joints, gravity, state, &qdd, external);
         self.forces(&driving)
     }
 
-    /// τ of what drives each body.
+    /// τ from the torques on each body.
     pub(crate) fn forces(&self, driving: &List<BodyId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         velocities::gathered(&self.state, self.bodies, driving)
     }
 
-    /// The columns of a Jacobian, of those for each body.
+    /// The columns of a Jacobian, from the screws of each body.
     pub(crate) fn columns(&self, screws: &List<BodyId, Screw<Term<'g>>>) -> Vec<Term<'g>> {
         self.gathered(&screws.map(|screw| screw.entries()))
     }
 
-    /// The columns of any matrix with a row for each of some entries, of those for each body.
+    /// The columns of any matrix with a row for each of some entries, from those of each body.
     pub(crate) fn gathered<const M: usize>(
         &self,
         entries: &List<BodyId, [Term<'g>; M]>,
@@ -194,7 +193,7 @@ impl<'s, 'g> Scene<'s, 'g> {
             .collect()
     }
 
-    /// Y of τ = Y π by its columns; in the frames of the links, whatever the way.
+    /// Y of τ = Y π by its columns; in the frames of the links, for every algorithm.
     pub(crate) fn regressor(&self) -> List<ParameterId, List<VelocityId, Term<'g>>> {
         let joints = carry::joints(self.bodies, &self.state, Way::PLAIN);
         let links = self.bodies.bodies.map(|body| body.link);
@@ -205,48 +204,48 @@ impl<'s, 'g> Scene<'s, 'g> {
         columns.map(|column| self.forces(column)).collect()
     }
 
-    /// A matrix row by row, of columns that have an entry for each velocity.
+    /// A matrix by rows, from columns with an entry for each velocity.
     pub(crate) fn rows_of(&self, columns: &[&List<VelocityId, Term<'g>>]) -> Vec<Term<'g>> {
         let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
         self.velocities().flat_map(row).collect()
     }
 
-    /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈, under the actions from outside.
+    /// ∂τ/∂q and ∂τ/∂q̇ of a motion with the given q̈, with the external wrenches.
     pub(crate) fn torque_derivatives(
         &self,
         qdd: &List<VelocityId, Term<'g>>,
     ) -> [Square<VelocityId, Term<'g>>; 2] {
         let qdd = velocities::shared(&self.state, self.bodies, qdd);
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
-        let outside = self.outside(self.way.frame);
-        let (standing, turning) = if self.bodies.external_in_frame_0 {
-            (outside, Vec::new())
+        let external = self.outside(self.way.frame);
+        let (constant, rotating) = if self.bodies.external_in_frame_0 {
+            (external, Vec::new())
         } else {
-            (Vec::new(), outside)
+            (Vec::new(), external)
         };
         let [mut by_coordinate, by_rate] =
-            derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &turning);
-        derivatives::add_standing(&mut by_coordinate, &joints, &standing);
+            derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &rotating);
+        derivatives::add_constant_wrenches(&mut by_coordinate, &joints, &constant);
         [by_coordinate, by_rate].map(|matrix| self.by_velocities(matrix))
     }
 
-    /// ∂τ/∂q at rest, row by row.
+    /// ∂τ/∂q at rest, by rows.
     pub(crate) fn gravity_derivative(&self) -> Square<VelocityId, Term<'g>> {
         let gravity = self.bodies.gravity;
         self.by_velocities(gravity::derivative(&self.joints(), gravity, &self.state))
     }
 
-    /// C, row by row.
+    /// The Coriolis matrix C, by rows.
     pub(crate) fn coriolis_matrix(&self) -> Square<VelocityId, Term<'g>> {
         self.by_velocities(derivatives::coriolis_matrix(&self.joints(), &self.state))
     }
 
-    /// A matrix that has a row and a column for each velocity, of one that has them for each body.
+    /// A matrix with a row and a column for each velocity, from one with those for each body.
     fn by_velocities(&self, matrix: Square<BodyId, Term<'g>>) -> Square<VelocityId, Term<'g>> {
         velocities::gathered_by_both(&self.state, self.bodies, matrix)
     }
 
-    /// M, row by row.
+    /// M, by rows.
     pub(crate) fn mass_matrix(&self) -> Square<VelocityId, Term<'g>> {
         let matrix = composite::mass_matrix(&self.joints(), &self.state);
         velocities::gathered_twice(&self.state, self.bodies, matrix)
@@ -254,7 +253,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 }
 
 impl<'g> Scene<'_, 'g> {
-    /// q̈ that τ produces against gravity where loops are held together, and what holds them: λ.
+    /// q̈ for τ, against gravity and with closed loops, and the multipliers λ of the loops.
     pub(crate) fn constrained(&self) -> [Vec<Term<'g>>; 2] {
         let bias = self.torques(&self.coasting());
         let forces = bias.numbered();
@@ -269,7 +268,7 @@ impl<'g> Scene<'_, 'g> {
         constrained::accelerations(&self.mass_matrix(), &self.parents(), &forces, &loops)
     }
 
-    /// τ of the joints that are driven in a motion which keeps loops closed.
+    /// τ of the actuated joints in a motion that keeps loops closed.
     pub(crate) fn driven(&self) -> List<VelocityId, Term<'g>> {
         let loops = constrained::Loops {
             jacobian: loops::jacobian(self),
@@ -282,15 +281,15 @@ impl<'g> Scene<'_, 'g> {
     }
 }
 
-/// For each velocity the diagonal entry of the mass matrix and the pivot that its factors leave of it.
+/// For each velocity the diagonal entry of the mass matrix and its pivot.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     let scene = Scene::new(graph, bodies, FrameId::FIRST, Way::PLAIN);
     forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
-/// The same by articulated bodies, where each has a velocity of its own: without the other entries, of which there
-/// are as many as pairs of joints.
+/// The same by articulated bodies, if each has a velocity of its own. The other entries, of which there are as many as
+/// pairs of joints, are not computed.
 #[must_use]
 pub fn articulated_pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     let scene = Scene::new(graph, bodies, FrameId::FIRST, Way::PLAIN);
@@ -298,8 +297,7 @@ pub fn articulated_pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term
     pivots.flatten().collect()
 }
 
-/// What accelerations are solved from: M, row by row, the torques at q̈ = 0 and, where a residual is made of
-/// them, those of q̈.
+/// The equation of accelerations: M, by rows, the torques at q̈ = 0 and, if a residual is computed, those of q̈.
 pub(crate) fn equation<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
@@ -315,7 +313,7 @@ pub(crate) fn equation<'g>(
     terms
 }
 
-/// What the inverse of M is refined from: M, row by row, and M q̈ of no q̈ and of any.
+/// The equation for the refinement of M⁻¹: M, by rows, and M q̈ for q̈ = 0 and for any.
 pub(crate) fn equation_at_rest<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
@@ -328,15 +326,20 @@ pub(crate) fn equation_at_rest<'g>(
     terms
 }
 
-/// What the articulated-body recursion takes from a motion: see [`articulated::motion`].
+/// The motion in the articulated-body recursion: see [`articulated::motion`].
 pub(crate) fn articulated_motion<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
     way: Way,
 ) -> Vec<Term<'g>> {
     let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
-    let outside = scene.outside(Frame::Link);
-    articulated::motion(&scene.link_joints(), bodies.gravity, &scene.state, &outside)
+    let external = scene.outside(Frame::Link);
+    articulated::motion(
+        &scene.link_joints(),
+        bodies.gravity,
+        &scene.state,
+        &external,
+    )
 }
 
 /// One step inwards of the articulated-body recursion from each joint: see [`articulated::step`].

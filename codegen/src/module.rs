@@ -1,7 +1,7 @@
-//! What is generated for a robot: functions with their programs, the spaces that they are over, the robot as data.
+//! The module: everything that is generated for a robot, in no particular language.
 //!
-//! In: nothing, these are nouns. A [`Module`] is made by [`expand`](crate::expand), annotated by the check and the bounds, and
-//! printed by a language. It knows no stage.
+//! [`expand`](crate::expand) makes a [`Module`]: functions with their programs, their spaces, and the robot as data.
+//! The check and the bounds annotate it, and a language prints it.
 
 mod data;
 mod review;
@@ -10,7 +10,8 @@ pub use data::{ChainData, DataMotion, LoopData, LoopsData};
 pub use review::{Origins, Review, Sum, Vector};
 
 use crate::accuracy::Accuracy;
-use crate::error::{Complaint, Errors};
+use crate::description::Source;
+use crate::error::Complaint;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
@@ -19,12 +20,12 @@ use crate::request::Parameter;
 use crate::schedule::{Length, Price, Program};
 use crate::space::{Space, Spaces, Variable};
 
-/// All that is generated for a robot.
+/// Everything that is generated for a robot.
 #[derive(Clone, Debug)]
 pub struct Module {
-    /// What the comments say.
+    /// Facts for comments.
     pub about: About,
-    /// What arguments and results are over.
+    /// Spaces of arguments and results.
     pub spaces: Spaces,
     /// The functions, in the order of the request.
     pub functions: Vec<GeneratedFunction>,
@@ -32,40 +33,39 @@ pub struct Module {
     pub data: ChainData,
     /// Largest torque or force of each velocity \[N m, N\]; infinite where the description has none.
     pub efforts: Vec<f64>,
-    /// What base parameters are described as \[kg, kg m, kg m²\].
+    /// Values of the base parameters by the description \[kg, kg m, kg m²\].
     pub base_values: Vec<f64>,
-    /// Whether functions take slices of states besides.
+    /// True if functions for slices of states are generated as well.
     pub batch: bool,
-    /// How long a function is that compilers see.
+    /// Length of functions in the generated code.
     pub length: Length,
-    /// The type of number.
+    /// Scalar type.
     pub scalar: Real,
-    /// Where sines and cosines come from.
+    /// Source of sines and cosines.
     pub sines: Sines,
-    /// The fields that programs read, in the order in which
-    /// [`Input::Parameter`](crate::expression::Input) counts them.
+    /// Fields that programs read, in the order in which [`Input::Parameter`](crate::expression::Input) counts them.
     pub parameters: Vec<Parameter>,
-    /// The same functions with what depends on fields alone computed once, where that is asked for.
+    /// The same functions with everything precomputed that depends on fields alone, if `prepare` was requested.
     pub prepared: Option<Prepared>,
-    /// What the reviewer of a file reads, where it becomes one.
+    /// Material for the reviewer of a file, if the module becomes one.
     pub review: Option<Review>,
 }
 
-/// A robot in two parts: what its fields make of it, and what is left of its functions.
+/// Prepared robot: the part that depends on fields, and the rest of each function.
 #[derive(Clone, Debug)]
 pub struct Prepared {
-    /// What depends on fields alone.
+    /// Program that depends on fields alone.
     pub once: Program,
-    /// What that costs.
+    /// Its operation counts.
     pub price: Price,
-    /// What its results would like to be called, none twice.
+    /// Preferred names of its results, all different.
     pub names: Vec<String>,
-    /// The functions, in the order of the module, which read those results as the only field.
+    /// Functions in the order of the module; they read the results of `once` as their only field.
     pub functions: Vec<GeneratedFunction>,
 }
 
 impl Module {
-    /// The values of the base parameters, where a function asks for them.
+    /// Values of the base parameters, if a function ranges over them.
     pub(crate) fn base_parameters(&self) -> Option<&[f64]> {
         let mut functions = self
             .functions
@@ -79,88 +79,84 @@ impl Module {
     }
 }
 
-/// What comments say about a robot.
+/// Facts about a robot for comments.
 #[derive(Clone, Debug, Default)]
 pub struct About {
-    /// The robot's name.
+    /// Name of the robot.
     pub robot: String,
-    /// The name of the file it was read from, without folders, and the hash of its bytes.
-    pub source: Option<(String, u64)>,
-    /// The link whose frame is frame 0.
+    /// Files of the description.
+    pub source: Source,
+    /// Link whose frame is frame 0.
     pub base: String,
-    /// The link whose frame poses and Jacobians are of.
+    /// Link of the end effector.
     pub tip: String,
-    /// What is modelled and what is not: `2 links merged`, `gravity only along −z`.
+    /// Simplifications of the model: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
-    /// Whether joints feel more than their bodies: an armature or friction.
+    /// True if a joint has armature or friction.
     pub driven: bool,
-    /// The words of the formulation that was asked for, where it is not the default.
+    /// Words of the requested formulation, if it is not the default.
     pub formulation: Vec<String>,
     /// Warnings about the description and the request.
     pub warnings: Vec<Complaint>,
-    /// Functions that the robot cannot have, where all that it can have were asked for.
+    /// Functions that the robot can't have, if all functions were requested.
     pub left_out: Vec<LeftOut>,
 }
 
 impl About {
-    /// The warnings without their hints, each a line with its place.
+    /// Warnings without hints, a line each with its place.
     #[must_use]
     pub fn located_warnings(&self) -> Vec<String> {
-        let mut places = Errors::new();
-        if let Some((file, _)) = &self.source {
-            places.set_file(file.clone(), None);
-        }
+        let places = self.source.errors();
         let warnings = self.warnings.iter();
         warnings.map(|warning| places.locate(warning)).collect()
     }
 }
 
-/// Functions that a robot cannot have, for one reason.
+/// Functions that a robot can't have for one reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftOut {
-    /// Their names.
+    /// Names of the functions.
     pub functions: Vec<String>,
-    /// Why, a sentence with its place.
+    /// Reason, as a sentence with its place.
     pub reason: String,
-    /// What to do about it.
+    /// Hint for the user.
     pub hint: Option<String>,
-    /// Whether the engine is at fault, and not the robot.
+    /// True if the cause is a fault of the engine and not the robot.
     pub is_fault: bool,
 }
 
-/// One generated function, a method of the robot's type where the language has such.
+/// A generated function: a method of the robot's type if the language has methods.
 #[derive(Clone, Debug)]
 pub struct GeneratedFunction {
-    /// What it computes; several functions share their work and are returned as a tuple.
+    /// Functions that it computes; several share their work and are returned as a tuple.
     pub functions: Vec<Function>,
-    /// The link whose frame it is about, where that is not the tip.
+    /// Link of its frame, if that is not the end effector.
     pub frame: Option<String>,
-    /// Where the frames stand that its matrices are in.
+    /// Frames of its matrices.
     pub layout: Layout,
-    /// The operations.
+    /// Operations.
     pub program: Program,
-    /// What they cost.
+    /// Operation counts.
     pub price: Price,
-    /// How far rounding can take their results: those that are evaluated, and each that solves
-    /// something.
+    /// Error bounds: one for the results that are evaluated, and one for each that solves an equation.
     pub accuracy: Vec<Accuracy>,
 }
 
 impl GeneratedFunction {
-    /// Its name, as far as nothing else is called so.
+    /// Name of its method, before the resolution of clashes.
     #[must_use]
     pub fn name(&self) -> String {
         name(&self.functions, self.frame.as_deref())
     }
 
-    /// What its functions together are functions of.
+    /// Union of the arguments of its functions.
     #[must_use]
     pub fn arguments(&self, spaces: &Spaces) -> Vec<Variable> {
         arguments(&self.functions, spaces.actions() > 0)
     }
 }
 
-/// What several functions together are functions of, where actions from outside are among it or not.
+/// Union of the arguments of several functions. `actions`: the robot has external wrenches.
 pub(crate) fn arguments(functions: &[Function], actions: bool) -> Vec<Variable> {
     let each = functions.iter();
     Variable::together(each.map(|function| function.arguments_with(actions)))

@@ -1,25 +1,25 @@
-//! A name as it was written, and where.
+//! Names with their places.
 
 use crate::error::Place;
 
-/// A name and its place.
+/// A name with its place.
 #[derive(Clone, Debug, Default)]
 pub struct Name {
     /// The text, as written.
     pub text: String,
-    /// Where it stands.
+    /// Its place in the text.
     pub place: Place,
 }
 
 impl From<&str> for Name {
-    /// A name that was written nowhere: a build script's.
+    /// A name without a place, set in code.
     fn from(text: &str) -> Self {
         text.to_owned().into()
     }
 }
 
 impl From<String> for Name {
-    /// The same.
+    /// A name without a place, set in code.
     fn from(text: String) -> Self {
         Self {
             text,

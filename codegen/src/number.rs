@@ -1,26 +1,24 @@
-//! A number as a description has it: not only its value.
-//!
-//! A shared noun: how it is read, and what its digits may mean, is for others to say.
+//! Numbers of a description, with their digits and places.
 
 use crate::error::Place;
 use crate::expression::Double;
 
-/// A number, the digits it was written with, and its place.
+/// A number with its digits and its place.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Number {
     /// The nearest `f64`.
     pub value: f64,
-    /// What that lacks of the number, to 53 further bits. Zero of a number written in digits, which means the
-    /// nearest `f64`; not of `pi/3`, or of a number that is computed of others.
+    /// The number minus `value`, to 53 further bits. Zero for a number written in digits, which means its nearest
+    /// `f64`; not zero for `pi/3` or a number computed from others.
     pub rest: f64,
-    /// One unit of the last digit that was written: 1e-4 for `1.5708`, 1e-6 for `1.5e-5`.
-    /// Zero where the number was not read from digits.
+    /// One unit of the last written digit: 1e-4 for `1.5708`, 1e-6 for `1.5e-5`. Zero if the number was not read from
+    /// digits.
     pub resolution: f64,
-    /// Where it stands.
+    /// Its place in the text.
     pub place: Place,
 }
 
-/// A number that was computed and not written.
+/// A computed number, without digits.
 #[must_use]
 pub fn computed(number: impl Into<Double>, place: Place) -> Number {
     let number = number.into();
@@ -34,7 +32,7 @@ pub fn computed(number: impl Into<Double>, place: Place) -> Number {
 }
 
 impl From<f64> for Number {
-    /// A number that was written nowhere: a build script's.
+    /// A number without a place, set in code.
     fn from(value: f64) -> Self {
         Self {
             value,
@@ -44,7 +42,7 @@ impl From<f64> for Number {
 }
 
 impl Number {
-    /// The number to 106 bits: whatever is computed of it begins here, and never with its nearest `f64`.
+    /// The number to 106 bits. Computations start from this, not from the nearest `f64`.
     #[must_use]
     pub fn exact(&self) -> Double {
         Double::from(self.value) + Double::from(self.rest)

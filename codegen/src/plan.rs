@@ -1,8 +1,9 @@
-//! How each function is computed: the layout of the frames, the algorithm and the formulation, with the program that they give.
+//! Planning: the layout of frames, the algorithm and the formulation of each function, with the program.
 //!
-//! In: a [`Chain`]. Out: a [`Plan`] for each function that is asked for, made once, or why the robot cannot have
-//! it. Of programs that compute the same, `choice` takes the one that costs least; where something is solved for, of those
-//! that are `accurate` enough by what has been `measured`. Bounds and checks take a plan and build no program again.
+//! In: a [`Chain`]. Out: a [`Plan`] for each requested function, made once, or the reason why the robot cannot have
+//! it. Of programs that compute the same, `choice` takes the cheapest; for a function that solves an equation, the
+//! cheapest of those that are `accurate` enough by the `measured` error. Bounds and checks take a plan and build no
+//! program again.
 
 mod accurate;
 mod choice;
@@ -14,8 +15,8 @@ mod search;
 mod solvable;
 mod weighable;
 
-pub(crate) use forward::doubts;
 pub use forward::keeps_half;
+pub(crate) use forward::warnings;
 pub use measured::Off;
 pub use program::{Programs, Recursion, expressions_by, program_by};
 
@@ -31,30 +32,30 @@ use crate::schedule::{Price, Program};
 use crate::space::FrameId;
 use choice::cheapest;
 
-/// How some functions are computed together, of a frame of a chain.
+/// The computation of some functions together, for a frame of a chain.
 pub struct Plan<'c> {
     /// The robot.
     pub chain: &'c Chain,
-    /// What is computed, one function after the other.
+    /// The functions, in the order of computation.
     pub functions: Vec<Function>,
-    /// The frame, where they are of one.
+    /// The frame, for functions of a frame.
     pub frame: FrameId,
-    /// Where the frames of the bodies stand.
+    /// The layout of the frames of bodies.
     pub layout: Layout,
     /// The algorithm and the formulation.
     pub way: Way,
     /// The operations.
     pub program: Program,
-    /// What they cost, beside dense products.
+    /// Their operation count, with that of dense products.
     pub price: Price,
-    /// The error that was measured, where the algorithm was chosen by it.
+    /// The measured error, if the algorithm was chosen by it.
     pub off: Off,
-    /// Programs of the same chain that bounds are made of.
+    /// Programs of the same chain, from which bounds are made.
     pub programs: Rc<Programs<'c>>,
 }
 
 impl Plan<'_> {
-    /// The link whose frame it is about, where that is not the tip.
+    /// The link of its frame, if that is not the tip.
     #[must_use]
     pub fn further_frame(&self) -> Option<&str> {
         let of_a_frame = self.functions.iter().all(|function| function.of_a_frame());
@@ -63,7 +64,7 @@ impl Plan<'_> {
     }
 }
 
-/// Functions that are asked for together, of a frame, with their plan or why there is none.
+/// Functions that are requested together, for a frame, with their plan or the errors.
 pub struct Planned<'c> {
     /// Their names.
     pub name: String,
@@ -71,13 +72,13 @@ pub struct Planned<'c> {
     pub plan: Result<Plan<'c>, Errors>,
 }
 
-/// How many joints code without loops can be wanted for.
+/// Largest number of joints that straight-line code is generated for.
 const MOST: usize = 1000;
 
-/// Refuses a chain that is too long for code without loops.
+/// Rejects a chain that is too long for straight-line code.
 ///
 /// # Errors
-/// Where more joints move than anyone can want a page of code for.
+/// If more than 1000 joints move.
 pub fn check_size(chain: &Chain) -> Result<(), Errors> {
     let mut errors = chain.description.source.errors();
     let moving = chain.joints.len();
@@ -91,10 +92,10 @@ pub fn check_size(chain: &Chain) -> Result<(), Errors> {
     errors.into_result(())
 }
 
-/// Plans what is asked for of a chain, one function after the other.
+/// Plans the requested functions of a chain, one after the other.
 ///
 /// # Errors
-/// Of a chain that is too long.
+/// If the chain is too long.
 pub fn plans(chain: &Chain) -> Result<impl Iterator<Item = Planned<'_>>, Errors> {
     check_size(chain)?;
     let programs = Programs::of(chain);
@@ -108,7 +109,7 @@ pub fn plans(chain: &Chain) -> Result<impl Iterator<Item = Planned<'_>>, Errors>
     }))
 }
 
-/// What becomes a generated function: each item of the request for the tip, or for the robot as a whole, and again for each
+/// The functions to generate: each item of the request for the tip, or for the robot as a whole, and again for each
 /// further frame.
 fn wanted(chain: &Chain) -> Vec<(Vec<Function>, FrameId)> {
     let mut wanted = Vec::new();
@@ -123,10 +124,10 @@ fn wanted(chain: &Chain) -> Vec<(Vec<Function>, FrameId)> {
 /// The cheapest plan of some functions together.
 ///
 /// # Errors
-/// Where the robot cannot have them.
+/// If the robot cannot have them.
 ///
 /// # Panics
-/// Where a function of a frame is asked for and the chain has none.
+/// If a function of a frame is requested and the chain has none.
 pub fn plan<'c>(
     programs: &Rc<Programs<'c>>,
     functions: Vec<Function>,

@@ -1,8 +1,7 @@
-//! The last stage: what is printed for a robot.
+//! Printing, the last stage: text of a module in each language.
 //!
-//! In: the programs of a robot and what is to be said about them, as a [`Module`](crate::module::Module). Out: text in a
-//! language, which has a room of its own below and finds here what every language shares. It never
-//! computes a number, changes an operation or chooses an order.
+//! In: a [`Module`](crate::module::Module). Out: text. Each language has a folder; everything that languages share is
+//! here. Operations and their order stay as they are.
 
 #[cfg(feature = "files")]
 pub mod arrays;
@@ -27,17 +26,17 @@ mod walk;
 
 use crate::request::Parameter;
 
-/// What programs read of a struct.
+/// Fields of the struct that programs read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Fields<'l> {
-    /// What the user puts into it.
+    /// Fields of the user.
     Own(&'l [Parameter]),
-    /// What has been computed of that: one field, whose entries would like these names.
+    /// One field with values computed from those of the user; the strings are their preferred names.
     Computed(&'l [String]),
 }
 
 impl Fields<'_> {
-    /// The names that the entries of each would like.
+    /// Preferred names of the entries of each field.
     pub(crate) fn entries(self) -> Vec<Vec<String>> {
         match self {
             Self::Own(parameters) => parameters.iter().map(Parameter::entries).collect(),

@@ -1,54 +1,53 @@
-//! Processors, and what their operations cost.
+//! Processors and the costs of their operations.
 //!
-//! In: a name, a type of number. Out: whether a product and a sum are fused, and for how many cycles each
-//! operation keeps a unit busy. A shared noun: it never looks at a program or its price.
+//! In: a name and a scalar type. Out: whether products fuse with sums, and for how many cycles each operation occupies
+//! an arithmetic unit.
 
 use crate::real::Real;
 use crate::wording::known;
 
-/// What code is generated for.
+/// Processor that code is generated for.
 ///
-/// The choice changes which operations are used and what is printed of their cost, never what is
-/// computed; code for one processor runs on every other. Products and sums are fused only where
-/// `Scalar::mul_add` of the runtime can be the instruction: in a file for `core` alone it never is,
-/// because `core` has no fused product on stable compilers.
+/// It decides which algorithms and operations are used, and which costs are printed, never the function that is
+/// computed; code for one processor runs on every other. Products fuse with sums only if `Scalar::mul_add` of the
+/// runtime can be the instruction: never in a file for `core` alone, because `core` has no fused product on stable
+/// compilers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Processor {
-    /// Any: fused where the processor can, weighed by the number of operations.
+    /// Any processor: fused if the processor has the instruction; costs are operation counts.
     #[default]
     Portable,
-    /// Arm Cortex-M4F: single precision alone, and never fused, since VFMA takes 3 cycles where VMUL
-    /// and VADD take 2.
+    /// Arm Cortex-M4F: single precision only, and never fused, since VFMA takes 3 cycles, and VMUL and VADD take 2.
     CortexM4,
-    /// Arm Cortex-M7 with a unit of double precision. Not fused: VFMA waits 6 cycles for a sum that
-    /// VADD adds in 3, and code without the standard library cannot ask for it.
+    /// Arm Cortex-M7 with a double-precision unit. Not fused: VFMA waits 6 cycles for an addend, VADD takes 3, and code
+    /// without the standard library has no access to VFMA.
     CortexM7,
-    /// x86-64 as every such processor has it, without fused products.
+    /// x86-64 without extensions, without fused products.
     X86_64,
     /// x86-64 with AVX2 and FMA, for `-C target-cpu=x86-64-v3` or `native`.
     X86_64V3,
-    /// 64-bit Arm, which always has fused products.
+    /// 64-bit Arm, with fused products.
     AArch64,
 }
 
-/// For how many cycles an operation keeps an arithmetic unit busy.
+/// Cycles for which an operation occupies an arithmetic unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Costs {
-    /// A sum, a difference or a change of sign.
+    /// A sum, a difference or a negation.
     pub(crate) add: usize,
     pub(crate) mul: usize,
-    /// A product and a sum at once; none where that cannot be had.
+    /// A fused product and sum; `None` if there is no such instruction.
     pub(crate) fused: Option<usize>,
     pub(crate) div: usize,
     pub(crate) sqrt: usize,
-    /// A sine or a cosine, one half of what computes both.
+    /// A sine or a cosine: half of the pair.
     pub(crate) turn: usize,
-    /// How many units work side by side.
+    /// Number of parallel units.
     pub(crate) units: usize,
 }
 
 impl Processor {
-    /// All of them, in the order of the documentation.
+    /// All processors, in the order of the documentation.
     pub const ALL: [Self; 6] = [
         Self::Portable,
         Self::CortexM4,
@@ -58,7 +57,7 @@ impl Processor {
         Self::AArch64,
     ];
 
-    /// The name in attributes and on the command line.
+    /// Name in attributes and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -71,23 +70,23 @@ impl Processor {
         }
     }
 
-    /// The processor of that name.
+    /// The processor with this name.
     ///
     /// # Errors
-    /// An unknown name: a hint that lists the known ones.
+    /// For an unknown name: a hint that lists the known ones.
     pub fn from_name(name: &str) -> Result<Self, String> {
         let mut all = Self::ALL.into_iter();
         all.find(|processor| processor.name() == name)
             .ok_or_else(|| known(name, "processors", &Self::ALL.map(Self::name)))
     }
 
-    /// Whether it computes in a type of number without calling a library for every operation.
+    /// True if the processor has instructions for a scalar type.
     #[must_use]
     pub fn has(self, scalar: Real) -> bool {
         (self, scalar) != (Self::CortexM4, Real::F64)
     }
 
-    /// Whether a product and a sum at once cost no more than both.
+    /// True if a fused product and sum costs no more than both.
     #[must_use]
     pub fn fuses(self, scalar: Real) -> bool {
         let costs = self.costs(scalar);
@@ -96,11 +95,12 @@ impl Processor {
             .is_some_and(|fused| fused <= costs.mul + costs.add)
     }
 
-    /// Sources: the Technical Reference Manual of the Cortex-M4 (Arm DDI 0439, timing of
-    /// floating-point instructions); the pipeline of the Cortex-M7 in GCC (`cortex-m7.md`); Skylake
-    /// in Agner Fog's instruction tables; the Neoverse N1 in LLVM (`AArch64SchedNeoverseN1.td`). A
-    /// sine on the M4F and the M7 is half of the instructions counted in `examples/cortex_m`;
-    /// elsewhere it is the share of one in a vector, measured on x86-64.
+    /// Costs by scalar type.
+    ///
+    /// Sources: the Technical Reference Manual of the Cortex-M4 (Arm DDI 0439, timing of floating-point instructions);
+    /// the pipeline of the Cortex-M7 in GCC (`cortex-m7.md`); Skylake in Agner Fog's instruction tables; the Neoverse
+    /// N1 in LLVM (`AArch64SchedNeoverseN1.td`). A sine on the M4F and the M7 is half of the instructions counted in
+    /// `examples/cortex_m`; elsewhere it is the share of one in a vector, measured on x86-64.
     #[rustfmt::skip]
     pub(crate) const fn costs(self, scalar: Real) -> Costs {
         let single = matches!(scalar, Real::F32);
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_can_be_had_and_pays_is_fused() {
+    fn products_fuse_if_the_instruction_exists_and_pays() {
         let fuse = Processor::ALL.into_iter();
         let fuse: Vec<_> = fuse
             .filter(|processor| processor.fuses(Real::F32))

@@ -1,13 +1,12 @@
-//! Quaternions of states at which something is looked at.
+//! Quaternions of random states.
 //!
-//! In: four numbers, any. Out: a quaternion of length 1 that points nearly where they do. It knows
-//! nothing of joints.
+//! In: any four numbers. Out: a quaternion of length 1 in nearly their direction.
 
 use crate::expression::Double;
 use crate::real::Real;
 
-/// Gives four numbers the length 1, to a hundred bits; scaled first by a power of two, so that no square overflows or
-/// vanishes.
+/// Normalizes four numbers to length 1, to a hundred bits. They are scaled first by a power of two, so that no square
+/// overflows or underflows.
 pub fn normalize(entries: &mut [Double]) {
     let exponents = entries.iter().map(|entry| entry.exponent());
     let largest = exponents.max().unwrap_or(0);
@@ -22,12 +21,12 @@ pub fn normalize(entries: &mut [Double]) {
     }
 }
 
-/// Four numbers of a type whose length is 1 to ten bits more than the type has: what rotation each
-/// formula makes of them is the same.
+/// A quaternion of a type of numbers, whose length is 1 to ten bits more than the type has: all formulas give the same
+/// rotation for it.
 ///
-/// In no type are there other quaternions of length 1 to the last digit than the 24 whose entries are ±½, or
-/// ±1 and zeros, and these turn every axis into an axis. So three entries are cut to half of the digits, and
-/// one, at the place `small`, is what they leave: so small that its rounding is next to nothing.
+/// The only quaternions of length 1 to the last digit, in any type, are the 24 whose entries are ±½, or ±1 and zeros;
+/// they map axes to axes. So three entries are truncated to half of the digits, and the entry `small` is computed from
+/// them: it is so small that its rounding is negligible.
 #[must_use]
 pub fn of_length_1(direction: [f64; 4], small: usize, scalar: Real) -> [f64; 4] {
     let grid = match scalar {

@@ -1,6 +1,6 @@
-//! Numbers to look at a robot with that are the same on every machine.
+//! Random numbers that are the same on every platform.
 //!
-//! In: a seed. Out: a sequence of numbers. It never knows what they are taken for.
+//! In: a seed. Out: a sequence of numbers.
 
 /// A sequence of numbers (splitmix64 of Steele, Lea and Flood, 2014), from a seed.
 pub(crate) struct Random(pub(crate) u64);

@@ -1,7 +1,6 @@
-//! The states that a robot is meant for: how far its joints go, and how fast.
+//! Ranges of states: limits of coordinates, velocities and accelerations, for which error bounds hold.
 //!
-//! In: a chain. Out: a [`Range`] of every argument, from the limits that are described and, where
-//! there are none, from the defaults below. It never looks at what is computed of a state.
+//! In: a chain. Out: the [`Range`] of every argument, from the limits of the description or else from defaults.
 
 use std::f64::consts::PI;
 
@@ -10,26 +9,25 @@ use crate::expression::Input;
 use crate::list::{Id, List};
 use crate::space::{Arguments, CoordinateId, Entry, FieldId, Kind, Variable, VelocityId};
 
-/// The least and the greatest that each argument of a function can be.
+/// Range of each argument of a function.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Range {
-    /// Of each entry, in its unit; none of arguments of which nothing is said.
+    /// Range of each entry in its unit; empty for arguments without one.
     pub arguments: Arguments<[f64; 2]>,
-    /// Of the entries of each struct field, in the units of what it stands for.
+    /// Range of the entries of each struct field, in their units.
     pub fields: List<FieldId, Vec<[f64; 2]>>,
-    /// The first of the four entries of each quaternion of q, which is of length 1 but for its rounding.
+    /// First of the four entries of each quaternion in q, which has length 1 up to rounding.
     pub quaternions: Vec<Input>,
 }
 
-/// What the entry of a variable is described to stay in.
+/// Range of an entry by the description.
 fn described(variable: Variable, entry: &Entry) -> Option<[f64; 2]> {
     entry.range.filter(|_| variable.has_limits())
 }
 
 impl Range {
-    /// The states of a chain. A field has the range that is declared for it, or else one that holds
-    /// zero and twice the largest entry that is described in its place: its entries may be anything
-    /// that has this size.
+    /// Ranges of a chain. A field has its declared range, or else one that contains zero and twice the largest entry of
+    /// its described value, since its entries may be any numbers of that magnitude.
     #[must_use]
     pub fn of(chain: &Chain) -> Self {
         let spaces = chain.spaces();
@@ -55,7 +53,7 @@ impl Range {
         }
     }
 
-    /// The range of each coordinate, as far as a turn has digits in it: some vendors write limits of 1e16.
+    /// Range of each coordinate, cut to angles at which sines are accurate, since some vendors write limits of 1e16.
     #[must_use]
     pub fn turns_with_digits(&self) -> Vec<[f64; 2]> {
         const FARTHEST: f64 = 1e6;
@@ -69,13 +67,13 @@ impl Range {
         self.arguments[Variable::Q][k.index()]
     }
 
-    /// The range of what an argument has for a velocity.
+    /// Range of an argument's entry for a velocity.
     #[must_use]
     pub fn of_velocity(&self, variable: Variable, k: VelocityId) -> [f64; 2] {
         self.arguments[variable][k.index()]
     }
 
-    /// The range of one input; none where nothing is known of it.
+    /// Range of one input; `None` if it is unknown.
     #[must_use]
     pub fn get(&self, input: Input) -> Option<[f64; 2]> {
         match input {
@@ -88,7 +86,7 @@ impl Range {
     }
 }
 
-/// The range of some arguments, and of the fields that are read, in words:
+/// Text of the ranges of some arguments and of the fields that are read:
 /// ``q and q̇ within their limits, |q̈| ≤ 10 rad/s², `payload` from 0 to 3 kg``.
 #[must_use]
 pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> bool) -> String {
@@ -98,21 +96,21 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> b
     for &argument in arguments {
         let letter = argument.letter();
         let entries = spaces.entries(argument.space()).iter();
-        let (has, lacks): (Vec<&Entry>, Vec<&Entry>) =
+        let (limited, unlimited): (Vec<&Entry>, Vec<&Entry>) =
             entries.partition(|entry| described(argument, entry).is_some());
-        if !has.is_empty() {
+        if !limited.is_empty() {
             within_limits.push(letter);
         }
-        // A quaternion is what it is.
+        // Quaternions have no limits to print.
         let kinds = [Kind::Turn, Kind::Slide].into_iter();
-        let kinds = kinds.filter(|&kind| lacks.iter().any(|entry| entry.kind == kind));
+        let kinds = kinds.filter(|&kind| unlimited.iter().any(|entry| entry.kind == kind));
         let kinds = kinds.filter_map(|kind| {
             let size = number(argument.usual(kind)?);
             Some(format!("{size} {}", argument.unit(kind)))
         });
         let kinds: Vec<String> = kinds.collect();
         if !kinds.is_empty() {
-            let or = if has.is_empty() { "" } else { "else " };
+            let or = if limited.is_empty() { "" } else { "else " };
             sizes.push(format!("{or}|{letter}| ≤ {}", kinds.join(", ")));
         }
     }
@@ -148,8 +146,8 @@ mod tests {
 
     const ALL: [Variable; 3] = [Variable::Q, Variable::Qd, Variable::Qdd];
 
-    /// A joint that turns and one that slides on it.
-    fn arm(turning: &str, sliding: &str) -> Chain {
+    /// A revolute joint with a prismatic one behind it.
+    fn arm(revolute: &str, prismatic: &str) -> Chain {
         let joint = |name: &str, kind: &str, parent: &str, child: &str, limit: &str| {
             format!(
                 r#"<joint name="{name}" type="{kind}"><parent link="{parent}"/>
@@ -158,8 +156,8 @@ mod tests {
         };
         let text = [
             r#"<robot name="arm"><link name="base"/><link name="a"/><link name="b"/>"#.to_owned(),
-            joint("turns", "revolute", "base", "a", turning),
-            joint("slides", "prismatic", "a", "b", sliding),
+            joint("turns", "revolute", "base", "a", revolute),
+            joint("slides", "prismatic", "a", "b", prismatic),
             "</robot>".to_owned(),
         ];
         let mut errors = Errors::new();
@@ -170,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_are_taken_where_they_are_described() {
+    fn described_limits_are_used() {
         let limit = r#"<limit lower="-1" upper="2" velocity="3" effort="4"/>"#;
         let chain = arm(limit, limit);
         let range = Range::of(&chain);
@@ -195,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn where_no_limit_is_described_the_range_is_told() {
+    fn default_ranges_are_documented() {
         let nothing = r#"<limit effort="4" velocity="0"/>"#;
         let chain = arm(
             r#"<limit lower="-1" upper="2" effort="4" velocity="0"/>"#,

@@ -1,8 +1,6 @@
-//! The type of number that generated code computes with, and the sines that it calls.
-//!
-//! A shared noun: names, and what an operation of the type can lose. It never knows who asked for it.
+//! Scalar types of generated code, their rounding, and the sines that they use.
 
-/// The type of number in generated code.
+/// Scalar type of generated code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Real {
     /// Every type that implements the runtime's `Scalar`.
@@ -15,10 +13,10 @@ pub enum Real {
 }
 
 impl Real {
-    /// All of them, in the order of the documentation.
+    /// All types, in the order of the documentation.
     pub const ALL: [Self; 3] = [Self::F32, Self::F64, Self::Generic];
 
-    /// The word in attributes and on the command line.
+    /// Word in attributes and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -28,7 +26,7 @@ impl Real {
         }
     }
 
-    /// Half the distance from 1 to the next larger number; of `f64` where any type is meant.
+    /// Unit roundoff u: half the distance from 1 to the next larger number; that of `f64` for generic code.
     #[must_use]
     pub const fn roundoff(self) -> f64 {
         match self {
@@ -37,8 +35,8 @@ impl Real {
         }
     }
 
-    /// Which part of the whole a pivot may be that is left by rounding: what depends on others has no more,
-    /// and what does not has more. That of `f64` where any type is meant.
+    /// Relative size below which a pivot counts as rounding error: dependent rows leave less, independent ones more.
+    /// That of `f64` for generic code.
     #[must_use]
     pub const fn vanishing(self) -> f64 {
         match self {
@@ -47,7 +45,7 @@ impl Real {
         }
     }
 
-    /// The smallest positive number of full precision; of `f64` where any type is meant.
+    /// Smallest positive normal number; that of `f64` for generic code.
     #[must_use]
     pub const fn smallest(self) -> f64 {
         match self {
@@ -56,7 +54,7 @@ impl Real {
         }
     }
 
-    /// The nearest number of the type; of `f64` where any type is meant.
+    /// Nearest number of the type; that of `f64` for generic code.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
     pub const fn rounded(self, x: f64) -> f64 {
@@ -66,7 +64,7 @@ impl Real {
         }
     }
 
-    /// The largest number; of `f64` where any type is meant.
+    /// Largest finite number; that of `f64` for generic code.
     #[must_use]
     pub const fn largest(self) -> f64 {
         match self {
@@ -76,21 +74,20 @@ impl Real {
     }
 }
 
-/// Which sines and cosines generated code calls: how exact they are.
+/// Sines and cosines in generated code, by accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Trigonometry {
-    /// The runtime's: within one unit in the last place at every angle.
+    /// Those of the runtime: within one ulp at every angle.
     #[default]
     Runtime,
-    /// Those that a file for `core` alone brings along: the same up to an angle.
+    /// Those in a file for `core` alone: within one ulp up to a maximum angle.
     Own,
-    /// The platform's, or a function that the user names: taken to be as exact.
+    /// Those of the platform or the user: assumed to be as accurate as [`Self::Runtime`].
     Other,
 }
 
 impl Trigonometry {
-    /// The greatest magnitude of an angle \[rad\] whose sine and cosine are within one unit in the last
-    /// place, in the type.
+    /// Maximum magnitude of an angle \[rad\] whose sine and cosine are within one ulp.
     #[must_use]
     pub const fn reach(self, scalar: Real) -> f64 {
         match (self, scalar) {

@@ -1,8 +1,7 @@
-//! What the user asks for of a description: which part of it, which functions, which numbers stay
-//! free at run time.
+//! Request: which part of a description, which functions, and which numbers stay free at run time.
 //!
-//! In: attributes of a derive, calls of the builder, options of the command line. Out: one
-//! [`Request`], the same whichever door it came through. It never looks at the description.
+//! All front ends build the same [`Request`]: attributes of a derive, calls of the builder, options of the command
+//! line. Names in it are not resolved yet.
 
 #[doc(hidden)]
 pub mod setting;
@@ -23,77 +22,79 @@ use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 use crate::schedule::Length;
 
-/// Everything that is asked for.
+/// A request of the user.
 #[derive(Clone, Debug, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "each is a word of its own")]
+#[expect(clippy::struct_excessive_bools, reason = "each is a key of its own")]
 pub struct Request {
-    /// The link taken as fixed; the root where none is named.
+    /// The fixed link; the root by default.
     pub base: Option<Name>,
-    /// Free the base: it moves anyhow, as the joint `root`, against a frame 0 that is no link's.
+    /// Floating base: the base moves by the joint `root` relative to frame 0, the world.
     pub floating: bool,
-    /// The link whose frame poses and Jacobians are of; the last one where there is only one.
+    /// The end effector: the link of poses and Jacobians; by default the last link, if there is only one.
     pub tip: Option<Name>,
-    /// Lock every joint that does not move the tip.
+    /// Lock every joint that does not move the end effector.
     pub path_only: bool,
-    /// Joints held still, at zero or at a given value; their bodies stay as mass.
+    /// Locked joints, at 0 or at a coordinate [rad or m]; their bodies stay as mass.
     pub lock: Vec<(Name, Option<Number>)>,
-    /// Links taken off with all that they carry, and with their mass.
+    /// Links that are removed with all their descendants, and with their mass.
     pub drop: Vec<Name>,
-    /// Loops that are closed beside those of the description, each as behind the word `loop` of attributes.
+    /// Loops in addition to those of the description, each written as after the word `loop` of attributes.
     pub loops: Vec<String>,
-    /// Joints that are driven, where loops move the others.
+    /// Actuated joints of a robot with loops.
     pub actuated: Vec<Name>,
-    /// Further links whose frames are computed.
+    /// Further links with functions of their frame.
     pub frames: Vec<Name>,
-    /// Links on which the surroundings act, an action each.
+    /// Links with an external wrench each.
     pub external: Vec<Name>,
-    /// Whether those actions are in frame 0, and not each in its link's.
+    /// True if these wrenches are in frame 0, and not in the links' frames.
     pub external_in_frame_0: bool,
-    /// Model the damping and the friction that are described.
+    /// Model damping and friction of the description.
     pub friction: bool,
-    /// Model the rotors that are described.
+    /// Model rotors of the description.
     pub rotors: bool,
-    /// What is said of the drives of joints, in place of what is described.
+    /// Armature, rotors, damping and friction of joints that replace those of the description.
     pub drives: Vec<(Name, Part, Vec<Number>)>,
-    /// Acceleration of gravity in the base frame [m/s²]; (0, 0, −9.81) where none is given.
+    /// Acceleration of gravity in the base frame [m/s²]; (0, 0, −9.81) by default.
     pub gravity: Option<[Number; 3]>,
     /// Keep `1.5708` as written instead of taking it for π/2.
     pub exact: bool,
-    /// Refuse what is doubtful, such as inertias that no body can have, instead of warning.
+    /// Make warnings errors, such as those of non-physical inertias.
     pub strict: bool,
-    /// What to generate: each item becomes one Rust function, and an item of several functions
-    /// (`all_of(…)`) one that shares their work and returns a tuple.
+    /// Write warnings only into comments, and do not report them to the compiler.
+    pub quiet: bool,
+    /// The items to generate. Each item becomes one function; an item of several (`all_of(…)`) shares their work and
+    /// returns a tuple.
     pub functions: Vec<Vec<Function>>,
-    /// How they are computed.
+    /// Algorithms and frames of the functions.
     pub formulation: Formulation,
-    /// The processor that they are computed on.
+    /// The processor that the functions run on.
     pub processor: Processor,
-    /// Take slices of states besides, for all kinds of vectors: `gravity_batch` beside `gravity`.
+    /// Add functions of slices of states: `gravity_batch` beside `gravity`.
     pub batch: bool,
-    /// The most statements of one compiled function, beyond which it is cut into sections; where none is given,
-    /// what was measured to be best.
+    /// Maximum number of statements of one compiled function, beyond which it is cut into sections; the measured
+    /// optimum by default.
     pub section: Option<usize>,
-    /// Offer to compute once what depends on fields alone.
+    /// Add `prepare`, which computes once what depends only on fields.
     pub prepare: bool,
-    /// The type of number in the generated code.
+    /// The type of numbers in the generated code.
     pub scalar: Real,
-    /// Which sines and cosines the generated code calls.
+    /// The sines and cosines that the generated code calls.
     pub trigonometry: Trigonometry,
-    /// Struct fields that stay free at run time.
+    /// Struct fields whose numbers stay free at run time.
     pub parameters: Vec<Parameter>,
-    /// The path under which the generated code finds the runtime crate; `::homogen` where none.
+    /// The path of the runtime crate in the generated code; `::homogen` by default.
     pub runtime: Option<TokenStream>,
-    /// Whether it becomes a file, which has a reviewer: what only that one reads is found as well.
+    /// True for a file, which has a reviewer's comments and tests in addition.
     pub review: bool,
 }
 
 impl Request {
-    /// What to generate: what is named, or every function where nothing is; of a robot that has loops
-    /// those of loops as well.
+    /// The items to generate: those that are named, or every function if none is, including those of loops if the robot
+    /// has loops.
     #[must_use]
     pub fn items(&self, has_loops: bool) -> Vec<Vec<Function>> {
         if self.functions.is_empty() {
-            // Nothing can be known of drives that are not named.
+            // Functions of actuated joints need their names.
             let has = |function: &Function| !self.actuated.is_empty() || !function.wants_drives();
             let of_loops = Function::OF_LOOPS.into_iter().filter(|_| has_loops);
             let of_loops = of_loops.filter(has);
@@ -104,7 +105,7 @@ impl Request {
         }
     }
 
-    /// Whether a function is to be generated: where it is named, or where none is.
+    /// True if a function is generated: it is named, or none is.
     #[must_use]
     pub fn asks_for(&self, function: Function) -> bool {
         self.functions.is_empty()
@@ -115,8 +116,8 @@ impl Request {
                 .any(|named| *named == function)
     }
 
-    /// How long a function is that compilers see. One that takes slices of states stays whole: it is inlined
-    /// where it is compiled for vectors.
+    /// Maximum length of compiled functions. Functions of slices of states stay whole, because they are inlined where
+    /// they are compiled for vectors.
     #[must_use]
     pub fn length(&self) -> Length {
         match self.section {
@@ -126,43 +127,42 @@ impl Request {
         }
     }
 
-    /// Whether nothing but poses, Jacobians and motions of frames is asked for, which no mass changes.
+    /// True if only poses, Jacobians and motions of frames are requested, which do not depend on masses.
     #[must_use]
     pub fn is_of_frames_alone(&self) -> bool {
         let mut functions = self.functions.iter().flatten();
         !self.functions.is_empty() && functions.all(|function| function.of_a_frame())
     }
 
-    /// Whether damping and friction are modelled: those that are described, too, as soon as any of them is
-    /// asked for.
+    /// True if damping and friction are modelled. Setting one value also models all those of the description.
     #[must_use]
     pub fn models_friction(&self) -> bool {
-        self.friction || self.speaks_of(Part::resists)
+        self.friction || self.sets(Part::resists)
     }
 
-    /// Whether inertias of drives are modelled, in the same way.
+    /// True if armatures and rotors are modelled, in the same way.
     #[must_use]
     pub fn models_armature(&self) -> bool {
-        self.rotors || self.speaks_of(|part| !part.resists())
+        self.rotors || self.sets(|part| !part.resists())
     }
 
-    fn speaks_of(&self, is: impl Fn(Part) -> bool) -> bool {
+    fn sets(&self, is: impl Fn(Part) -> bool) -> bool {
         let mut drives = self.drives.iter();
         let mut fields = self.parameters.iter();
         drives.any(|(_, part, _)| is(*part))
             || fields.any(|field| field.target.drives().is_some_and(|(_, part)| is(part)))
     }
 
-    /// Models what was said of a joint.
+    /// Models the terms that an inline description has for a joint.
     pub fn model(&mut self, drive: &Parts) {
         for part in Part::ALL {
-            let said = !drive.of(part).is_empty();
-            self.friction |= said && part.resists();
-            self.rotors |= said && !part.resists();
+            let is_set = !drive.of(part).is_empty();
+            self.friction |= is_set && part.resists();
+            self.rotors |= is_set && !part.resists();
         }
     }
 
-    /// What is to be modelled of a joint's drive, where the description says this of it.
+    /// The values of a part for a joint: those of the request, or else those of the description if they are modelled.
     #[must_use]
     pub fn drive<'r>(&'r self, joint: &str, described: &'r Parts, part: Part) -> &'r [Number] {
         let modelled = if part.resists() {
@@ -179,7 +179,7 @@ impl Request {
         }
     }
 
-    /// The motors of a joint beside the one whose rotor and ratio are parts, which what is asked for replaces all.
+    /// The motors of a joint beyond the first; empty if the request replaces them.
     #[must_use]
     pub fn further_motors<'r>(&self, joint: &str, described: &'r Parts) -> &'r [Motor] {
         let is_replaced = |(name, part, _): &(Name, Part, Vec<Number>)| {
@@ -192,8 +192,7 @@ impl Request {
         }
     }
 
-    /// What the struct fields contradict: two of one name, two for one number, gravity given here and
-    /// there. Each complaint stands at the later one.
+    /// Errors of fields: two with one name, two for one number, gravity set twice. Each is reported at the later one.
     #[must_use]
     pub fn clashes(&self) -> Vec<Complaint> {
         let mut clashes = Vec::new();
@@ -212,8 +211,8 @@ impl Request {
                 .iter()
                 .any(|other| other.field.unraw() == field.unraw())
             {
-                let message = format!("two fields are called `{field}`");
-                complain(message, "give one of them another name");
+                let message = format!("two fields have the name `{field}`");
+                complain(message, "rename one of them");
             }
             if let Some(other) = before.iter().find(|other| other.target.is(target)) {
                 let (what, other) = (target.words(), &other.field);
@@ -221,26 +220,26 @@ impl Request {
                 complain(message, "leave out one of them");
             }
             if matches!(target, Target::Gravity) && self.gravity.is_some() {
-                let message = format!("gravity is given as a vector and in field `{field}`");
+                let message = format!("gravity is both a vector and the field `{field}`");
                 complain(message, "leave out one of them");
             }
         }
         clashes
     }
 
-    /// Whether a struct field stands for the mass of a link.
+    /// True if a field stands for the mass of a link.
     #[must_use]
     pub fn weighs(&self, link: &Name) -> bool {
         self.has(|target| matches!(target, Target::MassOf(name) if name.text == link.text))
     }
 
-    /// Whether a struct field stands for the inertia of a link.
+    /// True if a field stands for the inertia of a link.
     #[must_use]
     pub fn spreads(&self, link: &Name) -> bool {
         self.has(|target| matches!(target, Target::InertiaOf(name) if name.text == link.text))
     }
 
-    /// Whether a struct field stands for a payload on a link.
+    /// True if a field stands for a payload on a link.
     #[must_use]
     pub fn loads(&self, link: &Name) -> bool {
         self.has(|target| matches!(target, Target::PayloadOn(name) if name.text == link.text))

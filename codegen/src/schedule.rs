@@ -1,9 +1,7 @@
-//! What runs: a flat list of operations in their order, and the same with names for a language to
-//! write.
+//! Programs: flat lists of operations in execution order, and routines, which add names for printing.
 //!
-//! In: a graph and the expressions asked for. Out: a [`Program`] that holds what is needed and
-//! nothing else, and its [`Routine`]; printing, evaluation and counting never look at the graph
-//! again. It never knows a language.
+//! In: a graph and the expressions of the results. Out: a [`Program`] with the operations that they need, and its
+//! [`Routine`]. Printing, evaluation and counting read these and not the graph.
 
 mod blocks;
 pub mod bound;
@@ -26,7 +24,8 @@ pub use once::{Parts, part};
 pub use order::{schedule, schedule_unfused};
 pub use price::Price;
 pub use routine::{
-    Angle, Apart, Entries, Meaning, Readable, Rounds, Routine, Statement, Stored, Turn, Value, Work,
+    Angle, Entries, Loop, Meaning, Readable, Routine, SectionBody, Statement, Stored, Turn, Value,
+    Work,
 };
 pub use run::run;
 pub use sections::{Length, Sections, sections};
@@ -36,28 +35,28 @@ use std::collections::BTreeMap;
 pub use crate::expression::Arithmetic;
 use crate::expression::{Input, Label};
 
-/// One generated function, ready to be printed, run or counted.
+/// Operations of one generated function.
 #[derive(Clone, Debug, Default)]
 pub struct Program {
-    /// The arguments of all sines and cosines, evaluated together after `steps[..before_angles]`.
+    /// Angles of all sines and cosines, evaluated together after `steps[..before_angles]`.
     pub angles: Vec<Operand>,
-    /// How many steps come before the sines and cosines.
+    /// Number of steps before the sines and cosines.
     pub before_angles: usize,
-    /// The operations; an operand [`Operand::Step`] always refers to an earlier one.
+    /// Operations; an operand [`Operand::Step`] always refers to an earlier one.
     pub steps: Vec<Step>,
-    /// The results, in the order of the function's shape; of several functions one after the other.
+    /// Results in the order of the function's result; those of several functions one after the other.
     pub results: Vec<Operand>,
-    /// How far what literals stand for may be from them, where the 106 bits that they are computed in leave that open
-    /// beside the rounding of `f64`: where larger numbers cancelled. By the bits of their magnitudes.
+    /// Error bounds of literals, by the bits of their magnitudes: for literals that cancellation leaves with an error,
+    /// even in 106 bits, that matters beside their rounding to `f64`.
     pub open: BTreeMap<u64, f64>,
 }
 
 /// One operation and the name of its result.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// The entry of a matrix that the result is; none where it is only a part of one.
+    /// Matrix entry that the result is; `None` for an intermediate value.
     pub label: Option<Label>,
-    /// What is computed.
+    /// Operation.
     pub operation: Operation,
 }
 
@@ -86,23 +85,23 @@ pub enum Operation<T = Operand> {
     NegMulAdd(T, T, T),
 }
 
-/// What an operation acts on.
+/// Operand of an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
     /// A number known at generation.
     Literal(f64),
     /// An argument or a run-time parameter.
     Input(Input),
-    /// The sine of the angle of that index.
+    /// The sine of the angle with this index.
     Sin(u32),
-    /// The cosine of the angle of that index.
+    /// The cosine of the angle with this index.
     Cos(u32),
     /// The result of an earlier step.
     Step(u32),
 }
 
 impl<T> Operation<T> {
-    /// Whether it is a product and a sum at once.
+    /// True if it combines a product and a sum.
     #[must_use]
     pub const fn is_fused(&self) -> bool {
         matches!(
@@ -111,7 +110,7 @@ impl<T> Operation<T> {
         )
     }
 
-    /// The same operation on what takes the place of its operands.
+    /// The same operation on mapped operands.
     pub fn map<U>(self, mut of: impl FnMut(T) -> U) -> Operation<U> {
         match self {
             Self::Add(a, b) => Operation::Add(of(a), of(b)),
@@ -129,7 +128,7 @@ impl<T> Operation<T> {
 }
 
 impl Operation {
-    /// What it acts on.
+    /// Operands.
     #[must_use]
     pub fn operands(&self) -> Vec<Operand> {
         match *self {
@@ -143,7 +142,7 @@ impl Operation {
 }
 
 impl Program {
-    /// Everything that is read, by steps, by angles and by results; with repetition.
+    /// All operands that steps, angles and results read, with repetition.
     pub fn operands(&self) -> impl Iterator<Item = Operand> {
         let steps = self.steps.iter();
         steps

@@ -1,23 +1,21 @@
-//! Fewer operations for the same function.
+//! Simplification: fewer operations for the same function.
 //!
-//! In: a graph and the expressions asked for. Out: another graph with expressions equal to them, made
-//! once from the leaves to the results with the rules of [`rules`] tried at every sum. It never makes a program
-//! dearer, never searches, and takes time in proportion to the graph, for cargo builds procedural
-//! macros without optimisation.
+//! In: a graph and the requested expressions. Out: another graph with equal expressions, made once from the leaves to
+//! the results, with the rules of [`rules`] tried at every sum. No rule adds operations, and none searches. The time is
+//! in proportion to the graph, since cargo builds procedural macros without optimization.
 
 pub mod rules;
 
 use crate::expression::{Expr, Graph, Node, Term};
 
-/// The graph being made, and how often what stands in it will be used.
+/// The graph being made, and the number of future uses of its nodes.
 pub struct Site<'g> {
     graph: &'g Graph,
     uses: Vec<u32>,
 }
 
 impl<'g> Site<'g> {
-    /// Whether nothing but the node at hand uses an expression, so that it need not be computed if
-    /// a rule takes it apart.
+    /// True if only the current node uses an expression, so that it need not be computed if a rule takes it apart.
     fn once(&self, term: Term<'g>) -> bool {
         self.uses
             .get(term.expr().index())
@@ -36,7 +34,7 @@ impl<'g> Site<'g> {
 /// Makes the expressions anew with fewer operations.
 ///
 /// # Panics
-/// Where an expression is not of this graph.
+/// If an expression is not of this graph.
 #[must_use]
 pub fn simplify(graph: &Graph, results: &[Expr]) -> (Graph, Vec<Expr>) {
     let made = Graph::new();

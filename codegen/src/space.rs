@@ -1,9 +1,7 @@
-//! The signature as data: ordered lists of named entries, over which arguments and results are taken.
+//! Spaces: named lists of coordinates, velocities and parameters, over which arguments and results range.
 //!
-//! A shared noun. A [`Space`] names one of a robot's lists, [`Spaces`] are the lists of one robot, a
-//! [`Variable`] is what an argument holds of a list, a [`Quantity`] what a result holds of several,
-//! an [`Outcome`] all that a function returns.
-//! It knows no function and no joint.
+//! A [`Space`] names one of a robot's lists and [`Spaces`] holds the lists of one robot. A [`Variable`] is an argument,
+//! a [`Quantity`] a result over several spaces, and an [`Outcome`] the full result of a function.
 
 mod quantity;
 mod variable;
@@ -17,54 +15,53 @@ use crate::list::{List, id};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Space {
-    /// What says where it is: q.
+    /// Configuration q.
     Coordinates,
-    /// What says how it moves: q̇, and with other units q̈ and τ.
+    /// Velocities q̇; accelerations q̈ and torques τ range over the same entries, in other units.
     Velocities,
-    /// What acts on links from outside: of each action its couple and its force.
+    /// External wrenches: couple and force of each.
     Actions,
-    /// What it is made of: of each link that a joint moves, with all that is fixed to it, m, q_x, q_y, q_z, J_xx, J_xy,
-    /// J_xz, J_yy, J_yz, J_zz in the link's own frame; then, where drives are modelled, armature, damping and friction of
-    /// each velocity of a joint.
+    /// Inertial parameters of each link that a joint moves, with everything that is fixed to it, in the link's frame:
+    /// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz. After all links, if actuators are modelled: armature,
+    /// damping and friction of each degree of freedom of a joint.
     Parameters,
-    /// What torques can tell of them, each by the parameter that leads it.
+    /// Base parameters: the linear combinations that torques determine, each named by its leading parameter.
     BaseParameters,
-    /// What is zero where its loops are closed; empty where it has none.
+    /// Residuals of closed loops, zero if the loops are closed; empty without loops.
     Constraints,
 }
 
 id! {
-    /// The number of a struct field: in every list that has an entry for each of [`Request::parameters`](crate::request::Request).
+    /// Index of a struct field, in lists with an entry for each of [`Request::parameters`](crate::request::Request).
     FieldId
 }
 
 id! {
-    /// The number of an entry of [`Space::Coordinates`].
+    /// Index of an entry of [`Space::Coordinates`].
     CoordinateId
 }
 
 id! {
-    /// The number of an entry of [`Space::Velocities`].
+    /// Index of an entry of [`Space::Velocities`].
     VelocityId
 }
 
 id! {
-    /// The number of an entry of [`Space::Parameters`], and of the column of the regressor that it has.
+    /// Index of an entry of [`Space::Parameters`] and of its column of the regressor.
     ParameterId
 }
 
 id! {
-    /// The number of a frame that is asked for, the tip's first where there is one: in every list that begins with
-    /// such frames.
+    /// Index of a requested frame, the end effector's first if there is one, in lists that begin with these frames.
     FrameId
 }
 
 impl FrameId {
-    /// That of the first; given where a function is of no frame.
+    /// The first frame; also passed to functions without a frame.
     pub const FIRST: Self = Self(0);
 }
 
-/// The entries of an action, and what each does: a couple turns, a force slides.
+/// Entries of a wrench with their kinds: a couple acts on rotations, a force on translations.
 pub const ACTION: [(&str, Kind); 6] = [
     ("cx", Kind::Turn),
     ("cy", Kind::Turn),
@@ -74,30 +71,29 @@ pub const ACTION: [(&str, Kind); 6] = [
     ("fz", Kind::Slide),
 ];
 
-/// The action that an entry of all actions belongs to, counted from 0, and the name of the entry within it.
+/// Index of the wrench that an entry of [`Space::Actions`] belongs to, and the name of the entry within it.
 #[must_use]
 pub const fn action_entry(entry: usize) -> (usize, &'static str) {
     (entry / ACTION.len(), ACTION[entry % ACTION.len()].0)
 }
 
-/// What an entry does to the body it is of, which decides its unit.
+/// Kind of an entry, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
-    /// It turns.
+    /// Rotation.
     Turn,
-    /// It slides.
+    /// Translation.
     Slide,
-    /// It is one of the four of a quaternion of unit length, which together turn.
+    /// One of the four components of a unit quaternion.
     Quaternion,
-    /// Nothing: it is a moment of its mass, of this order.
+    /// Moment of mass of this order: 0 is a mass, 1 a first moment, 2 a second moment.
     Moment(u8),
-    /// Nothing: it is what a joint that turns, or one that slides, feels for each second rate (2), for each rate (1), or
-    /// for its sign alone (0).
+    /// Parameter of an actuator: armature (order 2), damping (order 1) or friction (order 0).
     Drive {
-        /// How many times the coordinate is differentiated.
+        /// Derivative of the coordinate that it is multiplied by; 0 means the sign of the velocity.
         order: u8,
-        /// Whether the joint slides.
+        /// True for a prismatic joint.
         slides: bool,
     },
 }
@@ -105,33 +101,33 @@ pub enum Kind {
 /// An entry of a space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// Its name; that of the joint, where the joint has no other of its kind.
+    /// Name; that of the joint if the joint has no other entry of this kind.
     pub name: String,
-    /// What it does.
+    /// Kind.
     pub kind: Kind,
-    /// What it is described to stay in, in its unit; none where nothing is said.
+    /// Range in the description, in the unit of the entry; `None` if the description has none.
     pub range: Option<[f64; 2]>,
 }
 
-/// The lists of a robot.
+/// Spaces of a robot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spaces {
-    /// Those of q.
+    /// Entries of q.
     pub coordinates: List<CoordinateId, Entry>,
-    /// Those of q̇, q̈ and τ.
+    /// Entries of q̇, q̈ and τ.
     pub velocities: List<VelocityId, Entry>,
-    /// Those of inertial parameters.
+    /// Inertial parameters.
     pub parameters: List<ParameterId, Entry>,
-    /// Those of base parameters.
+    /// Base parameters.
     pub base_parameters: Vec<Entry>,
-    /// Those of the residuals of its loops: lengths slide, products of axes turn.
+    /// Residuals of the loops: lengths (`Slide`) and products of axes (`Turn`).
     pub constraints: Vec<Entry>,
-    /// Those of actions from outside: of each c_x, c_y, c_z, f_x, f_y, f_z.
+    /// Entries of the external wrenches: c_x, c_y, c_z, f_x, f_y, f_z of each.
     pub actions: Vec<Entry>,
 }
 
 impl Spaces {
-    /// The entries of one of them.
+    /// Entries of a space.
     #[must_use]
     pub fn entries(&self, space: Space) -> &[Entry] {
         match space {
@@ -144,25 +140,25 @@ impl Spaces {
         }
     }
 
-    /// How many actions from outside there are.
+    /// Number of external wrenches.
     #[must_use]
     pub fn actions(&self) -> usize {
         self.actions.len() / ACTION.len()
     }
 
-    /// What the entries of one of them are called.
+    /// Names of the entries of a space.
     pub fn names(&self, space: Space) -> impl Iterator<Item = &str> {
         self.entries(space).iter().map(|entry| entry.name.as_str())
     }
 
-    /// Where the quaternions of q begin.
+    /// Index of the first component of each quaternion in q.
     pub fn quaternions(&self) -> impl Iterator<Item = CoordinateId> {
         let coordinates = self.coordinates.numbered();
         let places = coordinates.filter(|(_, entry)| entry.kind == Kind::Quaternion);
         places.map(|(k, _)| k).step_by(4)
     }
 
-    /// How many entries one of them has.
+    /// Number of entries of a space.
     #[must_use]
     pub fn len(&self, space: Space) -> usize {
         self.entries(space).len()

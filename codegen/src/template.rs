@@ -1,9 +1,9 @@
-//! Texts with gaps.
+//! Text templates.
 //!
-//! In: a text of our own, with words between `@` for what differs, and what stands for each. Out: the whole text. It is
-//! gone through once: what stands for a word is never looked through, whatever it looks like.
+//! In: a template with placeholders between `@`, and their values. Out: the text. Values are not searched for
+//! placeholders.
 
-/// The text with what stands for its words; a word that stands for nothing stays.
+/// The template with values for its placeholders; unknown placeholders stay.
 #[must_use]
 pub fn filled(text: &str, words: &[(&str, &str)]) -> String {
     let mut filled = String::with_capacity(text.len());
@@ -29,7 +29,7 @@ mod tests {
     use super::filled;
 
     #[test]
-    fn what_stands_for_a_word_is_not_looked_through() {
+    fn values_are_not_searched_for_placeholders() {
         let words = [("@A@", "@B@"), ("@B@", "b")];
         assert_eq!(filled("a@A@ @B@ @ @C@", &words), "a@B@ b @ @C@");
     }

@@ -1,14 +1,13 @@
-//! The words of messages: names in quotes, lists, and the known word that was probably meant.
+//! Words of messages: quoted names, lists, and the most similar known word.
 //!
-//! In: text that anyone may have written, of any length and of any characters. Out: text that fits
-//! a line and can be seen. It never decides whether something is a mistake.
+//! Any text of the user becomes text that fits on a line and is visible.
 
 use std::borrow::Cow;
 
-/// The longest text that a message repeats in full, in characters.
+/// Maximum number of characters of a text that a message repeats in full.
 const LONGEST: usize = 60;
 
-/// The text in double quotes, cut where it is too long for a message.
+/// The text in double quotes, shortened if it is too long for a message.
 #[must_use]
 pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST) {
@@ -17,11 +16,10 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
-/// The text in one line, with everything that is not to be seen written as `\u{202e}`: whatever
-/// prints what others have named prints this.
+/// The text on one line, with invisible characters escaped as `\u{202e}`. Names of users are always printed this way.
 ///
-/// A terminal obeys control characters, rustc refuses comments in which others turn the direction of
-/// the text, and two names that differ by what has no width look like one.
+/// Terminals obey control characters, rustc rejects comments with characters that change the direction of text, and
+/// names that differ only by characters without width look the same.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(is_hidden) {
         return Cow::Borrowed(text);
@@ -37,8 +35,8 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// Whether a character has no picture of its own: controls, those that turn the direction of text,
-/// those without width, breaks of lines and paragraphs, marks of encodings, tags.
+/// True for invisible characters: controls, marks of text direction, characters without width, line and paragraph
+/// breaks, byte order marks, tags.
 #[must_use]
 pub fn is_hidden(letter: char) -> bool {
     letter.is_control()
@@ -48,7 +46,7 @@ pub fn is_hidden(letter: char) -> bool {
             | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
 }
 
-/// A name of the user's in documentation, so that neither Markdown nor a lint takes it for prose.
+/// A user's name in documentation, so that neither Markdown nor lints read it as prose.
 #[must_use]
 pub fn code(name: &str) -> String {
     format!("`{}`", visible(name).replace('`', "'"))
@@ -64,23 +62,62 @@ pub fn list<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     }
 }
 
-/// `did you mean "tip"? known keys: base and tip`, the question only where a known word is near.
+/// `did you mean "tip"? known keys: base and tip`. The question names a word that differs by one letter, else up to
+/// three words that contain the given one, else the most similar one.
 #[must_use]
 pub fn known(word: &str, kind: &str, words: &[&str]) -> String {
     let all = format!("known {kind}: {}", list(words.iter().copied()));
-    match nearest(word, words) {
-        Some(meant) => format!("did you mean \"{meant}\"? {all}"),
+    let nearest = by_slips(word, words);
+    let meant = match nearest {
+        Some((1, nearest)) => vec![nearest],
+        _ => longer(word, words),
+    };
+    let meant = if meant.is_empty() {
+        nearest.map(|(_, nearest)| nearest).into_iter().collect()
+    } else {
+        meant
+    };
+    if meant.is_empty() {
+        return all;
+    }
+    let meant: Vec<String> = meant.iter().map(|meant| format!("\"{meant}\"")).collect();
+    format!("did you mean {}? {all}", meant.join(" or "))
+}
+
+/// `did you mean "tool"? links: "base", "tool" and 3 more`; the question only if a name is similar.
+#[must_use]
+pub fn named(name: &str, kind: &str, names: &[&str]) -> String {
+    const LISTED: usize = 12;
+    let shown = names.iter().take(LISTED).map(|name| quoted(name));
+    let more = names.len().saturating_sub(LISTED);
+    let more = (more > 0).then(|| format!("{more} more"));
+    let shown: Vec<String> = shown.chain(more).collect();
+    let all = format!("{kind}: {}", list(shown.iter().map(String::as_str)));
+    match nearest(name, names) {
+        Some(meant) => format!("did you mean {}? {all}", quoted(meant)),
         None => all,
     }
 }
 
-/// The candidate that differs from the word by the fewest changed letters, if they are few enough
-/// to be a slip.
+/// Up to three candidates that contain the word.
+fn longer<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
+    const FEWEST_LETTERS: usize = 3;
+    let word = word.to_lowercase();
+    let is_part = |candidate: &&&str| word.len() >= FEWEST_LETTERS && candidate.contains(&word);
+    candidates.iter().filter(is_part).take(3).copied().collect()
+}
+
+/// The candidate with the fewest changed letters, if they are few enough for a typing error.
 #[must_use]
 pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    by_slips(word, candidates).map(|(_, candidate)| candidate)
+}
+
+/// The candidate, with the number of changed letters.
+fn by_slips<'a>(word: &str, candidates: &[&'a str]) -> Option<(usize, &'a str)> {
     let word = word.to_lowercase();
     let letters = word.chars().count();
-    // Longer words are no slip of a known one, and would cost time for nothing.
+    // Longer words are not misspelt known ones, and the comparison would take long.
     if letters > LONGEST {
         return None;
     }
@@ -92,11 +129,10 @@ pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
         .map(|candidate| (distance(&word, candidate), *candidate))
         .filter(|(distance, _)| *distance <= slips && *distance < letters)
         .min_by_key(|(distance, _)| *distance)
-        .map(|(_, candidate)| candidate)
 }
 
-/// Letters to insert, delete, replace or swap with their neighbour to get from one word to the
-/// other (the distance of Damerau and Levenshtein in its restricted form).
+/// Number of letters to insert, delete, replace or swap with a neighbour to get from one word to the other (the
+/// restricted Damerau–Levenshtein distance).
 fn distance(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().collect();
     let mut before: Vec<usize> = Vec::new();
@@ -124,7 +160,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slip_is_recognised_and_another_word_is_not() {
+    fn a_typing_error_is_recognised_and_another_word_is_not() {
         let known = ["revolute", "continuous", "prismatic", "fixed"];
         assert_eq!(nearest("revolut", &known), Some("revolute"));
         assert_eq!(nearest("Revolute", &known), Some("revolute"));
@@ -136,14 +172,14 @@ mod tests {
     }
 
     #[test]
-    fn a_message_repeats_no_endless_text() {
+    fn long_texts_are_shortened() {
         assert_eq!(quoted("arm"), "\"arm\"");
         assert_eq!(quoted("a\nb"), "\"a\\u{a}b\"");
         assert!(quoted(&"x".repeat(1_000_000)).len() < 80);
     }
 
     #[test]
-    fn what_is_not_to_be_seen_is_written_out() {
+    fn invisible_characters_are_escaped() {
         assert!(matches!(
             visible("Kamera-öse 机器人 `x²` \\ \"3\""),
             Cow::Borrowed(_)
@@ -154,7 +190,7 @@ mod tests {
         assert_eq!(visible("a\u{202e}b\u{1b}[2J"), "a\\u{202e}b\\u{1b}[2J");
         let shown = visible(hidden);
         assert!(!shown.contains(is_hidden) && shown.is_ascii(), "{shown}");
-        // Whoever shows what was shown changes nothing.
+        // Escaping twice changes nothing.
         assert_eq!(visible(&shown), shown);
     }
 

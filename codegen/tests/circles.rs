@@ -1,8 +1,8 @@
-//! That data and vocabulary run one way: no file of this crate uses, by however many others, itself.
+//! Test that no file of this crate uses itself, directly or through others.
 //!
-//! In: the `use` declarations of all sources without their tests. Out: nothing where the only circle is
-//! that of a graph and the handle to its nodes. What a file passes on it does not use, and whoever takes it
-//! there uses where it comes from; paths within code are not followed.
+//! In: the `use` declarations of all sources without their tests. Out: a failure if there is another cycle than that
+//! of a graph and the handle to its nodes. A re-export is no use: a file that imports it uses the place where it is
+//! defined. Paths within code are not followed.
 #![cfg(feature = "files")]
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,11 +14,11 @@ use syn::{Item, ItemUse, UseTree, Visibility};
 /// A path from the root of the crate.
 type Names = Vec<String>;
 
-/// What every file declares to use, by its path.
+/// The uses that every file declares, by its path.
 #[derive(Default)]
 struct Crate {
     files: BTreeMap<Names, Vec<Names>>,
-    /// What a file passes on: the path of the name there, and where it comes from.
+    /// The re-exports of a file: the path of the name there, and its origin.
     passed_on: BTreeMap<Names, Names>,
 }
 
@@ -77,7 +77,7 @@ impl Crate {
     /// The file in which a path ends.
     fn file_of(&self, path: &Names) -> Option<&Names> {
         let mut path = path.clone();
-        // Nothing is passed on more often than this.
+        // No name is re-exported more often than this.
         for _ in 0..8 {
             let Some(source) = self.passed_on.get(&path) else {
                 break;
@@ -96,7 +96,7 @@ impl Crate {
         used.filter(|other| *other != file).collect()
     }
 
-    /// All files that one uses, by however many others.
+    /// All files that one uses, directly or through others.
     fn reached(&self, file: &Names) -> BTreeSet<&Names> {
         let mut reached = BTreeSet::new();
         let mut waiting: Vec<&Names> = self.uses(file).into_iter().collect();
@@ -109,7 +109,7 @@ impl Crate {
     }
 }
 
-/// The paths of a `use`, each with the name that it brings.
+/// The paths of a `use`, each with the name that it imports.
 fn walk(tree: &UseTree, mut path: Names, ends: &mut Vec<(Names, String)>) {
     match tree {
         UseTree::Path(inner) => {
@@ -138,7 +138,7 @@ fn walk(tree: &UseTree, mut path: Names, ends: &mut Vec<(Names, String)>) {
 }
 
 #[test]
-fn no_file_uses_itself_by_way_of_others() {
+fn no_file_uses_itself_through_others() {
     let mut engine = Crate::default();
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     engine.read(&source, &Vec::new());

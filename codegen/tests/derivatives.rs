@@ -1,7 +1,7 @@
-//! Derivatives that are generated, beside those that the graph makes of what they are derivatives of.
+//! Generated derivatives compared with those that the graph makes of the functions themselves.
 //!
-//! Both are evaluated in 106 bits, so that nothing but a wrong formula is seen: recursions by hand share no rule with
-//! differentiation node by node.
+//! Both are evaluated in 106 bits, so that only a wrong formula can make a difference: the recursions share no rule
+//! with differentiation node by node.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use homogen_codegen::plan::expressions_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::{FrameId, Variable, VelocityId};
 
-/// Beside the largest entry of a result.
+/// Relative to the largest entry of a result.
 const TOLERANCE: f64 = 1e-24;
 
 fn shipped(file: &str) -> Description {
@@ -33,7 +33,7 @@ fn build(description: &Description, request: &Request) -> Chain {
     chain::build(description, request).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// A number for each input: of quaternions a unit one.
+/// A number for each input; quaternions have length 1.
 fn number(chain: &Chain, input: Input) -> Double {
     let digits = |seed: u32| {
         let bits = seed
@@ -105,8 +105,7 @@ fn by_configuration(chain: &Chain, function: Function) -> Vec<Vec<Double>> {
     columns.collect()
 }
 
-/// The derivatives of a function's results by an argument that has an entry for each velocity: for each result, by all
-/// entries.
+/// The derivatives of a function's results by an argument over velocities: for each result, by all entries.
 fn by_argument(chain: &Chain, function: Function, argument: Variable) -> Vec<Vec<Double>> {
     let (graph, results) = expressions(chain, function);
     let zero = graph.constant(0.0);
@@ -132,7 +131,7 @@ fn transposed(matrix: &[Vec<Double>]) -> Vec<Vec<Double>> {
     columns.map(column).collect()
 }
 
-/// The generated derivatives of a robot's dynamics are those of the graph: matrices with a row for each result.
+/// Asserts that the derivatives of a robot's dynamics are those of the graph: matrices with a row for each result.
 fn assert_dynamics(name: &str, chain: &Chain) {
     let by_motion = |function: Function| {
         let by_rates = by_argument(chain, function, Variable::Qd);
@@ -150,7 +149,7 @@ fn assert_dynamics(name: &str, chain: &Chain) {
     assert_same(&format!("{name}: ∂q̈"), &accelerations.concat(), &generated);
 }
 
-/// So are its Jacobians and its momenta: matrices that are stored velocity by velocity.
+/// Asserts the same for Jacobians and momenta: matrices that are stored by velocities.
 fn assert_rates(name: &str, chain: &Chain) {
     let center = by_configuration(chain, Function::CenterOfMass).concat();
     let generated = values(chain, Function::CenterOfMassJacobian);

@@ -1,16 +1,16 @@
-//! That numbers of bodies, joints, links, coordinates, velocities, frames, parameters and fields are of types of their
-//! own: no name of one of them stands for a bare `usize`.
+//! Test that numbers of bodies, joints, links, coordinates, velocities, frames, parameters and fields have types of
+//! their own: no such name is declared with a bare `usize`.
 //!
-//! In: the sources without their tests, and without what writes numbers out. Out: nothing where no argument, field or
-//! binding is declared so: ``velocity: usize``, or in a list of any kind ``parents: &[Option<usize>]``. How many
-//! there are is a `usize`: ``joints: usize``.
+//! In: the sources without their tests, and without the folders that print numbers. Out: a failure if an argument,
+//! field or binding is declared so: ``velocity: usize``, or in a list of any kind ``parents: &[Option<usize>]``. A
+//! count may be a `usize`: ``joints: usize``.
 
 #[path = "sources/code.rs"]
 mod sources;
 
 use sources::code;
 
-/// What has numbers of its own, and what many of it are called.
+/// The items with numbers of their own, in the singular and the plural.
 const NUMBERED: [[&str; 2]; 10] = [
     ["body", "bodies"],
     ["coordinate", "coordinates"],
@@ -24,10 +24,10 @@ const NUMBERED: [[&str; 2]; 10] = [
     ["velocity", "velocities"],
 ];
 
-/// The rooms that write numbers out, as names and places of what is printed.
+/// The folders that print numbers, as names and places.
 const WRITERS: [&str; 1] = ["print"];
 
-/// The type that a name is declared with in a line of code, wherever the name ends in one of those words.
+/// The types with which a line of code declares names that end in a word.
 fn declared<'l>(line: &'l str, word: &str) -> impl Iterator<Item = &'l str> {
     let places = line.match_indices(": ").filter(move |(at, _)| {
         let before = line[..*at].strip_suffix(word);
@@ -39,7 +39,7 @@ fn declared<'l>(line: &'l str, word: &str) -> impl Iterator<Item = &'l str> {
     })
 }
 
-/// What is wrong with a line of code.
+/// True if a line of code declares a bare number.
 fn bare(line: &str) -> bool {
     NUMBERED.iter().any(|[one, many]| {
         declared(line, one).any(|of| of.contains("usize"))
@@ -48,10 +48,10 @@ fn bare(line: &str) -> bool {
 }
 
 #[test]
-fn no_number_of_a_body_or_a_velocity_is_any_number() {
+fn numbers_of_items_have_types_of_their_own() {
     let mut found = Vec::new();
     for (within, lines) in code() {
-        if WRITERS.iter().any(|room| within.starts_with(room)) {
+        if WRITERS.iter().any(|folder| within.starts_with(folder)) {
             continue;
         }
         let lines = lines.iter().filter(|(_, line)| bare(line));
@@ -63,7 +63,7 @@ fn no_number_of_a_body_or_a_velocity_is_any_number() {
 }
 
 #[test]
-fn a_bare_number_is_seen() {
+fn a_bare_number_is_found() {
     assert!(bare("    pub velocity: usize,"));
     assert!(bare("let joint = |velocity: usize| velocity;"));
     assert!(bare("fn factor(parents: &[Option<usize>]) {"));

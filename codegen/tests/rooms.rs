@@ -1,14 +1,14 @@
-//! The rooms of this crate: each names those that stand before it in the list and that it needs, and no other.
+//! Test of the dependences between the folders of this crate: each uses only those before it in a list.
 //!
-//! In: the sources without their tests. Out: nothing where `crate::` in code is followed by a room that may be named. It
-//! does not see what is called by way of a method.
+//! In: the sources without their tests. Out: a failure if `crate::` in code is followed by a folder that may not be
+//! named. Uses by way of a method are not seen.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Each room with those it may name besides itself: first the nouns, then the stages in the order of `expand`, then the
-/// doors.
-const ROOMS: [(&str, &[&str]); 35] = [
+/// Each folder with those it may name besides itself: first the shared types, then the stages in the order of `expand`,
+/// then the front ends.
+const FOLDERS: [(&str, &[&str]); 35] = [
     ("wording", &[]),
     ("list", &[]),
     ("template", &[]),
@@ -179,6 +179,7 @@ const ROOMS: [(&str, &[&str]); 35] = [
             "schedule",
             "function",
             "request",
+            "description",
             "layout",
             "accuracy",
         ],
@@ -281,46 +282,46 @@ const ROOMS: [(&str, &[&str]); 35] = [
             "space",
             "function",
             "description",
+            "module",
             "print",
             "expand",
         ],
     ),
 ];
 
-/// Rows of functions are nouns to all stages before the model, and hold how the model computes them: these arrows go up, and
-/// no others.
+/// The only exceptions: definitions of functions are used by all stages, and contain how the model computes them.
 const UP: [(&str, &str); 3] = [
     ("function", "chain"),
     ("function", "layout"),
     ("function", "model"),
 ];
 
-/// The files at or below a path, with the room that each is in.
-fn files(path: &Path, room: &str) -> Vec<(String, PathBuf)> {
+/// The files at or below a path, each with its folder.
+fn files(path: &Path, folder: &str) -> Vec<(String, PathBuf)> {
     let entries = fs::read_dir(path).expect("the folder is there");
     let paths = entries.map(|entry| entry.expect("readable").path());
     paths
         .flat_map(|path| {
             let stem = path.file_stem().and_then(|stem| stem.to_str());
             let stem = stem.expect("a name").to_owned();
-            let room = if room.is_empty() { &stem } else { room };
+            let folder = if folder.is_empty() { &stem } else { folder };
             if path.is_dir() {
-                files(&path, room)
+                files(&path, folder)
             } else {
-                vec![(room.to_owned(), path)]
+                vec![(folder.to_owned(), path)]
             }
         })
         .filter(|(_, path)| path.extension().is_some_and(|extension| extension == "rs"))
         .collect()
 }
 
-/// Whether a file is one of tests.
+/// True for a file of tests.
 fn is_of_tests(path: &Path) -> bool {
     let mut parts = path.iter().filter_map(|part| part.to_str());
     parts.any(|part| ["tests", "tests.rs", "long_chains.rs"].contains(&part))
 }
 
-/// The rooms that the code of a file names, without its module of tests.
+/// The folders that the code of a file names, without its module of tests.
 fn named(text: &str) -> Vec<&str> {
     let code = text
         .split("#[cfg(test)]\nmod tests {")
@@ -331,7 +332,7 @@ fn named(text: &str) -> Vec<&str> {
         let paths = line
             .match_indices("crate::")
             .map(|(at, _)| (&line[..at], &line[at + 7..]));
-        // What a macro, or code that is printed, calls its own crate is none of this one.
+        // A path in a macro, or in printed code, belongs to another crate.
         paths
             .filter(|(before, _)| !before.ends_with('$'))
             .map(|(_, path)| path)
@@ -345,26 +346,27 @@ fn named(text: &str) -> Vec<&str> {
 }
 
 #[test]
-fn a_room_names_those_before_it_alone() {
+fn a_folder_names_only_those_before_it() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let files = files(&source, "");
-    let of_rooms = files
+    let of_folders = files
         .iter()
-        .filter(|(room, _)| !["lib", "main"].contains(&&**room));
+        .filter(|(folder, _)| !["lib", "main"].contains(&&**folder));
     let inside = |path: &Path| path.strip_prefix(&source).expect("inside").to_owned();
     let mut used = vec![0; UP.len()];
-    for (room, path) in of_rooms.filter(|(_, path)| !is_of_tests(&inside(path))) {
-        let known = ROOMS.iter().find(|(name, _)| name == room);
-        let (_, before) = known.unwrap_or_else(|| panic!("{} is in no room", path.display()));
+    for (folder, path) in of_folders.filter(|(_, path)| !is_of_tests(&inside(path))) {
+        let known = FOLDERS.iter().find(|(name, _)| name == folder);
+        let (_, before) =
+            known.unwrap_or_else(|| panic!("{} is in no folder of the list", path.display()));
         let text = fs::read_to_string(path).expect("readable");
         for named in named(&text) {
-            if let Some(up) = UP.iter().position(|up| *up == (room, named)) {
+            if let Some(up) = UP.iter().position(|up| *up == (folder, named)) {
                 used[up] += 1;
                 continue;
             }
-            let is_room = ROOMS.iter().any(|(name, _)| *name == named);
+            let is_folder = FOLDERS.iter().any(|(name, _)| *name == named);
             assert!(
-                named == room || before.contains(&named) || !is_room,
+                named == folder || before.contains(&named) || !is_folder,
                 "{} names `{named}`",
                 path.display()
             );
@@ -378,10 +380,13 @@ fn a_room_names_those_before_it_alone() {
 
 #[test]
 fn the_list_is_in_order() {
-    for (k, (room, before)) in ROOMS.iter().enumerate() {
+    for (k, (folder, before)) in FOLDERS.iter().enumerate() {
         for other in *before {
-            let place = ROOMS.iter().position(|(name, _)| name == other);
-            assert!(place.is_some_and(|place| place < k), "{room} names {other}");
+            let place = FOLDERS.iter().position(|(name, _)| name == other);
+            assert!(
+                place.is_some_and(|place| place < k),
+                "{folder} names {other}"
+            );
         }
     }
 }

@@ -1,18 +1,18 @@
-//! The arms that the example knows; yours is one more.
+//! The arms of the example; add yours.
 //!
-//! In: the variable `ARM`. Out: where its description lies and what a build script must know of it.
+//! In: the environment variable `ARM`. Out: the arm's description, tip and number of joints, for build scripts.
 
 use std::env;
 
 /// An arm.
 pub struct Arm {
-    /// What it is called.
+    /// Its name.
     pub name: &'static str,
-    /// Its description, seen from this folder.
+    /// The path of its description, relative to this folder.
     pub urdf: &'static str,
-    /// The link whose pose matters.
+    /// The link of the end effector.
     pub tip: &'static str,
-    /// How many joints it has.
+    /// Number of joints.
     #[allow(dead_code, reason = "of the two build scripts one needs it")]
     pub joints: usize,
 }
@@ -32,7 +32,7 @@ const ARMS: [Arm; 2] = [
     },
 ];
 
-/// The arm that `ARM` names; the first where it names none.
+/// The arm with the name in `ARM`; the first one if it is not set.
 ///
 /// # Errors
 /// A name that is not in the table.

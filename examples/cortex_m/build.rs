@@ -1,7 +1,7 @@
-//! Generates the arm's functions, and tells the linker where the board has its memory.
+//! Generates the arm's functions and the linker script with the memory of the board.
 //!
-//! In: the arm that the variable `ARM` names, one of `arms.rs`; an object with the peer's functions
-//! in `PEER`, where they are measured. Out: `arm.rs` and `memory.x` in `OUT_DIR`.
+//! In: the name of an arm of `arms.rs` in the variable `ARM`; in `PEER` the path of an object with the functions of
+//! CasADi, if they are measured. Out: `arm.rs` and `memory.x` in `OUT_DIR`.
 
 mod arms;
 
@@ -15,7 +15,7 @@ use homogen_codegen::Function::{
 };
 use homogen_codegen::{Builder, Real};
 
-/// The memory of the boards: that of every firmware that `homogen new` writes.
+/// The memory of the boards, the same as in every firmware by `homogen new`.
 const MEMORY: &str = "../../cli/src/new/firmware/memory.x";
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Hands the object that `PEER` names to the linker of the firmware that measures it.
+/// Links the object in `PEER` to the firmware that measures it.
 fn link_peer() {
     println!("cargo::rerun-if-env-changed=PEER");
     if let Ok(object) = env::var("PEER") {
@@ -60,6 +60,6 @@ fn generate(arm: &Arm) -> Result<(), Box<dyn Error>> {
             ForwardDynamics,
         ])
         .scalar(Real::F32);
-    // Has told cargo what is wrong where something is.
+    // `write` reports errors to cargo.
     Ok(arm.write("arm.rs")?)
 }

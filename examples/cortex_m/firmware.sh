@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes a firmware from nothing, for each of three robots, and runs it under QEMU: it has to print, to the last digit,
-# what `homogen eval` says of the torques where the robot stands.
+# Makes a new firmware for each of three robots and runs it under QEMU: it must print, to the last digit, the torques of
+# `homogen eval` for the configuration of the robot.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -11,8 +11,8 @@ target=thumbv7em-none-eabihf
 home=$(cd ../.. && pwd)
 cd "$home"
 . tests/homogen.sh
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temporary=$(mktemp -d)
+trap 'rm -rf "$temporary"' EXIT
 # Built once for all three.
 export CARGO_TARGET_DIR="$built/firmware"
 
@@ -23,7 +23,7 @@ numbers() { # the numbers of a text, one a line, as awk reads them
 one() { # robot, options: its firmware, and what it prints
     local robot="$1" folder found expected start
     shift
-    folder="$room/$(basename "${robot%.*}")"
+    folder="$temporary/$(basename "${robot%.*}")"
     "$homogen" new firmware "$robot" --homogen "$home" -o "$folder" "$@" >/dev/null
     ! "$homogen" new firmware "$robot" --homogen "$home" -o "$folder" "$@" 2>/dev/null ||
         { say "a folder is written over"; return 1; }
@@ -33,12 +33,12 @@ one() { # robot, options: its firmware, and what it prints
     expected=$("$homogen" eval "$robot" "$@" --function gravity --scalar f32 --format json \
         --states "$folder/start.json" | sed -n '/"results"/,$p' | numbers)
     [ -n "$expected" ] && [ "$found" = "$expected" ] ||
-        { say "$robot: the firmware says"; say "$found"; say "and not"; say "$expected"; return 1; }
+        { say "$robot: the firmware prints"; say "$found"; say "and not"; say "$expected"; return 1; }
     say "$(basename "$robot"): $(wc -l <<<"$found") torques are those of homogen eval"
 }
 
 one "$home/robots/panda_class.urdf" --tip link8
 one "$home/robots/rx90_class.dh"
-# Names that are against it, and a free base, whose q is longer than q̇.
-sed 's/<robot name="[^"]*"/<robot name="..\/a\&quot;]\&#10;#{}\\"/' "$home/robots/two_link.urdf" >"$room/hostile.urdf"
-one "$room/hostile.urdf" --floating --tip tip
+# Hostile names, and a floating base, whose q is longer than q̇.
+sed 's/<robot name="[^"]*"/<robot name="..\/a\&quot;]\&#10;#{}\\"/' "$home/robots/two_link.urdf" >"$temporary/hostile.urdf"
+one "$temporary/hostile.urdf" --floating --tip tip

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# Builds the firmware for two boards, runs it under QEMU and judges what it did.
+# Builds the firmware for two boards, runs it under QEMU and checks the results.
 #
-#   run.sh              fails on any difference from what is committed here
-#   run.sh --update     writes expected results and the README's tables anew, and lowers the budget
-#   run.sh --mutations  shows that a wrong literal, double precision and a path that panics are seen
-#   run.sh --peer       measures the C that CasADi makes of the same arms, and writes the README's
-#                       table beside it anew; fetches Pinocchio and CasADi from PyPI, compiles for
-#                       minutes, and is not part of the checks
+#   run.sh              fails on any difference from the committed results
+#   run.sh --quick      the same on one board, without the tables of both
+#   run.sh --update     updates expected results and the README's tables, and lowers the budget
+#   run.sh --mutations  shows that a wrong literal, double precision and a path that panics are noticed
+#   run.sh --peer       measures the C of CasADi for the same arms, and updates the README's table
+#                       beside it; fetches Pinocchio and CasADi from PyPI, compiles for minutes, and
+#                       is not part of the checks
 #
-# What is missing is installed: by rustup where it has the target, and by apt-get (as root, on Debian).
+# Missing tools are installed: the target by rustup if it has it, others by apt-get (as root, on Debian).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -20,10 +21,10 @@ declare -A tip=([panda_class]=link8 [puma560]=tool)
 boards=(M4F M7)
 declare -A machine=([M4F]=mps2-an386 [M7]=mps2-an500)
 declare -A processor=([M4F]=cortex-m4 [M7]=cortex-m7)
-# What GCC makes of straight code: it keeps the order as written, in which few values live. A product with
-# a sum in one instruction, each rounded, pays on the M7, and GCC takes it where size counts.
+# Options of GCC that keep the order of statements as written, in which few values are live. On the M7 an instruction
+# for a product and a sum, each rounded, is faster; GCC uses it when it optimises for size.
 declare -A optimised=([M4F]="-O2 -fno-tree-ter -fno-schedule-insns" [M7]="-Os -fno-tree-ter")
-# Where memory.x is, which the template of a firmware brings along.
+# The folder of memory.x, in the template of a firmware.
 memory=../../cli/src/new/firmware
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
 seen="$CARGO_TARGET_DIR/seen"
@@ -42,7 +43,7 @@ fi
 
 # --- one arm, one board ---------------------------------------------------------------------------
 
-host() { # what the host says of an arm
+host() { # runs the host program for an arm
     ARM="$1" "${cargo[@]}" run --quiet --profile host --locked -p host -- "${@:2}"
 }
 
@@ -52,7 +53,7 @@ build() { # arm board options: the images
         --locked "${build_std[@]}" --target "$target" -p controller --bins "${@:3}"
 }
 
-observe() { # image board folder: takes it apart and runs it
+observe() { # image board folder: disassembles it and runs it
     local image="$CARGO_TARGET_DIR/$target/release/$1" folder="$3"
     mkdir -p "$folder"
     arm-none-eabi-nm --demangle --print-size --defined-only "$image" >"$folder/symbols"
@@ -63,15 +64,15 @@ observe() { # image board folder: takes it apart and runs it
 emulate() { # board image log: an instruction lasts 1 ns
     timeout 120 qemu-system-arm -machine "${machine[$1]}" -icount shift=0 -nographic \
         -semihosting-config enable=on,target=native -kernel "$2" >"$3" </dev/null ||
-        { cat "$3" >&2; say "run.sh: the firmware on $1 says that it failed"; return 1; }
+        { cat "$3" >&2; say "run.sh: the firmware on $1 failed"; return 1; }
 }
 
-# The folder of what the last build script of a package wrote.
+# The output folder of the last build script of a package.
 written_by() { # package, the messages of its build
     sed -n "/build-script-executed.*[#\/]$1[#@]/s/.*\"out_dir\":\"\([^\"]*\)\".*/\1/p"
 }
 
-call_from_c() { # arm board: a firmware in C gives the bits that the host gives, whatever the arm is in
+call_from_c() { # arm board: a firmware in C has the bits of the host, with the arm in Rust and in C
     local folder="$seen/c/$1/$2" out flags="CARGO_TARGET_${target//-/_}_RUSTFLAGS"
     mkdir -p "$folder/c99"
     out=$(env "ARM=$1" "${flags^^}=-C target-cpu=${processor[$2]}" "${cargo[@]}" build --quiet \
@@ -82,11 +83,11 @@ call_from_c() { # arm board: a firmware in C gives the bits that the host gives,
         sed '/^COMPUTED_TORQUE/,/^MASS_MATRIX/{/^MASS_MATRIX/!d}' >"$folder/expected"
     firmware_in_c "$1" "$2" "$out" "$folder" -L "$CARGO_TARGET_DIR/$target/release" -larm
 
-    # shellcheck disable=SC2086 # they are several
+    # shellcheck disable=SC2086 # several words
     gcc_for "$2" ${optimised[$2]} -ffp-contract=off -Wconversion -Wdouble-promotion \
         -c "$out/c99/arm.c" -o "$folder/c99/arm.o"
     firmware_in_c "$1" "$2" "$out/c99" "$folder/c99" "$folder/c99/arm.o"
-    # Not the firmware, whose linker forgets which words among the instructions are constants.
+    # Not the firmware: after linking, constants among the instructions are not marked.
     arm-none-eabi-nm --print-size "$folder/c99/arm.o" >"$folder/c99/symbols"
     arm-none-eabi-objdump --disassemble "$folder/c99/arm.o" >"$folder/c99/code"
 }
@@ -132,7 +133,7 @@ measure_peer() { # arm board how
             echo 'float sinf(float a) { return a; } float cosf(float a) { return a; }' |
                 arm-none-eabi-gcc "${flags[@]}" -x c -c - -o "$to/$sines/sines.o"
         fi
-        # Linked with its sines here: Rust has others of that name, which compute in double.
+        # Linked with its sines here, because Rust has others of the same name, in double precision.
         arm-none-eabi-gcc "${flags[@]}" -nostdlib -r "$to/$sines"/*.o -lm -lc -o "$to/$sines/peer"
         PEER="$to/$sines/peer" build "$1" "$2" --features peer
         observe peer "$2" "$to/$sines"
@@ -172,7 +173,7 @@ same() { # description, committed, made
     fi
 }
 
-check() { # writes the tables to $seen/{table,c99}.md, and the budget that they leave to $seen/budget.txt
+check() { # writes the tables to $seen/{table,c99}.md, and the lowered budget to $seen/budget.txt
     mkdir -p "$seen"
     {
         echo "With $("${rustc[@]}" --version | cut -d' ' -f1,2) and GCC $(arm-none-eabi-gcc -dumpversion)," \
@@ -220,7 +221,7 @@ paste() { # name, file, text: the text with the file between the comments of tha
     sed -n "/<!-- end of $1 -->/,\$p" "$3"
 }
 
-current() { # whether README and budget say what was measured, if by the compiler that they are of
+current() { # succeeds if README and budget are those measured; checked only with the compiler that they name
     local readme="$seen/README.md"
     paste table "$seen/table.md" README.md >"$seen/half.md"
     paste c99 "$seen/c99.md" "$seen/half.md" >"$readme"
@@ -233,8 +234,8 @@ current() { # whether README and budget say what was measured, if by the compile
     fi
 }
 
-# Changes the generated file behind the build script's back, and wants to hear of it.
-mutate() { # description, expression of sed, what must be said
+# Changes the generated file after the build script, and expects an error.
+mutate() { # description, expression of sed, expected error
     local arm=panda_class board=M4F folder="$seen/mutation/M4F" file
     say "=== mutation: $1"
     file=$(build "$arm" "$board" --message-format=json | written_by controller)/arm.rs
@@ -246,12 +247,12 @@ mutate() { # description, expression of sed, what must be said
     fi
     build "$arm" "$board" && { observe controller "$board" "$folder" 2>/dev/null || true; }
     cp "$seen/arm.rs" "$file"
-    if host "$arm" judge "$arm" budget.txt "$folder" >"$seen/said" 2>&1; then
-        say "run.sh: nobody saw it"
+    if host "$arm" judge "$arm" budget.txt "$folder" >"$seen/report" 2>&1; then
+        say "run.sh: no check noticed it"
         return 1
-    elif ! grep -m 3 "$3" "$seen/said" >&2; then
-        cat "$seen/said" >&2
-        say "run.sh: nobody said '$3'"
+    elif ! grep -m 3 "$3" "$seen/report" >&2; then
+        cat "$seen/report" >&2
+        say "run.sh: no check reported '$3'"
         return 1
     fi
 }
@@ -260,6 +261,11 @@ case "$mode" in
 check | --update)
     check
     current
+    cat "$seen/table.md" "$seen/c99.md"
+    ;;
+--quick)
+    boards=("${boards[0]}")
+    check
     cat "$seen/table.md" "$seen/c99.md"
     ;;
 --peer)
@@ -277,7 +283,7 @@ check | --update)
     say "=== every mutation was seen"
     ;;
 *)
-    say "usage: run.sh [--update | --mutations | --peer]"
+    say "usage: run.sh [--quick | --update | --mutations | --peer]"
     exit 2
     ;;
 esac

@@ -1,4 +1,4 @@
-# The tools that scripts of this folder need: what is missing is named in `packages`, for `install` to install.
+# The tools of the scripts in this folder: missing ones are listed in `packages`, for `install` to install.
 #
 # In: the target, in `target`. Out: `cargo` and `rustc` as commands that compile for it, with `build_std`, the options
 # by which the first builds `core` where rustup has no such target and Debian's compiler has to do.
@@ -27,8 +27,7 @@ build_std=()
 linker="CARGO_TARGET_${target//-/_}_LINKER"
 if ! { has rustup && { rustup target list --installed | grep -qx "$target" ||
     rustup target add "$target" >/dev/null 2>&1; }; }; then
-    # Debian's compiler comes with the sources of `core`; it is asked to build them, which it must be
-    # told to be allowed to, and to use the linker that belongs to the tools above.
+    # Debian's compiler has the sources of `core`: options let it build them, with the linker of the tools above.
     { [ -x /usr/bin/rustc ] && [ -d /usr/lib/rustlib/src/rust/library ]; } ||
         packages+=(rustc-web cargo-web rust-web-src)
     cargo=(env RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc "${linker^^}=arm-none-eabi-ld" /usr/bin/cargo)

@@ -1,7 +1,7 @@
 //! Writes the functions of an arm to `OUT_DIR` before the crate is compiled.
 //!
-//! In: a URDF file. Out: `arm.rs`, a readable file that needs `core` and nothing else. What is
-//! doubtful about the robot becomes a warning of cargo, every mistake an error.
+//! In: a URDF file. Out: `arm.rs`, a readable file that needs `core` only. Warnings about the robot are warnings of
+//! cargo, errors are errors.
 
 use std::process::ExitCode;
 
@@ -17,6 +17,6 @@ fn main() -> ExitCode {
         .parameter("payload", Target::MassOf("link8".into()))
         .generate([InverseDynamics, GeometricJacobian])
         .write("arm.rs");
-    // The mistakes themselves have been told to cargo.
+    // `write` has reported the errors to cargo.
     written.map_or(ExitCode::FAILURE, |()| ExitCode::SUCCESS)
 }

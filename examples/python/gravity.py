@@ -1,6 +1,6 @@
-"""Gravity torques of an arm over its workspace, as a picture, and beside Pinocchio.
+"""Gravity torques of an arm over its workspace, as a picture, and compared with Pinocchio.
 
-Needs the package of the Panda-class arm, which README.md tells how to build, and matplotlib. Where Pinocchio
+Needs the package of the Panda-class arm, built as in README.md, and matplotlib. Where Pinocchio
 (`pip install pin`) is not installed, nothing is compared.
 """
 
@@ -15,8 +15,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 URDF = HERE.parent.parent / "robots" / "panda_class.urdf"
 
 
-def postures(arm, steps):
-    """Postures in the plane y = 0: the shoulder and the elbow within their limits, all others at rest."""
+def configurations(arm, steps):
+    """Configurations in the plane y = 0: the shoulder and the elbow within their limits, all others at rest."""
     limits = arm.coordinate_limits
     shoulder, elbow = (np.linspace(*limits[k], steps) for k in (1, 3))
     q = np.zeros((steps, steps, arm.NQ))
@@ -26,7 +26,7 @@ def postures(arm, steps):
 
 
 def draw(arm, q, path):
-    """Torques of shoulder and elbow where the hand is then."""
+    """Draws the torques of shoulder and elbow over the position of the hand."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -46,7 +46,7 @@ def draw(arm, q, path):
         panel.set_aspect("equal")
     panels[0].set_ylabel("z of the hand [m]")
     figure.savefig(path, dpi=72)
-    print(f"{path}: {q[..., 0].size} postures")
+    print(f"{path}: {q[..., 0].size} configurations")
 
 
 def compare(arm, count):
@@ -76,5 +76,5 @@ if __name__ == "__main__":
     parser.add_argument("--picture", default="gravity.png", help="the file to draw")
     options = parser.parse_args()
     panda = PandaClass()
-    draw(panda, postures(panda, 181), options.picture)
+    draw(panda, configurations(panda, 181), options.picture)
     compare(panda, 20_000)

@@ -1,10 +1,10 @@
 """Labels random states of an arm with inverse dynamics, on the workers of a cluster, chunk by chunk into Parquet.
 
-The bytes depend on the seed, the number of states and the size of a chunk, and on nothing else: each chunk has random
-numbers of its own, is written beside its name and then renamed, and is not made again where it is there. So it does
-not matter who makes which, how many there are, who is lost on the way, or how often it is begun.
+The bytes depend only on the seed, the number of states and the size of a chunk: each chunk has random numbers of its
+own, is written to a temporary file and then renamed, and is not made again if it exists. They do not depend on the
+number of workers, on workers that fail, or on restarts.
 
-Needs the package of the Panda-class arm, which README.md tells how to build, pyarrow, and ray or dask[distributed].
+Needs the package of the Panda-class arm (README.md has the command), pyarrow, and ray or dask[distributed].
 """
 
 import argparse
@@ -16,13 +16,13 @@ import signal
 import time
 import uuid
 
-# One thread a worker: the cluster has one for each core. Nothing is told to anybody.
+# One thread a worker, since the cluster has one worker a core. No usage statistics are sent.
 os.environ.setdefault("RAYON_NUM_THREADS", "1")
 os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
 
 
 def states(arm, seed, first, count):
-    """The random states of a chunk, which has numbers of its own."""
+    """The random states of a chunk, seeded by the chunk."""
     import numpy as np
 
     random = np.random.default_rng([seed, first, count])
@@ -93,7 +93,7 @@ def on_ray(chunks, options):
     local = {"address": "local", "num_cpus": options["workers"], "_node_ip_address": "127.0.0.1"}
     where = {"address": options["address"]} if options["address"] else local
     ray.init(**where, include_dashboard=False if where is local else None, log_to_driver=False)
-    # Who dies is replaced, and what it was at is begun again.
+    # A worker that dies is replaced, and its chunk is made again.
     task = ray.remote(num_cpus=1, max_retries=5)(label)
     waiting = [task.remote(chunk, options) for chunk in chunks]
     while waiting:

@@ -1,20 +1,21 @@
-//! The picture of the README: bars of time for functions of an arm, ours beside others, each with its error.
+//! The picture of the README: bars of time for functions of an arm, of homogen and others, each with its error.
 //!
-//! In: the tables of the committed report. Out: an SVG. It measures nothing.
+//! In: the tables of the committed report. Out: an SVG.
 
 use std::fmt::Write;
 
-/// The part of the report that is drawn.
+/// The heading of the table that is drawn.
 const PART: &str = "### Panda with hand beside others\n";
 
-/// What is drawn: the name of a function in the report and in the picture, and whether it is refined besides.
+/// The functions that are drawn: the name in the report, the name in the picture, and true if the refined one is
+/// drawn as well.
 const GROUPS: [(&str, &str, bool); 3] = [
     ("`inverse_dynamics`", "inverse dynamics", false),
     ("`mass_matrix`", "mass matrix", false),
     ("`forward_dynamics`", "forward dynamics", true),
 ];
 
-/// A bar: what it is called, the columns of which the least is its time, the column of its error.
+/// A bar: its label, the columns whose minimum is its time, the column of its error.
 struct Bar {
     name: &'static str,
     times: &'static [usize],
@@ -57,14 +58,14 @@ const OTHERS: [Bar; 3] = [
 ];
 
 const WIDTH: f64 = 800.0;
-/// Where bars begin, and how many units are a nanosecond.
+/// The left end of the bars, and the units per nanosecond.
 const LEFT: f64 = 182.0;
 const SCALE: f64 = 0.22;
 const HEIGHT_OF_BAR: f64 = 17.0;
 const GAP: f64 = 40.0;
 const TOP: f64 = 92.0;
 
-/// The picture, where the report has the rows.
+/// The picture; `None` if the report lacks a row.
 #[must_use]
 pub fn draw(report: &str) -> Option<String> {
     let (_, part) = report.split_once(PART)?;

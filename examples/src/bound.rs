@@ -1,8 +1,7 @@
 //! The functions of a robot, called by name.
 //!
-//! In: anything that has all functions, generated or generic. Out: closures that no longer show which
-//! function they call, so that tables can be made row by row. Calls inside a batch stay direct, and
-//! are timed as a controller would make them.
+//! In: a robot with all functions, generated or generic. Out: closures of one type for all functions, for
+//! tables row by row. Calls inside a batch stay direct, and are timed as a controller would make them.
 
 use std::hint::black_box;
 
@@ -13,8 +12,8 @@ use homogen_codegen::Function;
 use crate::entries::Entries;
 use crate::states::State;
 
-/// Makes, of the list of every function, the trait of a robot that has them all and what calls one by
-/// its name; `P` is the length of the rows of those that have other lengths than all others.
+/// Makes, from the list of every function, the trait of a robot that has them all, and a function that binds
+/// one by its name; `P` is the length of the rows of a regressor.
 macro_rules! bound_by_name {
     (@[] [$($name:ident<$($size:ident),+> $method:ident($($argument:ident),*);)*]) => {
         /// A robot that has every function.
@@ -26,10 +25,10 @@ macro_rules! bound_by_name {
         {
         }
 
-        /// That function of that robot.
+        /// A function of a robot.
         ///
         /// # Panics
-        /// For a function that the runtime has no trait for.
+        /// If the runtime has no trait for the function.
         pub fn bind<R: Complete<N, P, T>, T: Number, const N: usize, const P: usize>(
             robot: &R,
             function: Function,
@@ -55,7 +54,7 @@ macro_rules! bound_by_name {
 }
 homogen::every_function!(bound_by_name);
 
-/// A type of number that results can be taken apart into.
+/// A type of number whose results can be listed entry by entry.
 pub trait Number: Real + Entries {}
 
 impl Number for f32 {}
@@ -93,7 +92,7 @@ fn bound<'r, T, O: Entries, const N: usize>(
             numbers
         }),
         batch: Box::new(move |states| {
-            // By reference: a result that is moved is loaded once more, which waits for its stores.
+            // By reference: a moved result would be loaded again, after its stores.
             for state in states {
                 black_box(&call(black_box(state)));
             }

@@ -1,7 +1,7 @@
-//! Controllers that are written once, for every robot that has the functions they need.
+//! Controllers for any robot with the functions that they need.
 //!
-//! In: a robot as its controller believes it to be, a state, and what is wanted. Out: torques. They keep nothing between
-//! two calls and allocate nothing.
+//! In: the controller's model of a robot, a state, and a desired motion. Out: torques. Controllers have no state and
+//! do not allocate.
 
 use std::array::from_fn;
 
@@ -14,7 +14,7 @@ use nalgebra::{Cholesky, SMatrix, SVector};
 
 use crate::motion::Desired;
 
-/// Gains of an error: of itself [1/s²], and of its rate [1/s].
+/// Gains of an error [1/s²] and of its rate [1/s].
 #[derive(Clone, Copy, Debug)]
 pub struct Gains {
     /// k_p.
@@ -24,7 +24,7 @@ pub struct Gains {
 }
 
 impl Gains {
-    /// Those of an error that vanishes as fast as it can without overshooting, with a natural frequency [rad/s].
+    /// Gains with critical damping, for a natural frequency [rad/s].
     #[must_use]
     pub const fn critical(frequency: f64) -> Self {
         Self {
@@ -50,7 +50,7 @@ where
     robot.inverse_dynamics(q, qd, &wanted)
 }
 
-/// Where the tip should be and how it should move, in the axes of frame 0: angular parts first.
+/// The desired motion of the end effector, in the axes of frame 0; angular parts first.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
     /// M₀,tip.
@@ -61,21 +61,21 @@ pub struct Task {
     pub acceleration: [f64; 6],
 }
 
-/// What keeps the inertia at the tip finite where the arm is singular [1/kg, 1/(kg m²)].
+/// Added to the diagonal of Λ⁻¹, so that Λ is finite where the arm is singular [1/kg, 1/(kg m²)].
 const LEAST_MOBILITY: f64 = 1e-6;
 
-/// Operational-space control (Khatib, "A unified approach for motion and force control of robot manipulators", 1987): the
-/// tip moves as if it were free but for the errors of its task, and what moves beside it goes to a posture, by motions
-/// that do not accelerate the tip.
+/// Operational-space control (Khatib, "A unified approach for motion and force control of robot manipulators", 1987):
+/// the end effector follows its task, and the redundant joints move to the configuration `rest_configuration` without
+/// accelerating the end effector.
 ///
 /// # Panics
-/// Where the state or the robot's numbers are none.
+/// If the state or a number of the robot is NaN.
 pub fn operational_space<R, const N: usize>(
     robot: &R,
     q: &[f64; N],
     qd: &[f64; N],
     task: &Task,
-    posture: &[f64; N],
+    rest_configuration: &[f64; N],
     gains: Gains,
 ) -> [f64; N]
 where
@@ -90,20 +90,21 @@ where
     let rate = columns(&robot.geometric_jacobian_rate(q, qd));
     let inverse = robot.mass_matrix_inverse(q);
     let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| inverse[i][j]);
-    let [here, moving, rest] = [q, qd, posture].map(|entries| SVector::<f64, N>::from(*entries));
+    let [q_now, qd_now, q_rest] =
+        [q, qd, rest_configuration].map(|entries| SVector::<f64, N>::from(*entries));
 
     let error = SVector::<f64, 6>::from(apart(&robot.forward_kinematics(q), &task.pose));
     let [velocity, acceleration] = [task.velocity, task.acceleration].map(SVector::<f64, 6>::from);
-    let wanted = acceleration + damping * (velocity - jacobian * moving) + stiffness * error;
+    let wanted = acceleration + damping * (velocity - jacobian * qd_now) + stiffness * error;
 
     // Λ⁻¹ = J M⁻¹ Jᵗ.
     let mobility = jacobian * inverse * jacobian.transpose();
     let floor = SMatrix::<f64, 6, 6>::identity() * LEAST_MOBILITY;
     let inertia = Cholesky::new(mobility + floor).expect("a mobility is not negative");
     let pull = |toward: SVector<f64, 6>| jacobian.transpose() * inertia.solve(&toward);
-    // What of a torque that pulls to the posture would move the tip is taken off again.
-    let free = stiffness * (rest - here) - damping * moving;
-    let torque = pull(wanted - rate * moving) + free - pull(jacobian * (inverse * free));
+    // Torques towards the configuration, without the part that accelerates the end effector.
+    let free = stiffness * (q_rest - q_now) - damping * qd_now;
+    let torque = pull(wanted - rate * qd_now) + free - pull(jacobian * (inverse * free));
     let bias = robot.bias(q, qd);
     from_fn(|i| torque[i] + bias[i])
 }
@@ -116,16 +117,16 @@ fn columns<const N: usize>(screws: &[Screw<f64>; N]) -> SMatrix<f64, 6, N> {
     })
 }
 
-/// How far a frame is turned and shifted from another, as a rotation vector (right to the third order) and in metres.
+/// The displacement between two frames: a rotation vector (up to third-order terms) and a translation \[m\].
 #[must_use]
 pub fn apart(from: &Pose<f64>, to: &Pose<f64>) -> [f64; 6] {
     let axis = |pose: &Pose<f64>, k: usize| pose.rotation().map(|row| row[k]);
-    let turns = [0, 1, 2].map(|k| vector::cross(axis(from, k), axis(to, k)));
-    let turn = from_fn::<f64, 3, _>(|i| 0.5 * turns.iter().map(|turn| turn[i]).sum::<f64>());
+    let products = [0, 1, 2].map(|k| vector::cross(axis(from, k), axis(to, k)));
+    let rotation = from_fn::<f64, 3, _>(|i| 0.5 * products.iter().map(|v| v[i]).sum::<f64>());
     let (here, there) = (from.translation(), to.translation());
     from_fn(|i| {
         if i < 3 {
-            turn[i]
+            rotation[i]
         } else {
             there[i - 3] - here[i - 3]
         }

@@ -1,6 +1,6 @@
 //! Panels of quantities over time, a curve for each joint.
 //!
-//! In: samples. Out: a panel of a plot. It computes nothing.
+//! In: samples. Out: a panel of a plot.
 
 use homogen_plot::{Axis, Color, Curve, Panel, Scale, Style};
 
@@ -15,7 +15,7 @@ const COLORS: [Color; 7] = [
     Color::Black,
 ];
 
-/// A curve for each entry of what is sampled, over time \[s\].
+/// A curve for each entry of the samples, over time \[s\].
 pub fn joints<const N: usize>(
     label: &'static str,
     samples: impl IntoIterator<Item = (f64, [f64; N])>,

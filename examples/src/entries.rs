@@ -1,11 +1,10 @@
-//! The results of generated functions, taken apart.
+//! The entries of the results of generated functions.
 //!
-//! In: an array, a matrix, one of the typed matrices or a struct of several. Out: its numbers, row by row, in `f64`. It
-//! never computes any.
+//! In: an array, a matrix, one of the typed matrices or a struct of several. Out: its numbers, row by row, in `f64`.
 
 use homogen::{
-    Acceleration, Action, ForwardDynamicsDerivatives, InverseDynamicsDerivatives, Momentum, Point,
-    Pose, Real, Screw, Velocity,
+    Acceleration, AccelerationDerivatives, Action, Momentum, Point, Pose, Real, Screw,
+    TorqueDerivatives, Velocity,
 };
 
 /// The numbers of a result, row by row.
@@ -76,14 +75,14 @@ impl<T: Real + Entries> Entries for Acceleration<T> {
     }
 }
 
-impl<T: Entries, const N: usize> Entries for InverseDynamicsDerivatives<N, T> {
+impl<T: Entries, const N: usize> Entries for TorqueDerivatives<N, T> {
     fn push(&self, numbers: &mut Vec<f64>) {
         self.dq.push(numbers);
         self.dqd.push(numbers);
     }
 }
 
-impl<T: Entries, const N: usize> Entries for ForwardDynamicsDerivatives<N, T> {
+impl<T: Entries, const N: usize> Entries for AccelerationDerivatives<N, T> {
     fn push(&self, numbers: &mut Vec<f64>) {
         self.dq.push(numbers);
         self.dqd.push(numbers);

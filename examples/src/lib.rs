@@ -1,8 +1,8 @@
-//! What the small programs share.
+//! Shared code of the examples.
 //!
-//! Random states, the functions of a robot called by name, times with the machine they were
-//! measured on; and what is written once for all robots: controllers, a filter, an optimiser. Nothing here is needed to
-//! use `homogen`. Of the README and the guide the blocks of Rust are compiled and run, as tests of the documentation.
+//! Controllers, a filter and an optimiser for any robot; random states, functions called by name, times with the machine
+//! of the measurement. Users of `homogen` do not need this crate. Its documentation tests compile and run the blocks of
+//! Rust in the README and the guide.
 
 pub mod bars;
 pub mod bound;
@@ -18,7 +18,7 @@ pub mod price;
 pub mod states;
 pub mod timing;
 
-/// What is compiled and run.
+/// Pages whose blocks of Rust are compiled and run.
 #[cfg(doctest)]
 mod guide {
     #[doc = include_str!("../../README.md")]
@@ -29,6 +29,14 @@ mod guide {
     struct ReadmeOfTheEngine;
     #[doc = include_str!("../../guide/src/first-robot.md")]
     struct FirstRobot;
+    #[doc = include_str!("../../guide/src/conventions.md")]
+    struct Conventions;
+    #[doc = include_str!("../../guide/src/troubleshooting.md")]
+    struct Troubleshooting;
+    #[doc = include_str!("../../guide/src/examples.md")]
+    struct Examples;
+    #[doc = include_str!("../../guide/src/glossary.md")]
+    struct Glossary;
     #[doc = include_str!("../../guide/src/fields.md")]
     struct Fields;
     #[doc = include_str!("../../guide/src/command-line.md")]
@@ -45,6 +53,8 @@ mod guide {
     struct Loops;
     #[doc = include_str!("../../guide/src/what-is-read.md")]
     struct WhatIsRead;
+    #[doc = include_str!("../../guide/src/mjcf.md")]
+    struct Mjcf;
     #[doc = include_str!("../../guide/src/derivatives.md")]
     struct Derivatives;
     #[doc = include_str!("../../guide/src/inverse-kinematics.md")]

@@ -1,7 +1,6 @@
-//! The listing that README and guide show.
+//! The generated function that README and guide show.
 //!
-//! In: the two links of `robots/`. Out: their inverse dynamics as `homogen inspect` prints it. It calls the code
-//! generator as the command does.
+//! In: the two-link arm of `robots/`. Out: its inverse dynamics as `homogen inspect` prints it.
 
 use homogen_codegen::Function;
 use homogen_codegen::description::read_text;
@@ -15,7 +14,7 @@ const URDF: &str = include_str!("../../robots/two_link.urdf");
 /// The method with its doc comment, formatted.
 ///
 /// # Errors
-/// All the mistakes of the description.
+/// All errors of the description.
 pub fn inverse_dynamics_of_two_links() -> Result<String, Errors> {
     let mut errors = Errors::new();
     let Some(robot) = read_text(URDF, "two_link.urdf", None, &mut errors) else {
@@ -25,7 +24,7 @@ pub fn inverse_dynamics_of_two_links() -> Result<String, Errors> {
         functions: vec![vec![Function::InverseDynamics]],
         ..Request::default()
     };
-    let listing = expand(&robot, &request)?;
-    let methods = methods(&listing, &Item::named_after("two link"), &World::default());
+    let module = expand(&robot, &request)?;
+    let methods = methods(&module, &Item::named_after("two link"), &World::default());
     Ok(Source::new("", &methods).to_string())
 }

@@ -1,28 +1,28 @@
-//! Motions that arms are told to make, and what they make of the torques they are given.
+//! Desired motions of arms, and their simulation.
 //!
-//! In: amplitudes and rates; or a robot, a state and torques. Out: where the joints should be at a time, with rates and
-//! second rates; or the state a step later. It knows no controller.
+//! In: amplitudes and rates; or a robot, a state and torques. Out: desired q, q̇ and q̈ at a time; or the state after a
+//! step.
 
 use std::array::from_fn;
 
 use homogen::robot::ForwardDynamics;
 
-/// Where joints should be: q, q̇, q̈.
+/// A desired motion: q, q̇, q̈.
 pub type Desired<const N: usize> = [[f64; N]; 3];
 
-/// Coordinates that swing, each to one side of where it begins, with its own rate; at rest in the beginning.
+/// A motion of cosines: each coordinate oscillates on one side of its start with its own rate, initially at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Waves<const N: usize> {
-    /// Where they begin \[rad\].
+    /// Start \[rad\].
     pub from: [f64; N],
-    /// How far they swing: by twice as much \[rad\].
+    /// Amplitude: half of the range of motion \[rad\].
     pub reach: [f64; N],
-    /// How fast [rad/s].
+    /// Angular frequency [rad/s].
     pub rate: [f64; N],
 }
 
 impl<const N: usize> Waves<N> {
-    /// Where they are at a time \[s\].
+    /// The desired motion at a time \[s\].
     #[must_use]
     pub fn at(&self, t: f64) -> Desired<N> {
         let of = |f: &dyn Fn(f64, f64) -> f64| from_fn(|i| f(self.reach[i], self.rate[i]));
@@ -35,7 +35,7 @@ impl<const N: usize> Waves<N> {
     }
 }
 
-/// One step of Runge and Kutta's method under torques that are held.
+/// One step of the Runge–Kutta method of order 4 with constant torques.
 pub fn step<R, const N: usize>(
     robot: &R,
     period: f64,
@@ -58,7 +58,7 @@ pub fn step<R, const N: usize>(
     }
 }
 
-/// The largest size of some numbers; 0 of none.
+/// The largest magnitude of some numbers; 0 without any.
 #[must_use]
 pub fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     numbers.into_iter().map(f64::abs).fold(0.0, f64::max)

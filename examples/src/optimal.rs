@@ -1,31 +1,31 @@
-//! Motions that cost least: the iterative linear-quadratic regulator (Li and Todorov, "Iterative linear quadratic
-//! regulator design for nonlinear biological movement systems", 2004), for every robot with derivatives of its
-//! accelerations.
+//! Optimal motions by the iterative linear-quadratic regulator (Li and Todorov, "Iterative linear quadratic
+//! regulator design for nonlinear biological movement systems", 2004), for any robot with derivatives of forward
+//! dynamics.
 //!
-//! In: a robot, where it is and where it should come to rest. Out: torques over time, with the motion that they make and
-//! what each round of improvement cost. States follow each other by q̇' = q̇ + h q̈, q' = q + h q̇'.
+//! In: a robot, its start and its goal, both at rest. Out: torques over time with their motion, and the cost after each
+//! iteration. The model is q̇' = q̇ + h q̈, q' = q + h q̇'.
 
 use std::array::from_fn;
 
 use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-/// What a motion is to do.
+/// An optimal control problem.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<const N: usize> {
-    /// Where it begins, at rest \[rad\].
+    /// Start, at rest \[rad\].
     pub from: [f64; N],
-    /// Where it should end, at rest \[rad\].
+    /// Goal, at rest \[rad\].
     pub to: [f64; N],
-    /// How many steps there are.
+    /// Number of steps.
     pub steps: usize,
-    /// How long each of them takes \[s\].
+    /// Duration of a step \[s\].
     pub period: f64,
-    /// The price of a torque for a second, beside that of holding still [1/(N m)² s].
+    /// Weight of the squared torques beyond the holding ones, per second [1/((N m)² s)].
     pub effort: f64,
-    /// The price of a rate for a second [s/rad²].
+    /// Weight of the squared rates, per second [s/rad²].
     pub haste: f64,
-    /// The price of ending elsewhere [1/rad²], or not at rest [s²/rad²].
+    /// Weights of the squared errors at the end: of coordinates [1/rad²] and of rates [s²/rad²].
     pub miss: [f64; 2],
 }
 
@@ -36,36 +36,36 @@ pub struct Plan<const N: usize> {
     pub states: Vec<[[f64; N]; 2]>,
     /// τ in each step \[N m\].
     pub torques: Vec<[f64; N]>,
-    /// What it cost in the beginning, and after each round.
+    /// The cost at the beginning, and after each iteration.
     pub costs: Vec<f64>,
 }
 
-/// What a step back tells: how torques change, by themselves and with the state.
+/// The correction of the torques of a step: a constant part, and a feedback gain.
 struct Correction {
     shift: DVector<f64>,
     gain: DMatrix<f64>,
 }
 
 impl<const N: usize> Problem<N> {
-    /// The best motion that is found from torques that stay as given, in at most so many rounds.
+    /// The best motion found from constant torques `hold`, in at most `iterations` iterations.
     ///
     /// # Panics
-    /// Where torques have no price, or a number is none.
-    pub fn solve<R>(&self, robot: &R, hold: &[f64; N], rounds: usize) -> Plan<N>
+    /// If the weight of torques is zero, or a number is NaN.
+    pub fn solve<R>(&self, robot: &R, hold: &[f64; N], iterations: usize) -> Plan<N>
     where
         R: ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,
     {
         let torques = vec![*hold; self.steps];
-        let mut plan = self.follow(robot, &torques, |_, _| [0.0; N]);
+        let mut plan = self.simulate(robot, &torques, |_, _| [0.0; N]);
         plan.costs = vec![self.cost(&plan, hold)];
-        for _ in 0..rounds {
+        for _ in 0..iterations {
             let cost = plan.costs[plan.costs.len() - 1];
             let corrections = self.improve(robot, &plan, hold);
-            // Shorter steps, until one pays.
+            // Line search: halve the step until the cost decreases.
             let tried = (0..10)
                 .map(|halvings| 0.5_f64.powi(halvings))
                 .find_map(|share| {
-                    let next = self.follow(robot, &plan.torques, |k, [q, qd]| {
+                    let next = self.simulate(robot, &plan.torques, |k, [q, qd]| {
                         let Correction { shift, gain } = &corrections[k];
                         let [q_0, qd_0] = &plan.states[k];
                         let off = DVector::from_fn(2 * N, |i, _| {
@@ -91,8 +91,8 @@ impl<const N: usize> Problem<N> {
         plan
     }
 
-    /// The motion that torques make, each with a change that depends on where it has come to.
-    fn follow<R>(
+    /// The motion of torques plus a change that depends on step and state.
+    fn simulate<R>(
         &self,
         robot: &R,
         torques: &[[f64; N]],
@@ -131,51 +131,51 @@ impl<const N: usize> Problem<N> {
         0.5 * (running + place * missed + rest * square(qd))
     }
 
-    /// Of each step what would make the rest of the motion cheaper, from the last one back.
+    /// The corrections of all steps, by the backward pass.
     fn improve<R>(&self, robot: &R, plan: &Plan<N>, hold: &[f64; N]) -> Vec<Correction>
     where
         R: ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,
     {
         let [q, qd] = plan.states[self.steps];
         let [place, rest] = self.miss;
-        let mut slope = DVector::from_fn(2 * N, |i, _| {
+        let mut gradient = DVector::from_fn(2 * N, |i, _| {
             if i < N {
                 place * (q[i] - self.to[i])
             } else {
                 rest * qd[i - N]
             }
         });
-        let mut bend =
+        let mut hessian =
             DMatrix::from_diagonal(&DVector::from_fn(
                 2 * N,
                 |i, _| {
                     if i < N { place } else { rest }
                 },
             ));
-        let [price, haste] = [self.effort, self.haste].map(|price| self.period * price);
-        let hurry = |slope: &mut DVector<f64>, bend: &mut DMatrix<f64>, qd: &[f64; N]| {
+        let [effort, haste] = [self.effort, self.haste].map(|weight| self.period * weight);
+        let add_rates = |gradient: &mut DVector<f64>, hessian: &mut DMatrix<f64>, qd: &[f64; N]| {
             for (i, rate) in (N..).zip(qd) {
-                slope[i] += haste * rate;
-                bend[(i, i)] += haste;
+                gradient[i] += haste * rate;
+                hessian[(i, i)] += haste;
             }
         };
-        hurry(&mut slope, &mut bend, &qd);
+        add_rates(&mut gradient, &mut hessian, &qd);
         let back = (0..self.steps).rev().map(|k| {
             let tau = &plan.torques[k];
             let (a, b) = self.linear(robot, &plan.states[k], tau);
-            let effort = DVector::from_fn(N, |i, _| price * (tau[i] - hold[i]));
-            let by_torque = effort + b.transpose() * &slope;
-            let by_both = b.transpose() * &bend * &a;
-            let square = DMatrix::identity(N, N) * price + b.transpose() * &bend * &b;
-            let square = Cholesky::new(square).expect("effort has a price");
+            let own = DVector::from_fn(N, |i, _| effort * (tau[i] - hold[i]));
+            let by_torque = own + b.transpose() * &gradient;
+            let by_both = b.transpose() * &hessian * &a;
+            let by_torque_twice = DMatrix::identity(N, N) * effort + b.transpose() * &hessian * &b;
+            let factors = Cholesky::new(by_torque_twice).expect("torques have a weight");
             let correction = Correction {
-                shift: -square.solve(&by_torque),
-                gain: -square.solve(&by_both),
+                shift: -factors.solve(&by_torque),
+                gain: -factors.solve(&by_both),
             };
-            slope = a.transpose() * &slope + by_both.transpose() * &correction.shift;
-            bend = a.transpose() * &bend * &a + by_both.transpose() * &correction.gain;
-            bend = (&bend + bend.transpose()) * 0.5;
-            hurry(&mut slope, &mut bend, &plan.states[k][1]);
+            gradient = a.transpose() * &gradient + by_both.transpose() * &correction.shift;
+            hessian = a.transpose() * &hessian * &a + by_both.transpose() * &correction.gain;
+            hessian = (&hessian + hessian.transpose()) * 0.5;
+            add_rates(&mut gradient, &mut hessian, &plan.states[k][1]);
             correction
         });
         let mut corrections: Vec<Correction> = back.collect();
@@ -183,7 +183,7 @@ impl<const N: usize> Problem<N> {
         corrections
     }
 
-    /// What the next state changes by with this one, and with the torques.
+    /// The derivatives A and B of the next state by this state and by the torques.
     fn linear<R>(
         &self,
         robot: &R,
@@ -195,7 +195,7 @@ impl<const N: usize> Problem<N> {
     {
         let h = self.period;
         let by = robot.forward_dynamics_derivatives(q, qd, tau);
-        // Of q̇' first; q' has h times that and what q itself gives.
+        // ∂q̇' first; ∂q' = ∂q + h ∂q̇'.
         let a = DMatrix::from_fn(2 * N, 2 * N, |i, j| {
             let (row, column) = (i % N, j % N);
             let same = if row == column { 1.0 } else { 0.0 };

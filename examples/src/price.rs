@@ -1,7 +1,6 @@
-//! What generated functions cost, counted on the programs that the macro prints.
+//! Operation counts of generated functions, from the code generator.
 //!
-//! In: the text of a robot's file. Out: the facts and prices that stand in the doc comments. It calls
-//! the code generator as the derive does, and counts nothing itself.
+//! In: the text of a robot's file. Out: the facts and operation counts of the doc comments of generated code.
 
 use homogen_codegen::description::{Name, read_text};
 use homogen_codegen::error::{Errors, Place};
@@ -12,17 +11,17 @@ use homogen_codegen::schedule::Price;
 use homogen_codegen::space::Spaces;
 use homogen_codegen::{Function, Real};
 
-/// What is modelled of a robot, and the price of every function of it.
+/// The model of a robot, and the operation count of each of its functions.
 pub struct Prices {
-    /// What the doc comments say of it.
+    /// The facts in the doc comments.
     pub about: About,
-    /// What its arguments and results are over.
+    /// The lists of coordinates, velocities, frames and others that arguments and results range over.
     pub spaces: Spaces,
     functions: Vec<GeneratedFunction>,
 }
 
 impl Prices {
-    /// The price of a function.
+    /// The operation count of a function.
     ///
     /// # Panics
     /// Never: all functions have been counted.
@@ -30,14 +29,14 @@ impl Prices {
     pub fn of(&self, function: Function) -> Price {
         let generated = self.functions.iter();
         let mut generated = generated.filter(|generated| generated.functions == [function]);
-        generated.next().expect("all functions are listed").price
+        generated.next().expect("all functions are counted").price
     }
 }
 
 /// Counts all functions of the robot in a file of that name and text.
 ///
 /// # Errors
-/// All the mistakes of the description.
+/// All errors of the description.
 pub fn count(file: &str, text: &str, tip: &str) -> Result<Prices, Errors> {
     let mut errors = Errors::new();
     let Some(description) = read_text(text, file, None, &mut errors) else {

@@ -1,7 +1,7 @@
 //! Seeded random states.
 //!
 //! In: a seed. Out: states that are the same on every platform. Their numbers are exact in single
-//! precision, so that both precisions see the same robot. It never asks the system for randomness.
+//! precision, so that both precisions compute the same states.
 
 use std::f32::consts::PI;
 

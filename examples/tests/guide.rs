@@ -1,8 +1,7 @@
-//! Every number and every line of code of the guide, computed anew.
+//! Every operation count and every generated line of code in the guide, computed again.
 //!
-//! In: its chapters and the robots. Out: nothing where they agree; else the line that should stand
-//! there. Their blocks of Rust are compiled as well, as tests of the documentation. It never looks at
-//! times: they belong to the machine that is named beside them.
+//! In: its chapters and the robots. A failed test prints the expected line. Documentation tests compile the blocks of
+//! Rust. Times are not checked; they belong to the machine that is named beside them.
 
 use std::fmt::Write;
 use std::fs;
@@ -29,19 +28,19 @@ macro_rules! prices {
     ($robot:literal, $tip:literal) => {{
         let file = concat!($robot, ".urdf");
         let text = include_str!(concat!("../../robots/", $robot, ".urdf"));
-        price::count(file, text, $tip).expect("the robots that ship have no mistakes")
+        price::count(file, text, $tip).expect("the robots of the repository are valid")
     }};
 }
 
 #[test]
 fn the_expansion_is_what_the_code_generator_prints() {
-    let source = listing::inverse_dynamics_of_two_links().expect("it has no mistakes");
+    let source = listing::inverse_dynamics_of_two_links().expect("it is valid");
     let block = format!("```rust,ignore\n{source}```\n");
     assert_contains(GENERATED_CODE, &block);
 }
 
 #[test]
-fn the_prices_of_the_functions_are_those_of_the_doc_comments() {
+fn the_counts_of_the_functions_are_those_of_the_doc_comments() {
     let prices = prices!("panda_class", "link8");
     for function in Function::ALL {
         let name = function.name();
@@ -58,7 +57,7 @@ fn the_prices_of_the_functions_are_those_of_the_doc_comments() {
 }
 
 #[test]
-fn the_output_shown_has_the_prices_of_today() {
+fn the_output_shown_has_the_current_counts() {
     let prices = prices!("panda_class", "link8");
     let all = Function::ALL.into_iter();
     for function in all.filter(|&function| function != Function::BaseRegressor) {
@@ -76,7 +75,7 @@ fn the_output_shown_has_the_prices_of_today() {
 }
 
 #[test]
-fn the_counts_beside_published_ones_are_those_of_today() {
+fn the_counts_beside_published_ones_are_current() {
     let robots = [
         (
             "[Stanford](../../robots/stanford_general.urdf)",
@@ -102,7 +101,7 @@ fn the_counts_beside_published_ones_are_those_of_today() {
 }
 
 #[test]
-fn the_prices_of_formulations_are_those_of_today() {
+fn the_counts_of_formulations_are_current() {
     let columns = {
         let (plain, frame) = (Formulation::default(), Frame::Base);
         let (angles, parameters) = (Angles::Merged, Parameters::Raw);
@@ -159,7 +158,7 @@ fn the_prices_of_formulations_are_those_of_today() {
             }),
             ..Request::default()
         };
-        let mut chain = understand(&description, &request).expect("it has no mistakes");
+        let mut chain = understand(&description, &request).expect("it is valid");
         let mut row = format!("| {name}, `{}` |", function.name());
         for formulation in columns {
             Rc::make_mut(&mut chain.request).formulation = formulation;
@@ -172,7 +171,7 @@ fn the_prices_of_formulations_are_those_of_today() {
     }
 }
 
-/// What is in no list is read by nobody, and compiled by no test.
+/// A chapter must be in the contents, and in the list of pages that are compiled.
 #[test]
 fn every_chapter_is_in_the_contents_and_is_compiled() {
     let contents = include_str!("../../guide/src/SUMMARY.md");

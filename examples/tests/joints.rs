@@ -1,7 +1,7 @@
-//! The table of joints and functions in the guide, computed anew.
+//! The table of joints and functions in the guide, computed again.
 //!
-//! In: the tables of joints and of functions, and one body on a joint of each kind. Out: nothing where the
-//! chapter has the operations of each function for each joint; else the table that should stand there.
+//! In: the tables of joints and of functions, and one body on a joint of each type. A failed test prints the expected
+//! table of operation counts.
 
 use std::fmt::Write;
 
@@ -14,7 +14,7 @@ use homogen_codegen::request::Request;
 
 const JOINTS: &str = include_str!("../../guide/src/joints.md");
 
-/// A body with a general inertia on a joint of a kind.
+/// A body with a general inertia on a joint of a type.
 fn robot(kind: &str) -> String {
     format!(
         r#"<robot name="body"><link name="base"/><link name="body"><inertial>
@@ -34,14 +34,14 @@ fn operations(kind: &str) -> Vec<usize> {
         functions: Function::ALL.map(|function| vec![function]).to_vec(),
         ..Request::default()
     };
-    let description = description.expect("there are no mistakes");
+    let description = description.expect("it is valid");
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{kind}: {errors}"));
     let prices = module.functions.iter().map(|generated| &generated.price);
     prices.map(|price| price.mul + price.add).collect()
 }
 
 #[test]
-fn every_function_has_a_price_for_every_joint() {
+fn every_function_has_a_count_for_every_joint() {
     let kinds = joint::ALL.iter().filter(|kind| kind.moves());
     let kinds: Vec<&str> = kinds.map(|kind| kind.word).collect();
     let columns: Vec<Vec<usize>> = kinds.iter().map(|kind| operations(kind)).collect();

@@ -1,8 +1,7 @@
-//! The tables of closed loops in the guide, computed anew.
+//! The tables of closed loops in the guide, computed again.
 //!
-//! In: the kinds of loops, the functions of loops, and the slider-crank of the chapter. Out: nothing where
-//! the chapter has the residuals of each kind and the operations of each function; else the row that
-//! should stand there.
+//! In: the types of loops, the functions of loops, and the slider-crank of the chapter. A failed test prints the
+//! expected row of residuals or operation counts.
 
 use std::path::Path;
 
@@ -15,7 +14,7 @@ use homogen_codegen::request::Request;
 
 const LOOPS: &str = include_str!("../../guide/src/loops.md");
 
-/// What stands between the braces of the macro.
+/// The text between the braces of the macro.
 fn slider_crank() -> &'static str {
     let (_, inside) = LOOPS.split_once("homogen::chain! {").expect("a robot");
     let (inside, _) = inside.split_once("\n}\n").expect("its end");
@@ -31,18 +30,18 @@ fn every_kind_has_a_row_with_its_residuals() {
             rest.is_some_and(|rest| rest.starts_with(['`', '(']))
         });
         let row = row.unwrap_or_else(|| panic!("{} has no row", kind.word));
-        let (_, said) = row[2..].split_once('|').expect("two columns");
+        let (_, cell) = row[2..].split_once('|').expect("two columns");
         let names: Vec<String> = (kind.rows.iter())
             .map(|row| row.name("").trim_start_matches('.').to_owned())
             .filter(|name| !name.is_empty())
             .collect();
-        let told: Vec<&str> = said.split('`').skip(1).step_by(2).collect();
-        assert_eq!(told, names, "{row}");
+        let listed: Vec<&str> = cell.split('`').skip(1).step_by(2).collect();
+        assert_eq!(listed, names, "{row}");
     }
 }
 
 #[test]
-fn the_prices_of_the_slider_crank_are_those_of_today() {
+fn the_counts_of_the_slider_crank_are_current() {
     let mut errors = Errors::new();
     let tokens = slider_crank().parse().expect("tokens");
     let item = inline::read(tokens, Path::new(""), &mut errors).expect("a robot");

@@ -1,8 +1,8 @@
-//! What the README says, held against the project.
+//! The statements of the README, compared with the project.
 //!
-//! In: the README, the guide and the project's files. Out: nothing where the program that it shows is the one
-//! that runs, its excerpt is printed so, and every file it names is there; else what should stand there.
-//! Its blocks of Rust are compiled as well, as tests of the documentation.
+//! In: the README, the guide and the project's files. The tests check that the program of the README is the one that
+//! runs, that its excerpt of generated code is current, and that every linked file exists. Documentation tests compile
+//! its blocks of Rust.
 
 use std::fmt::Write;
 use std::fs;
@@ -14,16 +14,16 @@ use homogen_examples::listing;
 const README: &str = include_str!("../../README.md");
 const FIRST_ROBOT: &str = include_str!("../../guide/src/first-robot.md");
 
-/// The most words of a page that is read to its end.
-const MOST_WORDS: usize = 1200;
+/// The largest number of words of the README.
+const MOST_WORDS: usize = 1000;
 
 #[test]
-fn it_is_read_to_its_end() {
+fn it_is_short() {
     let words = README.split_whitespace().count();
     assert!(words <= MOST_WORDS, "{words} words");
 }
 
-/// The file that the program names is a copy beside `Cargo.toml`.
+/// The URDF file of the program is a copy beside `Cargo.toml`.
 #[test]
 fn the_program_is_the_one_that_runs() {
     let program = include_str!("../src/bin/quick_start.rs");
@@ -44,14 +44,14 @@ fn the_excerpt_is_what_the_code_generator_prints() {
         .expect("it is there");
     let (_, rest) = rest.split_once("```rust,ignore\n").expect("a block");
     let (excerpt, _) = rest.split_once("```\n").expect("its end");
-    let printed = listing::inverse_dynamics_of_two_links().expect("it has no mistakes");
+    let printed = listing::inverse_dynamics_of_two_links().expect("it is valid");
     assert!(printed.contains(excerpt), "{excerpt}\nis not in\n{printed}");
     let price = printed
         .lines()
         .find(|line| line.contains(" mul, "))
         .expect("a price");
     assert!(price.contains("17 mul, 10 add"), "{price}");
-    assert_contains(README, "of 17 products and 10 sums");
+    assert_contains(README, "of 17 multiplications and 10 additions");
 }
 
 #[test]
@@ -63,9 +63,9 @@ fn functions_are_counted() {
     );
 }
 
-/// Those that pages of the guide name as well.
+/// Files that the README and pages of the guide link to.
 #[test]
-fn files_that_are_named_are_there() {
+fn linked_files_exist() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let chapters = fs::read_dir(root.join("guide/src")).expect("the folder is there");
     let chapters = chapters.map(|entry| entry.expect("readable").path());
@@ -79,7 +79,7 @@ fn files_that_are_named_are_there() {
         let links = links.map(|link| folder.join(link.split('#').next().unwrap_or_default()));
         let programs = text.split("--bin ").skip(1);
         let programs = programs.filter_map(|rest| rest.split_whitespace().next());
-        // Examples are one file each; what tests at length is a file or a folder of the tests.
+        // An example is one file; a test is a file or a folder.
         let programs = programs.map(|name| match name.trim_matches('`') {
             "homogen" => "cli/src/main.rs".to_owned(),
             "NAME" => "examples/src/bin".to_owned(),

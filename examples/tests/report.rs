@@ -1,8 +1,7 @@
-//! Every exact figure of the committed report, computed anew.
+//! Every operation count of the committed report, computed again.
 //!
-//! In: `report/REPORT.md`, and the tables of scenes that the report is made from. Out: nothing where
-//! they agree; else the row that should stand there. It never looks at times and errors: they belong to
-//! the machine that the report names. `homogen report` writes the report anew.
+//! In: `report/REPORT.md`, and the tables of scenes of the report. A failed test prints the expected row. Times and
+//! errors are not checked; they belong to the machine that the report names. `homogen report` writes a new report.
 
 #[path = "../../report/program/src/chain.rs"]
 mod chain;
@@ -28,7 +27,7 @@ use scene::{Scene, Variant};
 const REPORT: &str = include_str!("../../report/REPORT.md");
 
 #[test]
-fn counts_of_the_robots_are_those_of_today() {
+fn counts_of_the_robots_are_current() {
     for scene in robots() {
         let part = part(&format!("### {}", scene.title));
         for &function in &scene.functions {
@@ -50,7 +49,7 @@ fn counts_of_the_robots_are_those_of_today() {
 }
 
 #[test]
-fn counts_of_formulations_are_those_of_today() {
+fn counts_of_formulations_are_current() {
     let part = part("## Formulations");
     for scene in robots() {
         for &function in &scene.functions {
@@ -70,7 +69,7 @@ fn counts_of_formulations_are_those_of_today() {
     }
 }
 
-/// What the README says of the report is what stands in it.
+/// Ratios in the README and the guide are those of the report.
 #[test]
 fn ratios_of_the_readme_are_those_of_the_report() {
     const PAGES: [&str; 2] = [
@@ -89,17 +88,24 @@ fn ratios_of_the_readme_are_those_of_the_report() {
         "| `forward_dynamics`, refined once | f64 |",
     ]
     .map(ratio);
-    let said = format!(
-        "inverse dynamics of a Panda takes {inverse} and forward dynamics {forward} of the time of \
-         the fastest that Pinocchio and CasADi make of the same file; refined once, forward dynamics \
-         takes {refined},"
-    );
+    let rows = [
+        ("inverse dynamics", inverse),
+        ("forward dynamics", forward),
+        ("forward dynamics, refined once", refined),
+    ];
     for page in PAGES {
-        assert!(page.contains(&said), "the page should say: {said}");
+        for (function, ratio) in rows {
+            let found = page.lines().any(|line| {
+                let mut cells = line.split('|').map(str::trim).skip(1);
+                let name = cells.next().and_then(|name| name.split(':').next());
+                name == Some(function) && cells.next() == Some(ratio)
+            });
+            assert!(found, "the page should have a row | {function} | {ratio} |");
+        }
     }
 }
 
-/// `cargo run -p homogen-examples --bin bars` draws it anew.
+/// `cargo run -p homogen-examples --bin bars` draws a new one.
 #[test]
 fn the_picture_of_the_readme_is_drawn_from_the_report() {
     let committed = include_str!("../../report/bars.svg");
@@ -109,9 +115,9 @@ fn the_picture_of_the_readme_is_drawn_from_the_report() {
     );
 }
 
-/// Merged angles are shown of the functions that they make a difference to, and of no others.
+/// Merged angles are shown for exactly those functions whose program they change.
 #[test]
-fn merged_angles_are_shown_where_they_matter() {
+fn merged_angles_are_shown_where_they_change_a_program() {
     for scene in robots() {
         let merged = Variant {
             change: |_, request| request.formulation.angles = Angles::Merged,
@@ -128,9 +134,9 @@ fn merged_angles_are_shown_where_they_matter() {
 }
 
 #[test]
-fn counts_of_simpler_models_are_those_of_today() {
+fn counts_of_simpler_models_are_current() {
     let part = part("## What a scene needs");
-    let scenes = scene::models(root()).expect("the robots that ship have no mistakes");
+    let scenes = scene::models(root()).expect("the robots of the repository are valid");
     for scene in scenes {
         for variant in &scene.variants {
             let Price { mul, add, .. } = price(&scene, variant, Function::InverseDynamics);
@@ -147,10 +153,10 @@ fn counts_of_simpler_models_are_those_of_today() {
 
 /// Longer chains take too long without optimisation.
 #[test]
-fn counts_of_chains_are_those_of_today() {
+fn counts_of_chains_are_current() {
     let part = part("## Growth");
     for joints in [1, 2, 4, 8] {
-        let chain = chain::chain(joints).expect("it has no mistakes");
+        let chain = chain::chain(joints).expect("it is valid");
         for function in [
             Function::ForwardKinematics,
             Function::Gravity,
@@ -172,7 +178,7 @@ fn counts_of_chains_are_those_of_today() {
     }
 }
 
-/// Both types see the same states, but for quaternions, which have unit length in each.
+/// Both types have the same states, except for quaternions, which have unit length in each.
 #[test]
 fn states_are_those_of_both_types() {
     for scene in robots() {
@@ -180,7 +186,7 @@ fn states_are_those_of_both_types() {
         assert!(whole, "{} has states of other lengths", scene.title);
         assert_eq!(states::in_single_precision(&scene.states), None);
     }
-    let free = scene::free(root()).expect("the robots that ship have no mistakes");
+    let free = scene::free(root()).expect("the robots of the repository are valid");
     assert_eq!(free.states.len(), states::STATES * (19 + 3 * 18));
     let single = states::in_single_precision(&free.states).expect("quaternions are rounded");
     for (states, epsilon) in [(&free.states, f64::EPSILON), (&single, f32::EPSILON.into())] {
@@ -203,7 +209,7 @@ fn root() -> &'static Path {
 }
 
 fn robots() -> Vec<Scene> {
-    scene::robots(root()).expect("the robots that ship have no mistakes")
+    scene::robots(root()).expect("the robots of the repository are valid")
 }
 
 fn price(scene: &Scene, variant: &Variant, function: Function) -> Price {
@@ -216,11 +222,11 @@ fn count(description: &Description, request: Request, function: Function) -> Pri
         functions: vec![vec![function]],
         ..request
     };
-    let module = expand(description, &request).expect("it has no mistakes");
+    let module = expand(description, &request).expect("it is valid");
     module.functions[0].price
 }
 
-/// What stands between a heading and the next one of its rank or above.
+/// The text between a heading and the next one of its level or above.
 fn part(heading: &str) -> &'static str {
     let start = format!("{heading}\n");
     let start = REPORT

@@ -1,7 +1,7 @@
 //! The two-link arm against the closed form that textbooks print.
 //!
-//! In: the numbers at the head of `two_link.urdf`. Out: nothing, where the expansion that the guide
-//! shows gives the same torques.
+//! In: the numbers at the head of `two_link.urdf`. The generated function that the guide shows must give the same
+//! torques.
 
 use homogen::Robot;
 use homogen_examples::states::{State, random};

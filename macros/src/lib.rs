@@ -1,7 +1,7 @@
-//! The doors for the compiler: parse, delegate, convert.
+//! Procedural macros of `homogen`: the derive and `chain!`.
 //!
-//! Everything is in `homogen-codegen`, which knows nothing of `proc_macro`. Users meet the macros in `homogen`,
-//! as `homogen::Robot` and `homogen::chain!`, and their pages with them:
+//! The engine is the ordinary library `homogen-codegen`. Users import the macros from `homogen`,
+//! as `homogen::Robot` and `homogen::chain!`, which also has their documentation:
 //!
 //! ```
 //! #[derive(homogen::Robot)]

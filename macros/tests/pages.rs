@@ -1,12 +1,12 @@
 //! Completeness of pages: those of the macros explain every word of the readers; those of the guide list the elements of
-//! URDF and the options.
+//! URDF and MJCF and the options.
 //!
 //! In: the pages, and the lists of the readers themselves. Out: nothing where each word is told, and where it
 //! describes a robot or asks for something stands in an example that is compiled; else the words that are
 //! missing. The guide's tables are rewritten where `HOMOGEN_UPDATE` is set.
 
-use homogen_codegen::description::urdf;
 use homogen_codegen::description::words::{Place, words};
+use homogen_codegen::description::{mjcf, urdf};
 use homogen_codegen::request::setting;
 
 const DERIVE: &str = include_str!("../src/derive.md");
@@ -32,7 +32,7 @@ fn page(place: Place) -> &'static str {
     }
 }
 
-/// Whether each word of a place is to be seen at work: names that are chosen from a list are not.
+/// True for places whose words each need an example; names chosen from a list do not.
 fn is_shown(place: Place) -> bool {
     let chosen = [
         Place::Column,
@@ -52,7 +52,7 @@ fn words_of(text: &str) -> Vec<&str> {
     words.collect()
 }
 
-/// What stands between backquotes, and the blocks of code that are compiled.
+/// The text between backquotes, and the blocks of code that are compiled.
 fn told_and_compiled(page: &str) -> (String, String) {
     let (mut told, mut compiled) = (String::new(), String::new());
     let mut block: Option<&str> = None;
@@ -90,7 +90,10 @@ fn every_word_is_told_and_shown() {
 #[test]
 fn the_guide_shows_the_tables() {
     for (page, table) in [
-        ("what-is-read.md", urdf::page()),
+        (
+            "what-is-read.md",
+            format!("{}# Elements of MJCF\n\n{}", urdf::page(), mjcf::page()),
+        ),
         ("command-line.md", setting::page()),
     ] {
         let path = format!("{}/../guide/src/{page}", env!("CARGO_MANIFEST_DIR"));

@@ -1,16 +1,17 @@
 //! Every function of a robot for many states at once (feature `batch`).
 //!
-//! In: a robot and slices of states, one array a state. Out: a slice of results, each with the bits of the
-//! function of that state alone. [`Batch`] fills the lanes of the widest registers that the processor has when the
-//! program runs, AVX-512, AVX2 or SSE4.2, with states; where the target is not of x86, and where a function is not
-//! inlined whole, those of [`Pack`](crate::Pack)s, of which the compiler makes vectors. With the feature `rayon` it
-//! runs on all cores. Neither changes a bit of any result: products are fused with sums where the target that was
-//! compiled for says so, and nowhere else.
+//! In: a robot and slices of states, one array a state. Out: a slice of results, bit for bit those of single calls.
+//!
+//! [`Batch`] computes one state per SIMD lane, in the widest registers that are found at run time: AVX-512, AVX2 or
+//! SSE4.2. On other architectures than x86, and for functions that are not inlined completely, it uses
+//! [`Pack`](crate::Pack)s, which the compiler vectorises for the target. With the feature `rayon` it runs on all cores.
+//! None of this changes a bit of a result: products are fused with sums exactly where the target's code fuses them.
 //!
 //! ```
 //! use homogen::batch::Batch;
 //! # use homogen::{Scalar, robot::Gravity};
 //! # struct Pendulum;
+//! # impl homogen::robot::Batched for Pendulum {}
 //! # impl<T: Scalar> Gravity<1, T> for Pendulum {
 //! #     fn gravity(&self, q: &[T; 1]) -> [T; 1] {
 //! #         let ([sine], _) = T::sin_cos_all(*q);
@@ -25,12 +26,10 @@
 //! # Ok::<(), homogen::batch::BatchError>(())
 //! ```
 //!
-//! Where a coordinate's numbers stand side by side, as in tables and in Fortran's arrays, [`Columns`] takes a slice
-//! for each of them.
+//! [`Columns`] takes column-major states, as in tables and Fortran arrays: a slice for each coordinate.
 //!
-//! A robot that is derived with the word `batch` has these as methods of its own,
-//! `arm.gravity_batch(&q, &mut tau)`, and is compiled once for each kind of vector; without the word its
-//! functions stay what the target makes of them.
+//! A robot with the key `batch` has these methods itself, `arm.gravity_batch(&q, &mut tau)`, and its functions are
+//! compiled once for each length of registers. Without the key they are compiled for the target alone.
 
 mod columns;
 mod error;
@@ -59,7 +58,7 @@ pub struct Batch<'a, R: ?Sized, M = AsAlone> {
 }
 
 impl<'a, R: ?Sized> Batch<'a, R> {
-    /// The functions of a robot, for many states: every result has the bits of the function of one state.
+    /// The functions of a robot for many states, bit for bit as the functions of one state.
     #[inline]
     #[must_use]
     pub const fn of(robot: &'a R) -> Self {
@@ -72,12 +71,11 @@ impl<'a, R: ?Sized> Batch<'a, R> {
 }
 
 impl<'a, R: ?Sized> Batch<'a, R, AsFused> {
-    /// The functions of a robot, for many states: products are fused with sums where the processor that
-    /// runs has the instruction, known to the compiler or not; there every result has the bits of the
-    /// function of one state of [`Fused`](crate::Fused) numbers.
+    /// The functions of a robot for many states, with products fused with sums if the processor at run time has the
+    /// instruction. Results are then bit for bit those of the functions of one state of [`Fused`](crate::Fused)
+    /// numbers.
     ///
-    /// The robot is to be derived with the word `batch`; what is not inlined calls a library routine for
-    /// every product.
+    /// The robot needs the key `batch`: functions that are not inlined call a library routine for every product.
     #[inline]
     #[must_use]
     pub const fn fused(robot: &'a R) -> Self {
@@ -90,7 +88,7 @@ impl<'a, R: ?Sized> Batch<'a, R, AsFused> {
 }
 
 impl<'a, R: ?Sized, M> Batch<'a, R, M> {
-    /// The same on no longer vectors than these, where longer ones would slow a processor's clock.
+    /// The same in registers of at most this length, for processors whose clock slows down with longer ones.
     #[inline]
     #[must_use]
     pub const fn at_most(mut self, most: Vectors) -> Self {
@@ -98,7 +96,7 @@ impl<'a, R: ?Sized, M> Batch<'a, R, M> {
         self
     }
 
-    /// The same for states whose numbers stand coordinate by coordinate.
+    /// The same for column-major states.
     #[inline]
     #[must_use]
     pub const fn columns(self) -> Columns<'a, R, M> {
@@ -125,14 +123,14 @@ macro_rules! batch {
         batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*] $result);
     };
     (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*] $result:ty) => {
-        impl<R: Sync + ?Sized, M: Rounding> Batch<'_, R, M> {
+        impl<R: robot::Batched + Sync + ?Sized, M: Rounding> Batch<'_, R, M> {
             #[$noun]
             ///
-            #[doc = concat!("As [`", stringify!($name), "`](robot::", stringify!($name), ") says, for each state.")]
+            #[doc = concat!("[`", stringify!($name), "`](robot::", stringify!($name), ") of each state.")]
             ///
             /// # Errors
             ///
-            /// Where not all slices are as long as `q`; then no result is written.
+            /// A slice is not as long as `q`. No result is written then.
             pub fn $method<T: Number, $(const $size: usize),*>(
                 &self,
                 $($argument: &[robot::list_of!($argument)],)*
@@ -147,7 +145,7 @@ macro_rules! batch {
                     + robot::$name<$($length,)* M::InNarrow<T>, Q>
                     + robot::$name<$($length,)* M::InWide<T>, Q>,
             {
-                /// The states of a call, or some of them.
+                /// The states of a call, or a part of them.
                 struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
                     robot: &'a R,
                     $($argument: &'a [robot::list_of!($argument)],)*
@@ -178,7 +176,7 @@ macro_rules! batch {
                 impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
                     for States<'_, R, M, T, $($size),*>
                 where
-                    R: Sync + ?Sized
+                    R: robot::Batched + Sync + ?Sized
                         + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
@@ -203,7 +201,7 @@ macro_rules! batch {
                         )
                     }
 
-                    run::by_packs!($name [$($length)*]);
+                    run::by_packs!($method);
                 }
 
                 check(&[$((stringify!($argument), $argument.len()),)* ("results", results.len())])?;

@@ -1,31 +1,30 @@
-//! What can be wrong with numbers that were handed in.
+//! Errors of input data.
 //!
-//! In: nothing, or numbers that must be finite. Out: one enumeration that names the quantity and its
-//! value. Functions that check return it; functions that do not check say so in their documentation,
-//! and none panics.
+//! In: numbers. Out: one enumeration that names the wrong quantity and its value. Functions that check
+//! return it; functions that do not check say so in their documentation; none panics.
 
 use crate::scalar::Real;
 use core::fmt::{self, Display, Formatter};
 
-/// Why numbers were refused. Values are given as f64 whatever the type they were computed in.
+/// An error of input data, with the wrong quantity and its value, as `f64` for every type of scalar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// A number is infinite or NaN.
     NotFinite {
-        /// What it was meant to be.
+        /// The name of the quantity.
         quantity: &'static str,
         /// The number.
         value: f64,
     },
     /// A 3×3 block is not a rotation.
     NotRotation {
-        /// The largest entry of |RᵗR − I|, or the determinant where that is not positive.
+        /// The largest entry of |RᵗR − I|, or the determinant if that is not positive.
         value: f64,
     },
     /// A vector is not of unit length.
     NotUnit {
-        /// What it was meant to be.
+        /// The name of the vector.
         quantity: &'static str,
         /// Its length.
         value: f64,
@@ -35,46 +34,45 @@ pub enum Error {
         /// The mass \[kg\].
         value: f64,
     },
-    /// No body has this inertia: J is not positive semidefinite.
+    /// An inertia is not physical: J is not positive semidefinite.
     NotPhysical {
-        /// What is negative.
-        quantity: &'static str,
-        /// By how much.
-        value: f64,
-    },
-    /// The data do not determine the result: coincident points, parallel lines, a singular system.
-    Degenerate {
-        /// What vanishes.
+        /// The quantity that must not be negative, or must be zero.
         quantity: &'static str,
         /// Its value.
         value: f64,
     },
-    /// A joint of a chain stands on a body that does not come before its own, or a frame on none of its
-    /// bodies.
+    /// The data do not determine the result: coincident points, parallel lines, a singular system.
+    Degenerate {
+        /// The quantity that vanishes.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The parent of a joint of a chain does not come before the joint, or the body of a frame does not exist.
     NotATree {
         /// The name of the joint or frame.
         joint: &'static str,
-        /// The index of what it stands on.
+        /// The index of the parent or body.
         parent: usize,
     },
-    /// A joint of a chain follows another that is not there or does not move along a screw by a coordinate
-    /// of its own.
+    /// The mimicked joint of a mimic joint does not exist, or does not move along a screw with a coordinate of
+    /// its own.
     NotALeader {
-        /// The name of the joint that follows.
+        /// The name of the mimic joint.
         joint: &'static str,
-        /// The index of the one that it follows.
+        /// The index of the mimicked joint.
         leader: usize,
     },
-    /// The joints of a chain do not have as many coordinates or velocities as its type says.
+    /// The number of coordinates or velocities in the type of a chain is not that of its joints.
     WrongCount {
-        /// Which of the two.
+        /// `coordinates` or `velocities`.
         quantity: &'static str,
-        /// How many the type says.
+        /// The number in the type.
         stated: usize,
-        /// How many the joints have.
+        /// The number of the joints.
         found: usize,
     },
-    /// No number is within the limits of a coordinate: they are crossed, NaN, or infinite to the wrong side.
+    /// The limits of a coordinate are empty: crossed, NaN, or infinite to the wrong side.
     NoRange {
         /// The index of the coordinate.
         coordinate: usize,
@@ -83,11 +81,11 @@ pub enum Error {
         /// Its upper limit [rad, m].
         most: f64,
     },
-    /// A 4×4 matrix is not of the form asked for.
+    /// A 4×4 matrix does not have the form of its type.
     NotOfForm {
         /// The form.
         quantity: &'static str,
-        /// The largest amount by which an entry differs from it.
+        /// The largest deviation of an entry from it.
         value: f64,
     },
 }
@@ -95,12 +93,18 @@ pub enum Error {
 impl Display for Error {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::NotFinite { quantity, value } => write!(f, "{quantity} is {value}"),
+            Self::NotFinite { quantity, value } => {
+                write!(f, "{quantity} is {value}, and must be finite")
+            }
             Self::NotRotation { value } if value < 0.0 => {
                 write!(f, "not a rotation: its determinant is {value}")
             }
             Self::NotRotation { value } => {
-                write!(f, "not a rotation: it fails orthogonality by {value:e}")
+                write!(
+                    f,
+                    "not a rotation: an entry of RᵗR differs from I by {value:e}; \
+                     `normalize::nearest_rotation` gives the nearest one"
+                )
             }
             Self::NotUnit { quantity, value } => {
                 write!(
@@ -108,9 +112,11 @@ impl Display for Error {
                     "{quantity} must be of unit length, but has length {value}"
                 )
             }
-            Self::NegativeMass { value } => write!(f, "the mass is {value} kg"),
+            Self::NegativeMass { value } => {
+                write!(f, "the mass is {value} kg, and must not be negative")
+            }
             Self::NotPhysical { quantity, value } => {
-                write!(f, "no body has this inertia: {quantity} is {value:e}")
+                write!(f, "non-physical inertia: {quantity} is {value:e}")
             }
             Self::Degenerate { quantity, value } => {
                 write!(
@@ -121,14 +127,14 @@ impl Display for Error {
             Self::NotATree { joint, parent } => {
                 write!(
                     f,
-                    "{joint} stands on body {parent}, which does not come before it"
+                    "\"{joint}\": there is no joint {parent} before it; list parents first"
                 )
             }
             Self::NotALeader { joint, leader } => {
                 write!(
                     f,
-                    "{joint} follows joint {leader}, which does not move along a screw by a coordinate \
-                     of its own"
+                    "mimic joint \"{joint}\": the mimicked joint {leader} must be `Motion::Along`, with a \
+                     coordinate of its own"
                 )
             }
             Self::WrongCount {
@@ -136,7 +142,10 @@ impl Display for Error {
                 stated,
                 found,
             } => {
-                write!(f, "the joints have {found} {quantity}, not {stated}")
+                write!(
+                    f,
+                    "the type of the chain has {stated} {quantity}, its joints have {found}"
+                )
             }
             Self::NoRange {
                 coordinate,
@@ -145,7 +154,7 @@ impl Display for Error {
             } => {
                 write!(
                     f,
-                    "no number is within the limits of coordinate {coordinate}, {least} and {most}"
+                    "empty limits of coordinate {coordinate}: from {least} to {most}"
                 )
             }
             Self::NotOfForm { quantity, value } => {
@@ -160,7 +169,7 @@ impl Display for Error {
 
 impl core::error::Error for Error {}
 
-/// Refuses NaN and infinity.
+/// Rejects NaN and infinity.
 pub(crate) fn finite<'a, T: Real + 'a>(
     quantity: &'static str,
     values: impl IntoIterator<Item = &'a T>,

@@ -1,19 +1,20 @@
-//! Identification: what base parameters must be for a robot to need the torques that were measured.
+//! Identification of base parameters from measured torques, by linear least squares.
 //!
-//! In: rows of a regressor, each with what was measured. Out: the parameters that fit them best, how well each of them
-//! is known, and how well the motions excite them all. It allocates nothing: of all rows it keeps a triangle as wide
-//! as there are parameters, into which each new row is turned (Golub, "Numerical methods for solving linear least
-//! squares problems", 1965, by rotations), so that a motion may be as long as it likes. It knows no robot.
+//! In: rows of a regressor, each with a measured torque. Out: the parameters of least squares, their standard
+//! deviations, and the condition number of the motion.
+//!
+//! Memory does not grow with the number of rows: only the triangle R of a QR decomposition is kept, which each row
+//! updates by Givens rotations (Golub, "Numerical methods for solving linear least squares problems", 1965).
 //!
 //! ```
 //! use homogen::identify::Fit;
 //!
-//! // τ = 2 q̈ + 0.5 q̇, at three moments.
+//! // τ = 2 q̈ + 0.5 q̇, in three states.
 //! let mut fit = Fit::<f64, 2>::new();
 //! for [qd, qdd] in [[1.0, 0.0], [0.5, -1.0], [0.0, 2.0]] {
 //!     fit.add(&[[qdd, qd]], &[2.0 * qdd + 0.5 * qd]);
 //! }
-//! let [inertia, damping] = fit.parameters().expect("both move it");
+//! let [inertia, damping] = fit.parameters().expect("both are excited");
 //! assert!((inertia - 2.0).abs() < 1e-14 && (damping - 0.5).abs() < 1e-14);
 //! assert!(fit.excitation() < 3.0);
 //! ```
@@ -22,14 +23,14 @@ use crate::paper::singular_values;
 use crate::scalar::Real;
 use core::array::from_fn;
 
-/// Rows of Y π = τ, as far as they tell of the `P` parameters π.
+/// Least squares of rows Y π = τ for `P` parameters π.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit<T, const P: usize> {
-    /// R of the rows so far, and what stands on the right of it.
+    /// R of the rows so far, and its right-hand side.
     triangle: [[T; P]; P],
     right: [T; P],
-    /// The sum of the squares of what no parameters explain.
-    left: T,
+    /// The sum of the squared residuals.
+    residual: T,
     rows: usize,
 }
 
@@ -40,32 +41,32 @@ impl<T: Real, const P: usize> Default for Fit<T, P> {
 }
 
 impl<T: Real, const P: usize> Fit<T, P> {
-    /// Of no rows yet.
+    /// No rows.
     #[must_use]
     pub fn new() -> Self {
         let zero = T::constant(0.0);
         Self {
             triangle: [[zero; P]; P],
             right: [zero; P],
-            left: zero,
+            residual: zero,
             rows: 0,
         }
     }
 
-    /// Takes rows of a regressor, such as those of a state, and what was measured in the place of each.
+    /// Adds rows of a regressor, such as those of one state, with a measured torque for each.
     ///
-    /// Where measurements are not equally exact, rows and torques are divided by the standard deviation of each.
+    /// If measurements have different standard deviations, divide each row and its torque by its deviation first.
     pub fn add<const N: usize>(&mut self, regressor: &[[T; P]; N], measured: &[T; N]) {
         for (row, &measured) in regressor.iter().zip(measured) {
-            self.turn_in(*row, measured);
+            self.update(*row, measured);
             self.rows += 1;
         }
     }
 
-    /// Turns a row into the triangle, whose rows stay as long together.
-    fn turn_in(&mut self, mut row: [T; P], mut measured: T) {
+    /// Updates the triangle with a row, by Givens rotations.
+    fn update(&mut self, mut row: [T; P], mut measured: T) {
         if !row.iter().chain([&measured]).all(|entry| entry.is_finite()) {
-            self.left = T::constant(f64::NAN);
+            self.residual = T::constant(f64::NAN);
             return;
         }
         for (k, triangle) in self.triangle.iter_mut().enumerate() {
@@ -73,10 +74,10 @@ impl<T: Real, const P: usize> Fit<T, P> {
             if row[k] == T::constant(0.0) {
                 continue;
             }
-            // Scaled, so that no square of a size that occurs is lost.
+            // Scaled, so that squares neither overflow nor vanish.
             let (a, b) = (triangle[k] / size, row[k] / size);
             let length = (a * a + b * b).sqrt();
-            let turn = |above: &mut T, below: &mut T| {
+            let rotate = |above: &mut T, below: &mut T| {
                 let (a, b) = (a / length, b / length);
                 (*above, *below) = (a * *above + b * *below, a * *below - b * *above);
             };
@@ -84,22 +85,22 @@ impl<T: Real, const P: usize> Fit<T, P> {
             triangle[k..]
                 .iter_mut()
                 .zip(below)
-                .for_each(|(above, below)| turn(above, below));
-            turn(&mut self.right[k], &mut measured);
+                .for_each(|(above, below)| rotate(above, below));
+            rotate(&mut self.right[k], &mut measured);
         }
-        self.left = self.left + measured * measured;
+        self.residual = self.residual + measured * measured;
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     #[must_use]
     pub const fn rows(&self) -> usize {
         self.rows
     }
 
-    /// How well the motions excite all parameters: the condition number of all rows, the largest singular value of
-    /// their matrix over the smallest. Infinite where a parameter, or a combination of some, is not excited at all.
+    /// The condition number of the regressor, its largest singular value over the smallest: infinite if the motions do
+    /// not excite a parameter or a combination of parameters.
     ///
-    /// It depends on the units: errors of parameters are at most so many times, relatively, those of what is measured.
+    /// The relative error of the parameters is at most this multiple of that of the measurements. It depends on units.
     #[must_use]
     pub fn excitation(&self) -> T {
         let (values, rank) = singular_values::values(&mut self.triangle.clone());
@@ -110,40 +111,39 @@ impl<T: Real, const P: usize> Fit<T, P> {
         }
     }
 
-    /// The parameters that leave the least sum of squares; none where not all are excited, or where a row had an entry
-    /// that is no finite number.
+    /// The parameters of least squares; `None` if not all are excited, or if a row had NaN or infinity.
     #[must_use]
     pub fn parameters(&self) -> Option<[T; P]> {
-        let told = self.left.is_finite() && self.excitation().is_finite();
-        told.then(|| self.solved(self.right))
+        let determined = self.residual.is_finite() && self.excitation().is_finite();
+        determined.then(|| self.solved(self.right))
     }
 
-    /// The root of the mean of the squares that these parameters leave, over what the number of rows leaves free: an
-    /// estimate of the standard deviation of what was measured, in its unit. Zero where no row is left over; NaN where a
-    /// row had an entry that is no finite number.
+    /// An estimate of the standard deviation of the measurements, in their unit: the root of the sum of the squared
+    /// residuals over the number of rows minus `P`. Zero if there are no more than `P` rows; NaN if a row had NaN or
+    /// infinity.
     #[must_use]
     pub fn deviation(&self) -> T {
-        let free = u32::try_from(self.rows.saturating_sub(P)).unwrap_or(u32::MAX);
-        if free == 0 {
+        let excess = u32::try_from(self.rows.saturating_sub(P)).unwrap_or(u32::MAX);
+        if excess == 0 {
             return T::constant(0.0);
         }
-        (self.left / T::constant(f64::from(free))).sqrt()
+        (self.residual / T::constant(f64::from(excess))).sqrt()
     }
 
-    /// The standard deviation of each parameter, in its unit, where measurements are off by a [`deviation`](Self::deviation)
-    /// without knowing of each other; none where not all are excited.
+    /// The standard deviation of each parameter, in its unit, if the errors of the measurements are independent with the
+    /// standard deviation [`deviation`](Self::deviation); `None` as for [`parameters`](Self::parameters).
     #[must_use]
     pub fn deviations(&self) -> Option<[T; P]> {
         self.parameters()?;
-        let each = self.deviation();
+        let deviation = self.deviation();
         let [zero, one] = [0.0, 1.0].map(T::constant);
-        // The squares stand on the diagonal of R⁻¹ R⁻ᵗ.
+        // The variances are the diagonal of R⁻¹ R⁻ᵗ.
         let mut squares = [zero; P];
         for k in 0..P {
             let column = self.solved(from_fn(|j| if j == k { one } else { zero }));
             squares = from_fn(|j| squares[j] + column[j] * column[j]);
         }
-        Some(squares.map(|square| each * square.sqrt()))
+        Some(squares.map(|square| deviation * square.sqrt()))
     }
 
     /// R⁻¹ y.
@@ -165,7 +165,7 @@ mod tests {
 
     const ROWS: usize = 40;
 
-    /// Rows of which the third column is nearly the sum of the first two, and measurements with noise.
+    /// Rows whose third column is nearly the sum of the first two, and measurements with noise.
     fn drawn(seed: u64, apart: f64) -> ([[f64; 5]; ROWS], [f64; ROWS]) {
         let mut random = Random::new(seed);
         let rows = std::array::from_fn(|_| {
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_excited_is_not_told() {
+    fn parameters_that_are_not_excited_are_none() {
         let (rows, measured) = drawn(7, 0.0);
         let mut fit = Fit::<f64, 5>::new();
         fit.add(&rows, &measured);
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_makes_no_parameters_of_it() {
+    fn nan_and_infinity_give_no_parameters() {
         for bad in [f64::NAN, f64::INFINITY] {
             let (mut rows, measured) = drawn(7, 0.5);
             rows[20][3] = bad;

@@ -13,9 +13,9 @@ mod error;
 #[doc = include_str!("guide.md")]
 pub mod guide {}
 pub mod identify;
+pub mod ik;
 mod matrix;
 mod paper;
-pub mod reach;
 #[cfg(feature = "nalgebra")]
 mod reference;
 pub mod robot;
@@ -35,8 +35,8 @@ pub use paper::{
 #[cfg(feature = "nalgebra")]
 pub use reference::generic;
 pub use robot::chain::{Chain, Frame};
-pub use robot::constrained::ConstrainedForwardDynamics;
-pub use robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
+pub use robot::constrained::ConstrainedAccelerations;
+pub use robot::derivatives::{AccelerationDerivatives, TorqueDerivatives};
 pub use robot::described::Robot;
 pub use robot::drive::Drive;
 pub use robot::jacobian::Jacobian;

@@ -1,9 +1,7 @@
-//! The 4×4 matrices that motion and its causes are written in, each a type of its own.
+//! The 4×4 matrices of the paper, M, Q, L, W, H, J, Γ and Φ, each a type of its own.
 //!
-//! Here belong the letters of the paper, M, Q, L, W, H, J, Γ and Φ, with the blocks that they are
-//! made of, the change of frame, and what can be wrong with one of them. They are the arguments and
-//! results of every robot. What takes several bodies, or a choice of angles, axes or points, is not
-//! here but in the rooms that use these types.
+//! They are the arguments and results of robots. This module has their blocks, their change of frame and
+//! their checks; other modules treat several bodies, and angles, axes or points.
 
 mod acceleration;
 mod action;

@@ -1,10 +1,11 @@
-//! The theory of the paper as a library, and the programs that have always come with it.
+//! The theory of the paper as a library, with the functions of its companion SPACELIB.
 //!
-//! Here belong the ways into and out of the matrices (angles, frames from points, Denavit and
-//! Hartenberg's numbers, the logarithm, the nearest rotation), the geometry of points, lines and
-//! planes, and Part II as it is printed: open chains, Lagrange, closed loops and two worked
-//! examples. It is there to be used and read: generated code names nothing of it, and what generated
-//! functions return is not held against it, but against the recursions in `reference`.
+//! - Conversions to and from the matrices: angles, frames from points, Denavit–Hartenberg parameters, the
+//!   logarithm, the nearest rotation.
+//! - The geometry of points, lines and planes.
+//! - Part II: open chains, Lagrange, closed loops and two worked examples.
+//!
+//! Generated code does not use this module, and its tests compare it with `reference` instead.
 
 pub mod angles;
 pub mod denavit_hartenberg;

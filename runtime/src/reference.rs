@@ -1,9 +1,9 @@
-//! What generated code is held against.
+//! The reference of the tests of generated code.
 //!
-//! Here belongs every function of a robot, computed at run time from the robot as data by dense 4×4
-//! products. Of the typed matrices it takes the numbers alone: exponentials, changes of frame and
-//! products are written once more, so that a mistake in them is not made on both sides. Nothing here
-//! is simplified or fast, and nothing else in the crate calls it.
+//! Every function of a robot, computed at run time from the robot as data by dense 4×4 products. Only
+//! the numbers of the typed matrices are used: exponentials, changes of frame and products are written
+//! again, so that the two sides share no mistake. Nothing here is simplified or fast, and nothing else
+//! in the crate calls it.
 
 mod closure;
 mod dense;

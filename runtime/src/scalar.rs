@@ -1,9 +1,8 @@
-//! The numbers that everything is generic over.
+//! The types of numbers that everything is generic over.
 //!
-//! In: a type with the four operations. Out: [`Scalar`], enough for straight-line code, and
+//! In: a type with the four operations. Out: [`Scalar`], the operations of straight-line code, and
 //! [`Real`], which adds order and the inverse tangent for the few functions that must branch.
-//! Here belong numbers and their functions, sines above all, for `f32`, `f64` and packs of them; what has
-//! a frame or a unit of its own does not, nor do numbers of other kinds, which their users bring along.
+//! This module implements them for `f32`, `f64` and packs of them; other types are implemented by users.
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -22,14 +21,14 @@ pub use always_fused::Fused;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use pack::{Lane, Pack};
 
-/// A number as straight-line code needs it.
+/// A number, with the operations of straight-line code.
 ///
 /// The trait is open: SIMD packs, dual numbers and double-double numbers implement it as `f32` and
-/// `f64` do here. It asks for no order, because a pack of numbers has none; functions that must
-/// compare ask for [`Real`].
+/// `f64` do here. It has no order, because a pack of numbers has none; functions that compare need
+/// [`Real`].
 ///
 /// `f32` and `f64` implement it with the feature `std` or, without a standard library, `libm`.
-/// With neither the types of this crate still exist, for scalars of one's own.
+/// Without both features the types of this crate work with your own scalars.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number that `homogen` computes with",
     label = "does not implement `Scalar`",
@@ -47,10 +46,10 @@ pub trait Scalar:
     /// The number `value`, rounded to this type (and repeated in every lane of a pack).
     fn constant(value: f64) -> Self;
 
-    /// The number `value`, of the kind that `self` is: [`constant`](Self::constant), unless kinds differ.
+    /// The number `value`, with any further data of `self`: [`constant`](Self::constant) by default.
     ///
-    /// Functions that are [inlined](crate::robot::InverseDynamics::is_inlined) make their numbers so. A number that holds
-    /// something beside its value, such as the proof that a processor has the instructions for it, hands it on.
+    /// Functions that are [inlined](crate::robot::Batched::INLINED) make their constants by it. A type that holds more
+    /// than a value, such as the proof that the processor has its instructions, copies that from `self`.
     #[inline]
     #[must_use]
     fn like(self, value: f64) -> Self {
@@ -60,7 +59,7 @@ pub trait Scalar:
 
     /// `self · factor + term`, fused into one rounding only where the target has the instruction.
     ///
-    /// It is never a call of a library routine: elsewhere it is a product and a sum.
+    /// Elsewhere it is a product and a sum, never a call of a library routine.
     #[must_use]
     fn mul_add(self, factor: Self, term: Self) -> Self;
 
@@ -70,48 +69,35 @@ pub trait Scalar:
 
     /// Sine and cosine of an angle \[rad\].
     ///
-    /// For `f32` and `f64` the platform's: of the standard library, or of `libm`.
+    /// `f32` and `f64` use the platform's functions: the standard library, or `libm`.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
     /// φ − sin φ of an angle φ \[rad\], given its `sine`.
     ///
-    /// The difference loses the digits of small angles. `f32` and `f64` sum the series instead, up
-    /// to 2 rad, and are right to 4 units of rounding at every angle.
+    /// The difference loses digits at small angles. `f32` and `f64` sum the series up to 2 rad instead; their
+    /// error is at most 4 units of rounding at every angle.
     #[inline]
     #[must_use]
     fn less_sine(self, sine: Self) -> Self {
         self - sine
     }
 
-    /// 1 with the sign of `self`; 1 of zero.
+    /// The sign of a number: −1, 0 or 1, and exactly 0 of 0. Coulomb friction is multiplied by it.
     ///
-    /// By default x/√x² of x = `self` + 10⁻¹⁸, which needs no order, and takes for zero what is no nearer to
-    /// 1 than a rounding is; `f32` and `f64` compare.
+    /// `f32` and `f64` compare. Numbers without an order have x/√(x² + 1.2e-38) by default, which is ±1 to 18 digits beyond
+    /// 1e-10. Dual numbers should implement it with a derivative of zero.
     #[inline]
     #[must_use]
     fn sign(self) -> Self {
-        let x = self + Self::constant(1e-18);
-        x / (x * x).sqrt()
-    }
-
-    /// sgn x: −1, 0 or 1, and exactly 0 of 0, where [`sign`](Self::sign) is 1.
-    /// Generated code multiplies Coulomb friction by it.
-    ///
-    /// `f32` and `f64` compare. What has no order gets x/√(x² + 1.2e-38), which is 1 beyond 1e-10 to 18
-    /// digits and steep in between; dual numbers had better say that their derivative is zero.
-    #[inline]
-    #[must_use]
-    fn sgn(self) -> Self {
         let least = Self::constant(f64::from(f32::MIN_POSITIVE));
         self / (self * self + least).sqrt()
     }
 
     /// The sines and the cosines of all angles of a call \[rad\].
     ///
-    /// Evaluating them together lets an implementation vectorise them, as
-    /// [`trigonometry`](crate::trigonometry) does for `f32` and `f64`: faster than the platform's
-    /// and the same on every platform.
+    /// Together they can be vectorised, as [`trigonometry`](crate::trigonometry) does for `f32` and `f64`:
+    /// faster than the platform's functions, and the same on every platform.
     #[inline]
     #[must_use]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
@@ -119,7 +105,7 @@ pub trait Scalar:
     }
 }
 
-/// A [`Scalar`] with an order: what logarithms, checks and normalisations need.
+/// A [`Scalar`] with an order, for logarithms, checks and normalisations.
 pub trait Real: Scalar + PartialOrd + Debug + Display {
     /// The distance from 1 to the next larger number: twice the unit roundoff.
     const EPSILON: Self;
@@ -130,7 +116,7 @@ pub trait Real: Scalar + PartialOrd + Debug + Display {
     /// The number as `f64`, for messages.
     fn to_f64(self) -> f64;
 
-    /// Whether the number is neither infinite nor NaN.
+    /// True if the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
     /// The magnitude.

@@ -1,38 +1,38 @@
-//! The rooms of this crate: each names those above it in the front page's table, and none below.
+//! The modules of this crate: each uses only those above it in the table of the front page.
 //!
-//! In: the sources. Out: nothing where `crate::` in code is followed by a room that may be named. It
-//! does not see what is named by way of `super`.
+//! In: the sources. The test fails if `crate::` is followed by a module that is not allowed. It does not check paths
+//! with `super`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Each room with those it may name besides itself; a room without a folder is a file. The macro
-/// `every_function` is of `robot`, although exported ones are named from the root.
-const ROOMS: [(&str, &[&str]); 9] = [
+/// Each module with those that it may use. The macro `every_function` belongs to `robot`, although exported macros
+/// are at the root.
+const MODULES: [(&str, &[&str]); 9] = [
     ("scalar", &[]),
     ("error", &["scalar"]),
     ("matrix", &["scalar", "error"]),
     ("robot", &["scalar", "error", "matrix"]),
     ("paper", &["scalar", "error", "matrix", "robot"]),
     ("reference", &["matrix", "robot", "every_function"]),
-    ("reach", &["scalar", "error", "matrix", "robot"]),
+    ("ik", &["scalar", "error", "matrix", "robot"]),
     ("identify", &["scalar", "paper"]),
     ("batch", &["scalar", "matrix", "robot", "every_function"]),
 ];
 
-/// The files at or below a path, with the room that each is in.
-fn files(path: &Path, room: &str) -> Vec<(String, PathBuf)> {
+/// The files below a path, each with its module.
+fn files(path: &Path, module: &str) -> Vec<(String, PathBuf)> {
     let entries = fs::read_dir(path).expect("the folder is there");
     let paths = entries.map(|entry| entry.expect("readable").path());
     paths
         .flat_map(|path| {
             let stem = path.file_stem().and_then(|stem| stem.to_str());
             let stem = stem.expect("a name").to_owned();
-            let room = if room.is_empty() { &stem } else { room };
+            let module = if module.is_empty() { &stem } else { module };
             if path.is_dir() {
-                files(&path, room)
+                files(&path, module)
             } else {
-                vec![(room.to_owned(), path)]
+                vec![(module.to_owned(), path)]
             }
         })
         .filter(|(_, path)| path.extension().is_some_and(|extension| extension == "rs"))
@@ -40,23 +40,23 @@ fn files(path: &Path, room: &str) -> Vec<(String, PathBuf)> {
 }
 
 #[test]
-fn a_room_names_those_above_it_alone() {
+fn a_module_uses_only_those_above_it() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let files = files(&source, "");
     assert!(files.len() > 30, "only {} files", files.len());
-    for (room, path) in files.iter().filter(|(room, _)| room != "lib") {
-        let known = ROOMS.iter().find(|(name, _)| name == room);
-        let (_, above) = known.unwrap_or_else(|| panic!("{} is in no room", path.display()));
+    for (module, path) in files.iter().filter(|(module, _)| module != "lib") {
+        let known = MODULES.iter().find(|(name, _)| name == module);
+        let (_, above) = known.unwrap_or_else(|| panic!("{} is in no module", path.display()));
         let text = fs::read_to_string(path).expect("readable");
-        // What a macro writes by `$crate::` is of the room that calls it.
+        // Paths by `$crate::` in a macro belong to the caller of the macro.
         let text = text.replace("$crate::", "");
         let code = text.lines().filter(|line| !line.trim().starts_with("//"));
         for named in code.flat_map(|line| line.split("crate::").skip(1)) {
             let end = named.find(|c: char| !c.is_alphanumeric() && c != '_');
             let named = &named[..end.unwrap_or(named.len())];
             assert!(
-                named == room || above.contains(&named),
-                "{} names `{named}`",
+                named == module || above.contains(&named),
+                "{} uses `{named}`",
                 path.display()
             );
         }

@@ -67,7 +67,7 @@ fn table<R, C, T: Number, const N: usize, const P: usize>(
         "generated", "generic", "ratio"
     );
     let all = Function::ALL.into_iter();
-    // Which columns a base regressor has, a chain does not know.
+    // A chain does not know the columns of its base regressor.
     for function in all.filter(|&function| function != Function::BaseRegressor) {
         let generated = bind(robot, function);
         let generic = bind(chain, function);

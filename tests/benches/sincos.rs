@@ -1,9 +1,9 @@
-//! Times the sines and cosines of all joints: the runtime's own, the standard library's, `libm`'s.
+//! Times the sines and cosines of all joints: the runtime's own, the standard library's and `libm`'s.
 //!
 //! In: `cargo bench -p homogen-tests --bench sincos`, with and without
-//! `RUSTFLAGS=-Ctarget-cpu=native`. Out: nanoseconds a call, the median of rounds in which the
-//! three take turns, and their ratios; with `-- --exhaustive`, in minutes, the worst errors of
-//! single precision over all finite angles instead. It asserts nothing.
+//! `RUSTFLAGS=-Ctarget-cpu=native`. Out: nanoseconds per call, medians of alternating runs of the
+//! three, and their ratios. `-- --exhaustive` prints the worst errors of single precision over all
+//! finite angles instead, in minutes. It asserts nothing.
 
 use core::array::from_fn;
 use core::hint::black_box;
@@ -13,7 +13,7 @@ use std::time::Instant;
 /// Sines and cosines of `N` angles.
 type Pair<T, const N: usize> = ([T; N], [T; N]);
 
-/// Calls between two looks at the clock.
+/// Calls between two readings of the clock.
 const CALLS: usize = 1_000;
 
 fn main() {
@@ -57,11 +57,11 @@ fn single<const N: usize>() {
     });
 }
 
-/// Prints the medians of 31 rounds.
-fn report(name: &str, joints: usize, round: impl Fn() -> [f64; 3]) {
-    let rounds: [[f64; 3]; 31] = from_fn(|_| round());
+/// Prints the medians of 31 repetitions.
+fn report(name: &str, joints: usize, measure: impl Fn() -> [f64; 3]) {
+    let samples: [[f64; 3]; 31] = from_fn(|_| measure());
     let [own, std, libm] = from_fn(|i| {
-        let mut times = rounds.map(|times| times[i]);
+        let mut times = samples.map(|times| times[i]);
         times.sort_by(f64::total_cmp);
         times[times.len() / 2]
     });
@@ -72,7 +72,7 @@ fn report(name: &str, joints: usize, round: impl Fn() -> [f64; 3]) {
     );
 }
 
-/// Nanoseconds a call.
+/// Nanoseconds per call.
 #[expect(clippy::cast_precision_loss, reason = "CALLS is small")]
 fn time<T: Copy, const N: usize>(
     angles: &[[T; N]; CALLS],
@@ -96,7 +96,7 @@ fn one_by_one<T: Copy, const N: usize>(
     (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
 }
 
-/// Angles of joints, between −π and π, in an order without a pattern.
+/// Joint angles between −π and π, in an order without a pattern.
 fn angles<const N: usize>() -> [[f64; N]; CALLS] {
     let mut fraction = 0.5;
     from_fn(|_| {
@@ -107,7 +107,7 @@ fn angles<const N: usize>() -> [[f64; N]; CALLS] {
     })
 }
 
-/// The worst error of single precision, over all angles of one sign: the other sign mirrors them.
+/// Prints the worst errors of single precision over all positive angles; negative ones mirror them.
 fn exhaustive() {
     let mut worst = [(0.0, 0.0); 2];
     for bits in 0..f32::INFINITY.to_bits() {
@@ -128,7 +128,7 @@ fn exhaustive() {
     println!("\rsine {sine:.4} ulp at {at:e}, cosine {cosine:.4} ulp at {there:e}");
 }
 
-/// The error in units in the last place of the exact value.
+/// Error in ulps of the exact value.
 fn error(found: f32, exact: f64) -> f64 {
     let power_of_two = f64::from_bits(exact.to_bits() & f64::INFINITY.to_bits());
     let unit = (f64::from(f32::EPSILON) * power_of_two).max(f64::from(f32::from_bits(1)));

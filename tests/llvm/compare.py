@@ -2,9 +2,9 @@
 
     compare.py HOMOGEN FOLDER "FILE OPTIONS" ...
 
-For each robot, f32 and f64: C compiled by `cc -O2 -ffp-contract=off`, LLVM IR by llvmlite for this processor, in
-vectors of 8 and of 1; states are random. Functions of one state are called one state at a time; batches take states by
-rows, by columns and with gaps, in a number that no vector divides.
+For each robot, in f32 and f64: C compiled by `cc -O2 -ffp-contract=off`, LLVM IR by llvmlite for this processor, in
+vectors of 8 and of 1; states are random. Functions of one state are called one state at a time. Batches take states by
+rows, by columns and with gaps; the number of states is not a multiple of any vector length.
 """
 
 import ctypes
@@ -25,7 +25,7 @@ llvm.initialize_native_asmprinter()
 
 
 def compiled(text):
-    """The functions of a module, compiled for this processor."""
+    """Compiles a module for this processor; returns the engine with its functions."""
     module = llvm.parse_assembly(text)
     module.verify()
     features = llvm.get_host_cpu_features().flatten()
@@ -40,7 +40,7 @@ def compiled(text):
 
 
 def prototypes(header):
-    """Each function's name, the lengths of its arguments, and those of its results."""
+    """Name, argument lengths and result lengths of each function."""
     header = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
     for name, parameters in re.findall(r"HOMOGEN_FN void (\w+)\(([^)]*)\);", header):
         arguments, results = [], []
@@ -55,7 +55,7 @@ def prototypes(header):
 
 
 def fields(header):
-    """How many numbers the struct of fields has."""
+    """Number of values in the struct of fields."""
     struct = re.search(r"typedef struct \{(.*?)\} \w*robot;", re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL), re.DOTALL)
     if not struct:
         return 0
@@ -68,7 +68,7 @@ def call(address, pointers):
 
 
 def strided(address, count, robot, arrays):
-    """Calls a batch: arrays of states, at their strides."""
+    """Calls a batch with arrays of states and their strides."""
     kinds, values = [ctypes.c_int64], [count]
     if robot is not None:
         kinds.append(ctypes.c_void_p)
@@ -80,7 +80,7 @@ def strided(address, count, robot, arrays):
 
 
 def layouts(array):
-    """The same states by rows, by columns, and with gaps between them."""
+    """Yields the same states by rows, by columns, and with gaps."""
     yield np.ascontiguousarray(array)
     yield np.asfortranarray(array)
     with_gaps = np.full((array.shape[0] * 2, array.shape[1] + GAP), np.nan, array.dtype)[::2, : array.shape[1]]
@@ -94,7 +94,7 @@ def same(found, expected):
 
 
 def compare(homogen, folder, robot, scalar):
-    """Counts what was compared; exits where anything differs."""
+    """Returns the number of comparisons; exits at the first difference."""
     words = [homogen, "generate", *shlex.split(robot), "--name", "arm", "--scalar", scalar]
     source, library = folder / "robot.c", folder / f"robot_{abs(hash((robot, scalar)))}.so"
 
@@ -110,7 +110,7 @@ def compare(homogen, folder, robot, scalar):
     dtype = {"f32": np.float32, "f64": np.float64}[scalar]
     random = np.random.default_rng(7)
     count = fields(header)
-    own = random.uniform(0.1, 1.0, count).astype(dtype) if count else None
+    robot_fields = random.uniform(0.1, 1.0, count).astype(dtype) if count else None
     engines = {lanes: compiled(run("--language", "llvm", "--lanes", str(lanes))) for lanes in (1, 8)}
     compared = 0
     for name, arguments, results in prototypes(header):
@@ -118,22 +118,22 @@ def compare(homogen, folder, robot, scalar):
         expected = [np.zeros((STATES, n), dtype) for n in results]
         for one in range(STATES):
             pointers = [array[one].ctypes.data for array in [*states, *expected]]
-            if own is not None:
-                pointers.insert(0, own.ctypes.data)
+            if robot_fields is not None:
+                pointers.insert(0, robot_fields.ctypes.data)
             call(ctypes.cast(getattr(in_c, name), ctypes.c_void_p).value, pointers)
         for lanes, engine in engines.items():
             found = [np.zeros((STATES, n), dtype) for n in results]
             for one in range(STATES):
                 pointers = [array[one].ctypes.data for array in [*states, *found]]
-                if own is not None:
-                    pointers.insert(0, own.ctypes.data)
+                if robot_fields is not None:
+                    pointers.insert(0, robot_fields.ctypes.data)
                 call(engine.get_function_address(name), pointers)
             if not all(map(same, found, expected)):
                 sys.exit(f"{robot}, {scalar}: {name} differs from C")
             for layout in range(3):
                 inputs = [list(layouts(array))[layout] for array in states]
                 found = [list(layouts(np.zeros((STATES, n), dtype)))[layout] for n in results]
-                strided(engine.get_function_address(f"{name}_batch"), STATES, own, [*inputs, *found])
+                strided(engine.get_function_address(f"{name}_batch"), STATES, robot_fields, [*inputs, *found])
                 if not all(map(same, found, expected)):
                     sys.exit(f"{robot}, {scalar}: {name} differs from C in vectors of {lanes}, layout {layout}")
                 compared += 1
@@ -145,7 +145,7 @@ def main():
     for robot in robots:
         for scalar in ("f64", "f32"):
             compared = compare(homogen, Path(folder), robot, scalar)
-            print(f"{robot}, {scalar}: {compared} batches and all single states are those of C")
+            print(f"{robot}, {scalar}: {compared} batches and all single states agree with C")
 
 
 main()

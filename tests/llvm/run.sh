@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# LLVM IR beside the file in C: every function of the robots that ship, by `llvmlite` and by the C compiler, bit for
-# bit, in f32 and f64, one state at a time and in vectors, at several strides.
+# Compares LLVM IR with the C file, bit for bit: every function of the shipped robots, compiled by `llvmlite` and by the
+# C compiler, in f32 and f64, one state at a time and in vectors, at several strides.
 #
-#   run.sh [--long]     --long: all robots; without it an arm, a floating quadruped, loops and fields
+#   run.sh [--long]     --long: all robots; by default an arm, a floating quadruped, loops and fields
 #
-# llvmlite and NumPy come from PyPI. Where there is no Python with `venv`, or no C compiler, the last line says so and
-# nothing is checked.
+# llvmlite and NumPy come from PyPI. Without Python with `venv`, or without a C compiler, nothing is checked and the
+# last line says so.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

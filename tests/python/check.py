@@ -1,6 +1,6 @@
-"""What packages for Python do, held against `homogen eval` bit for bit, and against NumPy's rules.
+"""Checks Python packages: results bit for bit against `homogen eval`, behaviour against NumPy's rules.
 
-Called by run.sh with the command `homogen` and the packages, each as it was written: "MODULE FILE OPTION…".
+Called by run.sh with the command `homogen` and the packages, each with the arguments that it was written with: "MODULE FILE OPTION…".
 """
 
 import ast
@@ -25,7 +25,7 @@ passed, failed = 0, 0
 
 
 def check(right, what):
-    """Counts a check, and tells the one that fails."""
+    """Counts a check, and prints it if it fails."""
     global passed, failed
     if right:
         passed += 1
@@ -35,7 +35,7 @@ def check(right, what):
 
 
 def raises(error, words, call, what):
-    """Checks that a call raises an error that says these words."""
+    """Checks that a call raises an error with these words in its message."""
     try:
         call()
     except error as found:
@@ -47,7 +47,7 @@ def raises(error, words, call, what):
 
 
 def same(one, other):
-    """Whether two arrays have the same shape, type and bits; a NaN is as good as another."""
+    """True if two arrays have the same shape, type and bits; NaN equals any NaN."""
     one, other = np.asarray(one), np.asarray(other)
     if (one.shape, one.dtype) != (other.shape, other.dtype):
         return False
@@ -57,7 +57,7 @@ def same(one, other):
 
 
 class Package:
-    """A package, and how it was written."""
+    """A package, and the options that it was written with."""
 
     def __init__(self, text):
         folder, self.file, *self.options = shlex.split(text)
@@ -66,7 +66,7 @@ class Package:
         [name] = [name for name in self.python.__all__ if hasattr(getattr(self.python, name), "NQ")]
         self.robot = getattr(self.python, name)()
         self.dtype = np.float32 if "f32" in self.options else np.float64
-        self.shared = []  # the options that eval has as well
+        self.shared = []  # options shared with eval
         self.frames, options = [], iter(self.options)
         for option in options:
             if option == "--functions":
@@ -77,7 +77,7 @@ class Package:
                 self.shared.append(option)
 
     def methods(self):
-        """The functions, each with its arguments."""
+        """Yields each function with its arguments."""
         stub = ast.parse(self.stub())
         [cls] = [item for item in stub.body if isinstance(item, ast.ClassDef) and item.name == type(self.robot).__name__]
         for item in cls.body:
@@ -101,12 +101,11 @@ class Package:
         return {name: values.astype(self.dtype) for name, values in states.items()}
 
     def eval(self, function, frame, states):
-        """What `homogen eval` says."""
+        """Results of `homogen eval`."""
         count = len(states["q"])
-        # What is no number in decimals of f32 is none of the robot's either.
-        listed = [{name: values[k].astype(float).tolist() for name, values in states.items()} for k in range(count)]
+        records = [{name: values[k].astype(float).tolist() for name, values in states.items()} for k in range(count)]
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            json.dump({"states": listed}, file)
+            json.dump({"states": records}, file)
             file.flush()
             command = [HOMOGEN, "eval", self.file, *self.shared, "--function", function]
             command += ["--states", file.name, "--format", "json"]
@@ -127,8 +126,8 @@ COLUMNS |= {"center_of_mass_jacobian", "centroidal_momentum_matrix"}
 
 
 def as_array(function, values, dtype):
-    """A result of `eval` as the package has it."""
-    # By way of its own digits: those of f32 are the shortest of f32.
+    """Converts a result of `eval` to the layout of the package."""
+    # Through decimal digits: f32 results are printed with the shortest digits of f32.
     array = np.array(values, dtype=dtype) if dtype == np.float64 else np.array(
         json.loads(json.dumps(values), parse_float=lambda text: float(np.float32(text))), dtype=dtype
     )
@@ -161,7 +160,7 @@ def results_are_those_of_eval(package):
             function, frame = name, ""
         wanted = [link for link in package.frames if frame and clean(link) == frame.rstrip("_")]
         if frame:
-            # Names that are the same as words are told apart by underscores, in the order asked for.
+            # Equal identifiers are distinguished by underscores, in the requested order.
             wanted = wanted[len(frame) - len(frame.rstrip("_"))]
         answer = package.eval(function, wanted, states)
         names = list(package.robot.coordinate_names), list(package.robot.velocity_names)
@@ -172,12 +171,12 @@ def results_are_those_of_eval(package):
             check(same(values, found), f"{package.module}: {name} {part}: the bits of eval")
 
 
-def postures_are_stepped(package):
-    """From a posture by velocities, and back: where coordinates are no angles and shifts alone."""
+def coordinates_are_integrated(package):
+    """Integrates velocities from a configuration, and back, if coordinates include quaternions."""
     robot, states = package.robot, package.states(37)
     has = [hasattr(robot, step) for step in STEPS]
     quaternions = np.flatnonzero([name.endswith(".qx") for name in robot.coordinate_names])
-    check(has == [len(quaternions) > 0] * 3, "only robots that need them have steps")
+    check(has == [len(quaternions) > 0] * 3, "only robots with quaternions have integrate, difference and normalize")
     if not all(has):
         return
     q, v, tolerance = states["q"], states["qd"] / 2, 50 * np.finfo(package.dtype).eps
@@ -189,11 +188,11 @@ def postures_are_stepped(package):
         ("difference", apart, [robot.difference(q[k], ahead[k]) for k in range(37)]),
         ("normalize", robot.normalize(2 * q), [robot.normalize(2 * q[k]) for k in range(37)]),
     ]:
-        check(same(many, np.array(one)), f"{name}: many states are each state")
-    check(same(robot.integrate(q, np.zeros(robot.NV, package.dtype))[:, :3], q[:, :3]), "nothing moves without velocities")
-    check(near(apart, v), "the difference is what was integrated")
-    # A screw that is kept leads as far in two halves as in one.
-    check(near(robot.integrate(robot.integrate(q, v / 2), v / 2), ahead), "two halves are a whole")
+        check(same(many, np.array(one)), f"{name}: many states at once differ from one at a time")
+    check(same(robot.integrate(q, np.zeros(robot.NV, package.dtype))[:, :3], q[:, :3]), "zero velocity leaves the position")
+    check(near(apart, v), "the difference equals the integrated velocity")
+    # Along a constant screw, two half steps equal one whole step.
+    check(near(robot.integrate(robot.integrate(q, v / 2), v / 2), ahead), "two half steps equal one")
     twice = q.copy()
     for first in quaternions:
         twice[:, first : first + 4] *= 2
@@ -201,15 +200,15 @@ def postures_are_stepped(package):
 
 
 def clean(link):
-    """A link as a word of Rust and Python."""
+    """Converts a link name to an identifier of Rust and Python."""
     word = "".join(letter.lower() if letter.isascii() and letter.isalnum() or letter > "一" else "_" for letter in link)
     while "__" in word:
         word = word.replace("__", "_")
     return word.strip("_")
 
 
-def shapes_are_numpys(package):
-    """Leading axes of any number, broadcast; empty ones."""
+def shapes_follow_numpy(package):
+    """Any number of leading axes, broadcasting, and empty axes."""
     robot, states = package.robot, package.states(24)
     q, qd, qdd = states["q"], states["qd"], states["qdd"]
     flat = robot.inverse_dynamics(q, qd, qdd)
@@ -228,15 +227,15 @@ def shapes_are_numpys(package):
         rates = np.zeros((*shape, robot.NV), package.dtype)
         check(robot.inverse_dynamics(empty, rates, rates).shape == (*shape, robot.NV), "empty")
         check(robot.mass_matrix(empty).shape == (*shape, robot.NV, robot.NV), "empty")
-    check(robot.inverse_dynamics(np.zeros((0, robot.NQ), package.dtype), qd[0], qdd[0]).shape == (0, robot.NV), "one for none")
+    check(robot.inverse_dynamics(np.zeros((0, robot.NQ), package.dtype), qd[0], qdd[0]).shape == (0, robot.NV), "one state for an empty axis")
     many = package.states(5003)
     tau = robot.inverse_dynamics(many["q"], many["qd"], many["qdd"])
     some = [0, 511, 512, 2500, 5001, 5002]
-    check(same(tau[some], robot.inverse_dynamics(*(many[x][some] for x in ("q", "qd", "qdd")))), "odd states at the end")
+    check(same(tau[some], robot.inverse_dynamics(*(many[x][some] for x in ("q", "qd", "qdd")))), "remainder at the end")
 
 
-def arrays_are_read_as_they_are(package):
-    """Layouts, types and rights of arguments."""
+def array_arguments_are_read(package):
+    """Memory layouts, types and access rights of arguments."""
     robot, states, dtype = package.robot, package.states(12), package.dtype
     q = states["q"]
     gravity = robot.gravity(q)
@@ -249,11 +248,11 @@ def arrays_are_read_as_they_are(package):
     shifted[...] = q
     for layout, same_states in {
         "strided": wide[::2, :-1],
-        "in Fortran's order": np.asfortranarray(q),
+        "in Fortran order": np.asfortranarray(q),
         "backwards": q[::-1][::-1],
         "read-only": locked,
-        "of another order of bytes": q.astype(q.dtype.newbyteorder()),
-        "not aligned": shifted,
+        "of the other byte order": q.astype(q.dtype.newbyteorder()),
+        "unaligned": shifted,
         "lists": q.tolist(),
     }.items():
         check(same(robot.gravity(same_states), gravity), f"arrays {layout}")
@@ -273,46 +272,46 @@ def arrays_are_read_as_they_are(package):
         raises(TypeError, "q is of ", lambda: robot.gravity(wrong), f"{type(wrong)}")
     shape = f"q must have a shape of (..., {robot.NQ}), and has "
     raises(ValueError, shape + f"({robot.NQ + 1},)", lambda: robot.gravity(np.zeros(robot.NQ + 1, dtype)), "too long")
-    raises(ValueError, shape + f"({robot.NQ}, 1)", lambda: robot.gravity(np.zeros((robot.NQ, 1), dtype)), "turned")
-    raises(ValueError, shape + "()", lambda: robot.gravity(0.0), "a number")
+    raises(ValueError, shape + f"({robot.NQ}, 1)", lambda: robot.gravity(np.zeros((robot.NQ, 1), dtype)), "transposed")
+    raises(ValueError, shape + "()", lambda: robot.gravity(0.0), "a scalar")
     rates = np.zeros((5, robot.NV), dtype)
     words = "leading axes that cannot be broadcast together: q (12,), qd (5,)"
     raises(ValueError, words, lambda: robot.bias(q, rates), "lengths")
 
 
-def results_go_where_they_are_wanted(package):
+def out_receives_results(package):
     """The argument `out`."""
     robot, states, dtype = package.robot, package.states(9), package.dtype
     q, qd = states["q"], states["qd"]
     out = np.full((9, robot.NV), np.nan, dtype)
     found = robot.bias(q, qd, out=out)
     check(found is out and same(out, robot.bias(q, qd)), "out")
-    raises(ValueError, "out must have a shape of", lambda: robot.bias(q, qd, out=out[1:]), "a shorter out")
-    raises(TypeError, "out must be an array of", lambda: robot.bias(q, qd, out=out.astype(complex)), "a complex out")
-    raises(ValueError, "contiguous", lambda: robot.bias(q, qd, out=np.asfortranarray(out)), "an out of Fortran")
-    raises(ValueError, "overlaps", lambda: robot.bias(q, qd, out=qd), "an out that is read")
+    raises(ValueError, "out must have a shape of", lambda: robot.bias(q, qd, out=out[1:]), "out too short")
+    raises(TypeError, "out must be an array of", lambda: robot.bias(q, qd, out=out.astype(complex)), "complex out")
+    raises(ValueError, "contiguous", lambda: robot.bias(q, qd, out=np.asfortranarray(out)), "out in Fortran order")
+    raises(ValueError, "overlaps", lambda: robot.bias(q, qd, out=qd), "out overlaps an input")
     out.flags.writeable = False
-    raises(ValueError, "written", lambda: robot.bias(q, qd, out=out), "an out that is read-only")
+    raises(ValueError, "written", lambda: robot.bias(q, qd, out=out), "read-only out")
 
 
-def states_are_alone(package):
-    """NaN, infinite and huge numbers are of their state."""
+def states_are_independent(package):
+    """NaN, infinite and huge inputs affect only their own state."""
     robot, states = package.robot, package.states(40)
     q, qd, qdd = states["q"], states["qd"], states["qdd"]
     right = robot.inverse_dynamics(q, qd, qdd)
     q[5], qd[11, 0], qdd[17], q[23] = np.nan, np.inf, np.nan, 1e9
     found = robot.inverse_dynamics(q, qd, qdd)
-    strange = [5, 11, 17, 23]
-    others = np.setdiff1d(np.arange(40), strange)
-    check(same(found[others], right[others]), "the others")
+    unusual = [5, 11, 17, 23]
+    others = np.setdiff1d(np.arange(40), unusual)
+    check(same(found[others], right[others]), "the other states")
     check(np.isnan(found[5]).all() and np.isnan(found[17]).any(), "NaN")
-    check(np.isfinite(found[23]).all(), "many turns")
-    alone = np.array([robot.inverse_dynamics(q[k], qd[k], qdd[k]) for k in strange])
-    check(same(found[strange], alone), "each of them alone")
+    check(np.isfinite(found[23]).all(), "an angle of many turns")
+    alone = np.array([robot.inverse_dynamics(q[k], qd[k], qdd[k]) for k in unusual])
+    check(same(found[unusual], alone), "each unusual state alone")
 
 
-def cores_change_nothing(package):
-    """The same bytes whatever the number of cores; Python's lock is free meanwhile."""
+def results_do_not_depend_on_cores(package):
+    """The same bytes for any number of cores; the global interpreter lock is released during a batch."""
     program = (
         f"import numpy as np, hashlib, {package.module} as m\n"
         f"r = m.{type(package.robot).__name__}()\n"
@@ -332,7 +331,7 @@ def cores_change_nothing(package):
         "if child: sys.exit(os.waitpid(child, 0)[1])\n"
     )
     answer = subprocess.run([sys.executable, "-c", program], capture_output=True)
-    check(answer.returncode == 0, f"a process that is forked has threads of its own: {answer}")
+    check(answer.returncode == 0, f"a forked process has threads of its own: {answer}")
 
     x = np.zeros((3_000_000, package.robot.NV))
     began, steps = threading.Event(), 0
@@ -341,14 +340,14 @@ def cores_change_nothing(package):
         began.set()
         package.robot.inverse_dynamics(x, x, x)
 
-    # A thread that asks for the lock gets it after this time from one that computes in Python.
+    # A waiting thread gets the lock from one that runs Python code after this time.
     sys.setswitchinterval(1e-4)
     thread = threading.Thread(target=work)
     thread.start()
     began.wait()
     while thread.is_alive():
         steps += 1
-    check(steps > 1000, f"Python's lock is free: {steps} steps beside a batch")
+    check(steps > 1000, f"the global interpreter lock is released: {steps} steps during a batch")
 
     wrong = []
 
@@ -365,21 +364,21 @@ def cores_change_nothing(package):
     check(not wrong, "many threads at once")
 
 
-def the_class_speaks(package):
-    """Help, stubs, attributes, and copies in other processes."""
+def the_class_documents_itself(package):
+    """Help, stubs, attributes and pickling."""
     robot, cls = package.robot, type(package.robot)
-    check(cls.__module__ == package.module, "the class is of its module")
+    check(cls.__module__ == package.module, "module of the class")
     stub = ast.parse(package.stub())
     [described] = [item for item in stub.body if isinstance(item, ast.ClassDef) and item.name == cls.__name__]
     written = {item.name for item in described.body if isinstance(item, ast.FunctionDef)}
     written |= {item.target.id for item in described.body if isinstance(item, ast.AnnAssign)}
     real = {name for name in dir(cls) if not name.startswith("__")}
-    check(written - {"__init__"} == real, f"the stub has every name: {written ^ real}")
+    check(written - {"__init__"} == real, f"names in the stub and in the class: {written ^ real}")
     for item in described.body:
         if not isinstance(item, ast.FunctionDef) or item.name == "__init__":
             continue
         found = getattr(cls, item.name)
-        check(pydoc.getdoc(found) == inspect.cleandoc(ast.get_docstring(item, clean=False)), f"{item.name}: help and stub say the same")
+        check(pydoc.getdoc(found) == inspect.cleandoc(ast.get_docstring(item, clean=False)), f"{item.name}: help and stub differ")
         if not item.decorator_list:
             arguments = [argument.arg for argument in item.args.args[1:]]
             out = ", *, out=None" if item.args.kwonlyargs else ""
@@ -404,64 +403,64 @@ def the_class_speaks(package):
         check(np.allclose(product, robot.inverse_dynamics(q, qd, qdd), atol=scale, rtol=scale), "Y π is τ")
 
 
-def names_become_no_code(package):
-    """A file whose names try to be code."""
+def hostile_names_stay_text(package):
+    """A file with names that would be code if they were not escaped."""
     check(package.module == "class_" and package.python.__all__ == ["None_"] + package.python.__all__[1:], "names")
     check(package.robot.coordinate_names[0] == "class" and package.robot.coordinate_names[2] == "\\", "names are kept")
-    check(package.robot.coordinate_names[1] == "''' \\N{DELETE} \\\"{q} %s \u202e\u2066\u200b", "every letter")
+    check(package.robot.coordinate_names[1] == "''' \\N{DELETE} \\\"{q} %s \u202e\u2066\u200b", "every character of a name")
     text = package.stub() + pathlib.Path(package.python.__file__).read_text()
-    check(not any(letter in text for letter in "\u202e\u2066\u200b"), "nothing is hidden in the stub")
-    check(not any(letter in (getattr(type(package.robot), name).__doc__ or "") for name in dir(package.robot) for letter in "\u202e\u2066\u200b"), "nor in help")
+    check(not any(letter in text for letter in "\u202e\u2066\u200b"), "no invisible letters in the stub")
+    check(not any(letter in (getattr(type(package.robot), name).__doc__ or "") for name in dir(package.robot) for letter in "\u202e\u2066\u200b"), "no invisible letters in help")
 
 
-def folders_are_left_alone():
-    """What is written, and what is not."""
-    with tempfile.TemporaryDirectory() as room:
-        room = pathlib.Path(room)
+def other_files_are_kept():
+    """A package is written only into a folder without files of others."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
         write = lambda folder, *options: subprocess.run(
             [HOMOGEN, "python", "robots/two_link.urdf", "-o", str(folder), "--functions", "gravity", *options],
             capture_output=True,
             text=True,
         )
-        arm = room / "arm"
+        arm = root / "arm"
         answer = write(arm)
         check(answer.returncode == 0 and answer.stdout == "from arm import TwoLink\n", f"written: {answer}")
         (arm / "target").mkdir()
         (arm / "target" / "built").touch()
         check(write(arm, "--name", "Arm").stdout == "from arm import Arm\n", "written again")
-        check((arm / "target" / "built").exists(), "what was built stays")
+        check((arm / "target" / "built").exists(), "build output stays")
         (arm / "notes.txt").touch()
         answer = write(arm)
-        check(answer.returncode == 1 and "notes.txt in it was written by somebody else" in answer.stderr, f"{answer}")
-        (room / "mine").mkdir()
-        (room / "mine" / "thesis").touch()
-        answer = write(room / "mine")
-        check(answer.returncode == 1 and "it is no package that homogen has written" in answer.stderr, f"{answer}")
-        (room / "file").touch()
-        check(write(room / "file").returncode == 1, "a file")
-        answer = write(room / "numpy")
+        check(answer.returncode == 1 and "notes.txt in it was not written by homogen" in answer.stderr, f"{answer}")
+        (root / "mine").mkdir()
+        (root / "mine" / "thesis").touch()
+        answer = write(root / "mine")
+        check(answer.returncode == 1 and "it is not a package written by homogen" in answer.stderr, f"{answer}")
+        (root / "file").touch()
+        check(write(root / "file").returncode == 1, "a file")
+        answer = write(root / "numpy")
         check(answer.returncode == 1 and "would hide NumPy" in answer.stderr, f"{answer}")
-        check(write(room / "missing" / "arm").returncode == 1 or (room / "missing" / "arm").exists(), "no folder to write to")
-        answer = write(room / "cortex", "--processor", "cortex-m7", "--scalar", "f32")
-        check(answer.returncode == 1 and not (room / "cortex").exists(), f"{answer}")
-        left = {path.name for path in room.iterdir()} - {"arm", "mine", "file", "missing"}
+        check(write(root / "missing" / "arm").returncode == 1 or (root / "missing" / "arm").exists(), "a missing parent folder")
+        answer = write(root / "cortex", "--processor", "cortex-m7", "--scalar", "f32")
+        check(answer.returncode == 1 and not (root / "cortex").exists(), f"{answer}")
+        left = {path.name for path in root.iterdir()} - {"arm", "mine", "file", "missing"}
         check(not left, f"nothing is left: {left}")
 
 
 for text in PACKAGES:
     package = Package(text)
     results_are_those_of_eval(package)
-    postures_are_stepped(package)
-    the_class_speaks(package)
+    coordinates_are_integrated(package)
+    the_class_documents_itself(package)
     if "--functions" not in package.options and package.robot.NQ == package.robot.NV:
-        shapes_are_numpys(package)
-        arrays_are_read_as_they_are(package)
-        results_go_where_they_are_wanted(package)
-        states_are_alone(package)
+        shapes_follow_numpy(package)
+        array_arguments_are_read(package)
+        out_receives_results(package)
+        states_are_independent(package)
     if package.module == "class_":
-        names_become_no_code(package)
+        hostile_names_stay_text(package)
     if package.module == "panda_py":
-        cores_change_nothing(package)
-folders_are_left_alone()
+        results_do_not_depend_on_cores(package)
+other_files_are_kept()
 print(f"{passed} passed, {failed} failed")
 sys.exit(failed > 0)

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# States labelled on Ray and Dask, with workers killed on purpose: the same bytes as without, for 1, 2 and 4 workers;
-# and each file held against `homogen eval`, bit for bit.
+# Labels states on Ray and Dask with 1, 2 and 4 workers, some of them killed on purpose: the bytes are those of one
+# process, and the files agree with `homogen eval`, bit for bit.
 #
-# Ray, Dask and PyArrow come from PyPI, 400 MB; three to six minutes on two cores. By name only: `.ci/run` does not
-# call it.
+# Ray, Dask and PyArrow come from PyPI, 400 MB; takes three to six minutes on two cores. `.ci/run` does not call it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -44,26 +43,26 @@ for on in ray dask; do
     done
 done
 
-# Killed in the middle of a file without anybody to begin it again: what is there is whole, and the rest is made later.
+# Killed in the middle of a file, without a restart: existing files are complete, and a second run writes the rest.
 label again --lose 5 >"$folder/killed" || true
 check "no digest of a part" [ ! -s "$folder/killed" ]
 check "five chunks" [ "$(find "$folder/again" -name 'panda_py-1-*.parquet' | wc -l)" = 5 ]
 check "the digest after all" [ "$(label again)" = "$expected" ]
 check "nothing is left" whole again
 
-# Other states have other names, so that what is there is never taken for them.
+# Files of other states have other names, so existing files are never taken for them.
 check "another seed" [ "$(label again --seed 2)" != "$expected" ]
 check "another size" [ "$(label again --chunk 40000)" != "$expected" ]
 check "the first ones are there" [ "$(label again)" = "$expected" ]
 
-# A disk that is full: a limit on the size of files stands for it.
+# A full disk, simulated by a limit on file size.
 if (ulimit -f 1000 && label full) >"$folder/refused"; then
-    check "no digest of nothing" [ ! -s "$folder/refused" ]
+    check "no digest without files" [ ! -s "$folder/refused" ]
 fi
 check "no file of a part" [ "$(find "$folder/full" -type f | wc -l)" = 0 ]
-check "the reason is told" grep -q "File too large" "$folder/full.log"
+check "the reason is reported" grep -q "File too large" "$folder/full.log"
 
-# The states of a chunk, as files of NumPy, and what eval makes of them.
+# States of a chunk as NumPy files, and the results of eval.
 "$python" - "$folder" <<'PYTHON'
 import pathlib, sys
 import numpy as np
@@ -79,7 +78,7 @@ PYTHON
     --states "qd=$folder/qd.npy" --states "qdd=$folder/qdd.npy" -o "$folder/eval.npy"
 check "the bits of eval" cmp "$folder/tau.npy" "$folder/eval.npy"
 
-# What other programs write is read, in NumPy's other types; what they cut off is refused.
+# Files of other programs, in other NumPy types, are read; truncated files are rejected.
 "$python" - "$folder" <<'PYTHON'
 import pathlib, sys
 import numpy as np

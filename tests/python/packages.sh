@@ -1,7 +1,6 @@
-# A virtual environment for packages that `homogen python` writes, for scripts that run in the folder of the repository.
+# Creates a virtual environment for packages of `homogen python`, for scripts that run in the folder of the repository.
 #
-# In: its name, in `name`. Out: `folder`, which is empty but for it, `python`, and `pip`,
-# which says little.
+# In: `name`, the name of the folder. Out: `folder`, which contains only the environment; `python`; and a quiet `pip`.
 # shellcheck shell=bash disable=SC2034,SC2154
 
 . tests/homogen.sh

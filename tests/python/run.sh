@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Packages for Python, from a description to a program: writes them, has `pip` build them in a fresh virtual
-# environment, and holds what they compute against `homogen eval`, bit for bit.
+# Tests Python packages: writes them, builds them with `pip` in a fresh virtual environment, and compares their results
+# with `homogen eval`, bit for bit.
 #
-#   run.sh [--long]     --long: all functions of an arm with seven joints, and not only seven of them
+#   run.sh [--long]     --long: all functions of an arm with seven joints, not only seven functions
 #
-# Maturin and NumPy come from PyPI, the crates that a package needs from crates.io. Where there is no
-# Python from 3.10 on with `venv`, the last line says so and nothing is checked.
+# Maturin and NumPy come from PyPI, the crates that a package needs from crates.io. Without Python 3.10 or later with
+# `venv`, nothing is checked and the last line says so.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -16,14 +16,14 @@ fi
 
 name=python
 . tests/python/packages.sh
-# What packages share is compiled once.
+# Shared dependencies are compiled once.
 export CARGO_TARGET_DIR="$folder/target"
 
 # All functions of seven joints take two minutes to compile.
 panda="--functions forward_kinematics,geometric_jacobian,acceleration,inverse_dynamics,mass_matrix,forward_dynamics,gravity_derivative"
 [ "${1:-}" = --long ] && panda=""
 
-# The module, the description, and options.
+# Module, description, options.
 packages=(
     "panda_py robots/panda_class.urdf --tip link8 $panda"
     "two_link_py robots/two_link.urdf --scalar f32 --frames fore"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the reference values of the derivatives of every robot that ships.
+"""Makes the reference values of the derivatives of every shipped robot.
 
 In: robots/*.urdf and the first states of tests/reference/<robot>.json. Out:
-tests/reference/<robot>_derivatives.json, what Pinocchio returns for them, every f64 in full. The tests
+tests/reference/<robot>_derivatives.json, Pinocchio's results at these states, every f64 in full. The tests
 read the JSON and never run this script.
 
     python3 -m venv venv && venv/bin/pip install -r tests/reference/requirements.txt

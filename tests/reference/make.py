@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Makes the reference values of every robot that ships.
+"""Makes the reference values of every shipped robot.
 
-In: robots/*.urdf. Out: tests/reference/<robot>.json, 16 random states each with what Pinocchio
-returns for them, every f64 in full. The tests read the JSON and never run this script.
+In: robots/*.urdf. Out: tests/reference/<robot>.json, 16 random states each with Pinocchio's
+results, every f64 in full. The tests read the JSON and never run this script.
 
     python3 -m venv venv && venv/bin/pip install -r tests/reference/requirements.txt
     venv/bin/python tests/reference/make.py            # all robots
     venv/bin/python tests/reference/make.py scara      # some
 
-Robots of DRIVES are made again with armatures and friction, as <robot>_driven.json.
+Robots in ACTUATORS are also made with armatures and friction, as <robot>_driven.json.
 
-Refuses a robot whose bodies are not physical or whose mass matrix is not positive definite.
+Rejects a robot with non-physical bodies, or whose mass matrix is not positive definite.
 """
 
 import json
@@ -25,7 +25,7 @@ ROBOTS = HERE.parent.parent / "robots"
 PINOCCHIO = "4.1.0"
 STATES = 16
 
-# robot: (the frame whose pose and Jacobians are listed, seed of its states)
+# robot: (the frame whose pose and Jacobians are written, seed of its states)
 FRAMES = {
     "two_link": ("tip", 1),
     "scara": ("tool", 2),
@@ -38,11 +38,11 @@ FRAMES = {
     "quadruped": ("hr_foot", 9),
 }
 
-# The same robots on a free base, listed as <robot>_free.
+# The same robots with a floating base, as <robot>_free.
 FREE = {"quadruped_free": ("hr_foot", 10)}
 
 # robot: for each joint, armature, damping and friction
-DRIVES = {
+ACTUATORS = {
     "stanford_general": (
         [0.95, 2.2, 0.78, 0.11, 0.1, 0.02],
         [3.5, 2.0, 6.25, 0.5, 0.0, 0.25],
@@ -152,7 +152,7 @@ def evaluate(model, frame, q, v, a, torque):
 
 
 def check_bodies(model):
-    """Each body's second moments of mass must be positive: it could be made of points of mass."""
+    """Second moments of mass must be positive definite for each body: it could consist of point masses."""
     for name, body in zip(list(model.names)[1:], list(model.inertias)[1:]):
         moments = 0.5 * np.trace(body.inertia) * np.eye(3) - body.inertia
         least = float(np.min(np.linalg.eigvalsh(moments)))
@@ -160,26 +160,26 @@ def check_bodies(model):
 
 
 def with_friction(state, damping, friction, ddq):
-    """The same state where each joint takes damping v + friction sign(v) besides."""
+    """Adds damping v + friction sign(v) to the torques of a state."""
     v = np.array(state["v"])
-    taken = damping * v + friction * np.sign(v)
-    tau, bias = np.array(state["tau"]) + taken, np.array(state["bias"]) + taken
+    resistance = damping * v + friction * np.sign(v)
+    tau, bias = np.array(state["tau"]) + resistance, np.array(state["bias"]) + resistance
     fields = ["q", "v", "a", "torque", "gravity_torque", "M_upper", "kinetic_energy"]
     kept = {field: state[field] for field in fields}
-    return kept | {"tau": numbers(tau), "bias": numbers(bias), "ddq": numbers(ddq(state, taken))}
+    return kept | {"tau": numbers(tau), "bias": numbers(bias), "ddq": numbers(ddq(state, resistance))}
 
 
-def drive(name):
-    """A robot whose joints have drives: armatures are Pinocchio's, friction is added to its torques."""
-    armature, damping, friction = (np.array(each) for each in DRIVES[name])
+def with_actuators(name):
+    """Makes a robot with actuators: armatures by Pinocchio, friction added to its torques."""
+    armature, damping, friction = (np.array(each) for each in ACTUATORS[name])
     frame_name, seed = FRAMES[name]
     model = pin.buildModelFromUrdf(str(ROBOTS / f"{name}.urdf"))
     model.armature = armature
     frame = model.getFrameId(frame_name)
 
-    def ddq(state, taken):
+    def ddq(state, resistance):
         q, v, torque = (np.array(state[field]) for field in ["q", "v", "torque"])
-        return pin.aba(model, model.createData(), q, v, torque - taken).copy()
+        return pin.aba(model, model.createData(), q, v, torque - resistance).copy()
 
     states = [evaluate(model, frame, *state) for state in random_states(model, seed)]
     states = [with_friction(state, damping, friction, ddq) for state in states]
@@ -240,8 +240,8 @@ def main():
     assert set(FRAMES) == {path.stem for path in ROBOTS.glob("*.urdf")}, "FRAMES and robots/ differ"
     for name in sys.argv[1:] or FRAMES | FREE:
         make(name)
-        if name in DRIVES:
-            drive(name)
+        if name in ACTUATORS:
+            with_actuators(name)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Holds the table of names in guide/src/coming-from.md: what is called how, and in which order of rows.
+"""Checks the table of names in guide/src/coming-from.md: names of functions, and orders of rows.
 
-In: the Panda-class arm at a random state. Out: a line for each pair of functions, and 1 where one of them
-differs. Needs what make.py needs, and the command line:
+In: the Panda-class arm at a random state. Out: a line for each pair of functions, and exit status 1 if a
+pair differs. Needs the packages of make.py, and the command line:
 
     cargo build -p homogen-cli --bin homogen
     venv/bin/python tests/reference/names.py target/debug/homogen
@@ -42,7 +42,7 @@ def linear_first(angular_first):
 
 
 def vector(matrix):
-    """The entries of a matrix of the form of W or Γ, linear first."""
+    """Entries of a matrix with the structure of W or Γ, linear first."""
     return np.array([*matrix[:3, 3], matrix[2, 1], matrix[0, 2], matrix[1, 0]])
 
 

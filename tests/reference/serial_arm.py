@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Makes the reference values of the arms that ship as tables, along the motions that ship with them.
+"""Makes the reference values of the arms that are shipped as tables, along their motions.
 
-In: robots/*.dh and the .motion beside each. Out: tests/reference/<robot>.txt, a line a moment: the time,
+In: robots/*.dh and the .motion beside each. Out: tests/reference/<robot>.txt, one line for each time: the time,
 q, q', q'', the rows of R and p of the last frame, and the torques and forces that Pinocchio's RNEA needs.
-The tables are read and the postures joined here anew; nothing of this project is called.
+Tables are read and configurations interpolated independently; no code of this project is used.
 
     python3 -m venv venv && venv/bin/pip install -r tests/reference/requirements.txt
     venv/bin/python tests/reference/serial_arm.py
@@ -17,7 +17,7 @@ import pinocchio as pin
 HERE = Path(__file__).resolve().parent
 ROBOTS = HERE.parent.parent / "robots"
 PINOCCHIO = "4.1.0"
-MOMENTS = 12  # equal steps from posture to posture
+MOMENTS = 12  # equal steps from one configuration to the next
 
 
 def lines(path):
@@ -47,7 +47,7 @@ def read(path):
         a, alpha, d, theta = (number(cell[key]) for key in ("a", "alpha", "d", "theta"))
         across = shift(0, a) * turn(0, alpha)
         along = turn(2, theta) * shift(2, d)
-        # What moves is turned or shifted along z, with which `along` commutes.
+        # Joints rotate about or translate along z, and so commute with `along`.
         before, behind = (across * along, pin.SE3.Identity()) if convention == "modified" else (along, across)
         hangs_on = hangs_on * before
         if cell["kind"] != "fixed":
@@ -66,9 +66,9 @@ def read(path):
 
 
 def motion(path):
-    """Time, q, q' and q'' from posture to posture by polynomials of fifth degree, from rest to rest."""
-    postures = [np.array([float(word) for word in words]) for words in lines(path)]
-    for start, end in zip(postures, postures[1:]):
+    """Time, q, q' and q'' from one configuration to the next by polynomials of fifth degree, from rest to rest."""
+    configurations = [np.array([float(word) for word in words]) for words in lines(path)]
+    for start, end in zip(configurations, configurations[1:]):
         for k in range(MOMENTS + 1):
             s = k / MOMENTS
             span, step = end[0] - start[0], end[1:] - start[1:]

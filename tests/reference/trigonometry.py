@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 """Derives every constant of the runtime's sines and cosines, and pins reference values for the tests.
 
-Needs Python 3 and mpmath; the tests need neither, they read what this script printed.
+Needs Python 3 and mpmath; the tests need neither, they read the output of this script.
 
     python3 trigonometry.py constants      the constants of runtime/src/scalar/trigonometry/*.rs
     python3 trigonometry.py table          tests/reference/trigonometry.txt
 
 Polynomials: the minimax (smallest worst relative error) of the free coefficients on
 |r| <= pi/4 (1 + 1e-3) by the exchange algorithm of Remez, one coefficient rounded to the type at a
-time, lowest power first, and the rest fitted again. pi/2: parts of so few bits that their product
-with the quadrant's number is exact. 2/pi: its binary digits.
+time, lowest power first, and the rest fitted again. pi/2: parts with few enough bits that their product
+with the number of the quadrant is exact. 2/pi: its binary digits.
 """
 
 import struct
@@ -21,7 +21,7 @@ mp.prec = 300
 
 # name: (bits of the significand, bits of each part of pi/2 but the last, parts, digits of 2/pi)
 TYPES = {"f64": (53, 36, 3, (64, 19)), "f32": (24, 13, 3, (32, 7))}
-# What is known of each function, its leading power, and how many coefficients are free.
+# Known terms of each function, leading power, number of free coefficients.
 SINE = ("sine", sin, lambda x: x, 3)
 COSINE = ("cosine", cos, lambda x: 1 - x * x / 2, 4)
 DEGREES = {("f64", "sine"): 6, ("f64", "cosine"): 6, ("f32", "sine"): 3, ("f32", "cosine"): 3}
@@ -29,7 +29,7 @@ REACH = pi / 4 * (1 + mpf("1e-3"))
 
 
 def rounded(x, bits):
-    """x to the nearest number of so many bits."""
+    """Rounds x to the nearest number with this many bits."""
     if x == 0:
         return mpf(0)
     shift = bits - (int(floor(mp.log(abs(x), 2))) + 1)

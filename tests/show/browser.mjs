@@ -1,14 +1,14 @@
-// A browser without a window, asked by its own protocol through a pipe: no package is needed.
+// Headless browser, controlled through a pipe by the DevTools protocol; needs no package.
 //
-// In: the path of Chromium. Out: pages that can be opened, asked, pointed at and looked at. It collects
-// what a page complains of, and never judges it.
+// In: the path of Chromium. Out: pages to open, evaluate expressions in, point at and take pictures of. It collects
+// the complaints of a page (console output, log entries), and never judges them.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-// How long a browser may take for an answer \[ms\].
+// Time limit for an answer of the browser \[ms\].
 const PATIENCE = 60_000;
 
 export class Browser {
@@ -48,7 +48,7 @@ export class Browser {
     });
   }
 
-  // A page of its own, of that width and height, of which touch is true of phones.
+  // A new page of a width and height; `touch` is true for phones.
   async open(url, { width, height, ratio = 1, touch = false, dark = false }) {
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank" });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
@@ -61,7 +61,7 @@ export class Browser {
     const start = performance.now();
     await page.send("Page.navigate", { url });
     await loaded;
-    // Drawn once.
+    // After the first drawing.
     await page.ask("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
     page.took = performance.now() - start;
     return page;
@@ -116,7 +116,7 @@ class Page {
     }
   }
 
-  // The middle of an element, brought into view.
+  // Scrolls an element into view; returns its center.
   spot(selector) {
     return this.ask(`(() => {
       const element = document.querySelector(${JSON.stringify(selector)});
@@ -154,7 +154,7 @@ class Page {
     writeFileSync(path, Buffer.from(data, "base64"));
   }
 
-  // As many pages as it takes on paper.
+  // Prints the page to a PDF of as many pages as needed.
   async paper(path) {
     const { data } = await this.send("Page.printToPDF", { printBackground: true });
     writeFileSync(path, Buffer.from(data, "base64"));

@@ -1,8 +1,7 @@
-// Opens pages of `homogen show` in a browser and holds them to what they must be.
+// Checks pages of `homogen show` in a browser.
 //
-// In: the program `homogen`, Chromium, a folder to write in. Out: nothing where all holds, and pictures in that
-// folder; else what does not. Where links are is held against `homogen eval`, which shares no code with a
-// page but the text of the robot.
+// In: the program `homogen`, Chromium, an output folder. Out: pictures in that folder, or an error for the first check
+// that fails. Poses of links are compared with `homogen eval`, which shares with a page only the generated text.
 
 import { execFileSync } from "node:child_process";
 import { readFileSync, statSync, writeFileSync } from "node:fs";
@@ -25,15 +24,15 @@ const ROBOTS = [
   { name: "locked", words: ["tests/show/joints.urdf", "--tip", "i", "--lock", "slide=0.1", "--lock", "spin", "--functions", "forward_kinematics,gravity+mass_matrix"], links: ["c", "i", "drone"] },
 ];
 
-let held = 0;
-function hold(is, what) {
-  held += 1;
-  if (!is) throw new Error(what);
+let checks = 0;
+function check(holds, what) {
+  checks += 1;
+  if (!holds) throw new Error(what);
 }
 
 const run = (...words) => execFileSync(homogen, words, { cwd: root, encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
 
-// What the program computes at states, in JSON.
+// Results of `homogen eval` at states.
 function evaluated(words, name, states, frame = []) {
   const file = join(output, "states.json");
   writeFileSync(file, JSON.stringify({ states }));
@@ -43,7 +42,7 @@ function evaluated(words, name, states, frame = []) {
 
 const near = (a, b, most) => Math.abs(a - b) <= most;
 
-// Moves every slider to a place of its own, as whoever drags it does.
+// Drags every slider to a different random position.
 const DRAG = (seed) => `(() => {
   let state = ${seed};
   for (const slider of document.querySelectorAll(".sliders input")) {
@@ -62,33 +61,33 @@ async function links(page, { name, words, links: wanted, closed: closes }) {
     states.push({ q: await page.ask("homogen.q()") });
     seen.push(await page.ask("homogen.poses()"));
   }
-  hold(JSON.stringify(states[0]) !== JSON.stringify(states[1]), `${name}: joints do not move`);
+  check(JSON.stringify(states[0]) !== JSON.stringify(states[1]), `${name}: joints do not move`);
   if (closes) {
     for (const residuals of evaluated(words, "constraint", states)) {
-      hold(residuals.every((one) => Math.abs(one) < 1e-9), `${name}: loops are open by ${residuals.join(", ")}`);
+      check(residuals.every((one) => Math.abs(one) < 1e-9), `${name}: loops are open by ${residuals.join(", ")}`);
     }
   }
   for (const link of wanted) {
     const results = evaluated(words, "forward_kinematics", states, ["--frame", link]);
     results.forEach((rows, k) => rows.slice(0, 3).flat().forEach((entry, at) => {
       const own = seen[k][link][at];
-      hold(near(own, entry, 1e-9), `${name}: entry ${at} of ${link} is ${own} on the page and ${entry} in truth`);
+      check(near(own, entry, 1e-9), `${name}: entry ${at} of ${link} is ${own} on the page and ${entry} by eval`);
     }));
   }
 }
 
-// Of each name that is defined something is said.
+// Every defined name has an explanation.
 async function names(page, { name }) {
   for (const own of await page.ask("homogen.functions()")) {
     const found = await page.ask(`homogen.names(${JSON.stringify(own)})`);
     const unknown = found.filter(({ name: one, kind }) => kind === "other" && !/^(angles|sines|cosines|y)_*$/.test(one));
-    hold(unknown.length === 0, `${name}: of ${unknown.map((one) => one.name).join(", ")} in ${own} nothing is said`);
+    check(unknown.length === 0, `${name}: ${unknown.map((one) => one.name).join(", ")} in ${own} has no explanation`);
     const worthless = found.filter(({ kind, worth }) => ["entry", "part", "argument", "sum", "angle"].includes(kind) && !Number.isFinite(worth));
-    hold(worthless.length === 0, `${name}: ${worthless.map((one) => one.name).join(", ")} of ${own} has no value`);
+    check(worthless.length === 0, `${name}: ${worthless.map((one) => one.name).join(", ")} of ${own} has no value`);
   }
 }
 
-// What the page says names are worth is what functions return, at rest and with all rates at 1.
+// Values on the page equal those of `homogen eval`, at rest and with all rates at 1.
 async function values(page, { name, words }) {
   for (const [own, moving] of [["gravity", false], ["inverse_dynamics", true]]) {
     await page.ask(`(() => { const box = document.querySelector("#moving"); if (box.checked !== ${moving}) box.click(); })()`);
@@ -97,12 +96,12 @@ async function values(page, { name, words }) {
     const result = text.slice(text.lastIndexOf("[") + 1, text.lastIndexOf("]")).split(",").map((one) => one.trim()).filter(Boolean);
     const q = await page.ask("homogen.q()");
     const count = await page.ask(`JSON.parse(document.querySelector("#data").textContent).skeleton.velocities.length`);
-    const [truth] = evaluated(words, own, [{ q, qd: new Array(count).fill(moving ? 1 : 0), qdd: new Array(count).fill(0) }]);
-    hold(result.length === truth.length, `${name}: ${result.length} results of ${own}`);
+    const [expected] = evaluated(words, own, [{ q, qd: new Array(count).fill(moving ? 1 : 0), qdd: new Array(count).fill(0) }]);
+    check(result.length === expected.length, `${name}: ${result.length} results of ${own}`);
     result.forEach((one, k) => {
       const literal = /^k\((.*)\)$/.exec(one);
       const value = literal ? Number(literal[1]) : one.startsWith("-") ? -worth.get(one.slice(1)) : worth.get(one);
-      hold(near(value, truth[k], 1e-9 * Math.max(1, Math.abs(truth[k]))), `${name}: ${one} of ${own} is worth ${value} on the page and ${truth[k]} in truth`);
+      check(near(value, expected[k], 1e-9 * Math.max(1, Math.abs(expected[k]))), `${name}: ${one} of ${own} is worth ${value} on the page and ${expected[k]} by eval`);
     });
   }
 }
@@ -117,33 +116,33 @@ async function pointing(page) {
   const wanted = await page.ask(`[...document.querySelectorAll('${card} .code .d')].map((spot) => spot.dataset.n).find((name) => /_0_3_in_3_[xyz]$/.test(name))`);
   await page.hover(`${card} .d[data-n="${wanted}"]`);
   await page.until(`${PANEL}.includes("${wanted}")`);
-  const said = await page.ask(PANEL);
-  for (const part of [/matrix/, /link 3/, /frame 3/, /\(\d+\)/, /read by/, /line/]) hold(part.test(said), `${wanted}: ${part} is not in "${said}"`);
-  hold(await page.ask(`document.querySelectorAll("#explain .matrix .meant").length`) > 0, "no entry is marked");
-  hold(await page.ask(`document.querySelectorAll('${card} .reader').length`) > 0, "what reads it is not marked");
-  hold(await page.ask(`[...document.querySelectorAll('${card} .same')].every((spot) => spot.dataset.n === "${wanted}")`), "others are marked");
-  // By keys: to the next names, and away.
+  const explanation = await page.ask(PANEL);
+  for (const part of [/matrix/, /link 3/, /frame 3/, /\(\d+\)/, /read by/, /line/]) check(part.test(explanation), `${wanted}: ${part} is not in "${explanation}"`);
+  check(await page.ask(`document.querySelectorAll("#explain .matrix .meant").length`) > 0, "no entry is marked");
+  check(await page.ask(`document.querySelectorAll('${card} .reader').length`) > 0, "its readers are not marked");
+  check(await page.ask(`[...document.querySelectorAll('${card} .same')].every((spot) => spot.dataset.n === "${wanted}")`), "other names are marked");
+  // Keys: to the next names, and out of the panel.
   await page.ask(`document.querySelector('${card} .code').focus()`);
   for (const key of ["ArrowRight", "ArrowRight", "ArrowDown"]) await page.key(key);
   const current = await page.ask(`document.querySelector('${card} .current').dataset.n`);
   await page.until(`document.querySelector("#explain code").textContent === "${current}"`);
   await page.key("Escape");
-  hold(/point at a name/.test(await page.ask(PANEL)), "Escape does not close the panel");
-  // A value leads to what it is made of.
+  check(/point at a name/.test(await page.ask(PANEL)), "Escape does not close the panel");
+  // A value links to its operands.
   await page.click(`${card} .d[data-n="t_9"]`);
-  hold(await page.ask(`document.querySelector("#explain.pinned .mathematics").textContent.length`) > 2, "t_9 has no expression");
+  check(await page.ask(`document.querySelector("#explain.pinned .mathematics").textContent.length`) > 2, "t_9 has no expression");
   const reference = await page.ask(`document.querySelector("#explain .mathematics [data-name]").dataset.name`);
   await page.click("#explain .mathematics [data-name]");
   await page.until(`document.querySelector("#explain code").textContent === "${reference}"`);
 }
 
-// The picture changes when it is turned, and frames are drawn.
-async function turning(page) {
+// The picture changes when it is rotated and when frames are drawn.
+async function rotating(page) {
   const picture = () => page.ask(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(document.querySelector("#picture").toDataURL()))))`);
   const seen = [await picture()];
   const changes = async (what) => {
     const now = await picture();
-    hold(!seen.includes(now), `the picture stays as it is: ${what}`);
+    check(!seen.includes(now), `the picture does not change: ${what}`);
     seen.push(now);
   };
   const at = await page.spot("#picture");
@@ -168,18 +167,18 @@ async function inBrowser(browser, robot) {
   const file = join(output, `${robot.name}.html`);
   run("show", ...robot.words, "-o", file);
   const { size } = statSync(file);
-  hold(size < 5e6, `${robot.name}: ${size} bytes`);
+  check(size < 5e6, `${robot.name}: ${size} bytes`);
   const url = pathToFileURL(file).href;
-  // The machine may have other work: the best of a few.
+  // The shortest of a few times, since the machine may be busy.
   let page = await browser.open(url, WIDE);
   for (let more = 3; more > 0 && page.took >= 1000; more -= 1) page = await browser.open(url, WIDE);
-  hold(page.took < 1000, `${robot.name}: ${page.took.toFixed(0)} ms to open`);
-  if (robot.joints) hold((await page.ask("homogen.q().length")) === robot.joints, `${robot.name}: joints`);
+  check(page.took < 1000, `${robot.name}: ${page.took.toFixed(0)} ms to open`);
+  if (robot.joints) check((await page.ask("homogen.q().length")) === robot.joints, `${robot.name}: number of joints`);
   await links(page, robot);
   await names(page, robot);
   if ((await page.ask("homogen.functions()")).includes("gravity")) await values(page, robot);
   if (robot.name === "panda") {
-    await turning(page);
+    await rotating(page);
     await pointing(page);
     await page.paper(join(output, "panda.pdf"));
   }
@@ -190,7 +189,7 @@ async function inBrowser(browser, robot) {
   }
   await phone.until(`[...document.querySelectorAll(".function")].every((card) => card.querySelector(".code .d"))`);
   const width = await phone.ask("document.documentElement.scrollWidth");
-  hold(width <= PHONE.width, `${robot.name}: ${width} px wide on a phone`);
+  check(width <= PHONE.width, `${robot.name}: ${width} px wide on a phone`);
   const name = `.function[open] .code .d[data-n="t_1"]`;
   if (await phone.ask(`document.querySelector('${name}') !== null`)) {
     await phone.tap(name);
@@ -198,15 +197,15 @@ async function inBrowser(browser, robot) {
   }
 
   const dark = await browser.open(url, { ...WIDE, dark: true });
-  hold((await dark.ask(background)) !== (await page.ask(background)), `${robot.name}: dark is light`);
+  check((await dark.ask(background)) !== (await page.ask(background)), `${robot.name}: the dark theme has the colors of the light one`);
   for (const one of [page, phone, dark]) {
-    hold(one.complaints.length === 0, `${robot.name}: ${one.complaints.join("; ")}`);
-    hold(one.requests.every((request) => request === url), `${robot.name}: asks for ${one.requests.join(", ")}`);
+    check(one.complaints.length === 0, `${robot.name}: ${one.complaints.join("; ")}`);
+    check(one.requests.every((request) => request === url), `${robot.name}: requests ${one.requests.join(", ")}`);
   }
   console.log(`${robot.name}: ${(size / 1e6).toFixed(2)} MB, opens in ${page.took.toFixed(0)} ms`);
 }
 
-// Names that would be elements are text, and a script that is put in later does not run.
+// Names that contain HTML stay text, and an inserted script does not run.
 async function hostile(browser) {
   const evil = "</script><script>window.lost = 1</script><img src=x onerror='window.lost = 2'>";
   const escaped = evil.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll("'", "&apos;");
@@ -215,9 +214,9 @@ async function hostile(browser) {
   writeFileSync(urdf, text);
   run("show", urdf, "-o", file);
   const page = await browser.open(pathToFileURL(file).href, WIDE);
-  hold((await page.ask(`document.querySelector("#robot").textContent`)).startsWith(evil), "the name is not shown");
-  hold((await page.ask(`document.querySelectorAll("img").length`)) === 0, "a name has become an element");
-  hold(page.complaints.length === 0, page.complaints.join("; "));
+  check((await page.ask(`document.querySelector("#robot").textContent`)).startsWith(evil), "the name is not shown");
+  check((await page.ask(`document.querySelectorAll("img").length`)) === 0, "a name was parsed as HTML");
+  check(page.complaints.length === 0, page.complaints.join("; "));
   await page.ask(`(() => {
     const script = document.createElement("script");
     script.textContent = "window.lost = 3";
@@ -227,11 +226,11 @@ async function hostile(browser) {
     document.body.append(image);
   })()`);
   await new Promise((done) => setTimeout(done, 300));
-  hold((await page.ask("window.lost")) === undefined, "a script has run");
-  hold(page.complaints.some((complaint) => /Content Security Policy/.test(complaint)), "the policy has stopped nothing");
+  check((await page.ask("window.lost")) === undefined, "a script was run");
+  check(page.complaints.some((complaint) => /Content Security Policy/.test(complaint)), "the Content Security Policy blocked nothing");
 }
 
-// The pictures that are shown of it.
+// Pictures for the documentation.
 async function pictures(browser) {
   const look = async (name, size, steps, path) => {
     const page = await browser.open(pathToFileURL(join(output, `${name}.html`)).href, size);
@@ -269,7 +268,7 @@ try {
   for (const robot of ROBOTS) await inBrowser(browser, robot);
   await hostile(browser);
   await pictures(browser);
-  console.log(`${held} things hold`);
+  console.log(`${checks} checks passed`);
 } finally {
   await browser.close();
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Opens pages of `homogen show` in Chromium: no complaints, joints that move as they should, names that tell what
-# they are, no scrolling sideways on a phone, names of a hostile file that stay text.
+# Tests pages of `homogen show` in Chromium: no errors in the console, correct poses, an explanation of each name, no
+# horizontal scrolling on a phone, names of a hostile file stay text.
 #
-# Needs node (18 or later); installs Chromium where it is missing and the system has it as a package. Pages and
-# pictures are left in target/show, or where CARGO_TARGET_DIR says.
+# Needs node (18 or later); installs Chromium if it is missing and the system has it as a package. Pages and pictures
+# stay in `show` in the build folder (target, or CARGO_TARGET_DIR).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

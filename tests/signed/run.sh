@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Files of some robots that ship, of all with --long, in both types of number, in Rust and in C, with fields and in ASCII: each has to be
-# as rustfmt leaves it, to pass the tests that it brings along, and to be made again, byte for byte, by the command in
-# its head. A file with a digit changed has to fail.
+# Tests generated files of some shipped robots (all with --long), in f32 and f64, in Rust and in C, with fields and in
+# ASCII: each is formatted as by rustfmt, passes its own tests, and is reproduced byte for byte by the command in its
+# head. A file with a wrong digit fails its tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -13,13 +13,13 @@ warnings=(-std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Werr
 
 fail() { echo "$*" >&2; exit 1; }
 
-again() { # file, robot: what the command in its head writes
+again() { # file, robot: compares the file with the output of the command in its head
     local command
     command=$(sed -n 's#^\(//\| \*\) Made by `\(.*\)` (FNV-1a [0-9a-f]*), in format [0-9]*\.$#\2#p' "$1" | head -n 1)
     [ -n "$command" ] || fail "$1 has no command in its head"
     eval "set -- \"$1\" \"$2\" $command"
     local file="$1" robot="$2"
-    shift 5 # and the name of the robot's file, which is not in this folder
+    shift 5 # with the name of the robot's file, which is not in this folder
     mkdir -p "$folder/again"
     (cd "$folder/again" && "$homogen" generate "$robot" "$@" 2>/dev/null >stdout)
     case "$file" in
@@ -28,20 +28,20 @@ again() { # file, robot: what the command in its head writes
     esac
 }
 
-rust() { # file: its tests
+rust() { # file: runs its tests
     rustfmt --check --edition 2021 "$1"
     rustc --test --edition 2021 -D warnings -C debuginfo=0 -C codegen-units=4 -o "${1%.rs}.test" "$1"
     "${1%.rs}.test" --quiet >"${1%.rs}.log"
 }
 
-c() { # file, prefix: its tests
+c() { # file, prefix: runs its tests
     printf '#include "%s"\nint main(void) { return %sself_test() != 0; }\n' "$(basename "${1%.c}").h" "$2" >"${1%.c}_main.c"
     cc "${warnings[@]}" -DHOMOGEN_SELF_TEST "$1" "${1%.c}_main.c" -o "${1%.c}.test" -lm
     "${1%.c}.test"
 }
 
 files=0
-one() { # name, robot, options: all files of a robot, in Rust in one type of number and in C in the other, by turns
+one() { # name, robot, options: all files of a robot, in Rust and C, one in f32 and the other in f64, alternating
     local name="$1" robot="$2" scalars=(f32 f64) rust c
     shift 2
     rust="$folder/${name}_${scalars[files / 2 % 2]}.rs"
@@ -66,13 +66,13 @@ for robot in "${robots[@]}"; do
 done
 one fields "$PWD/robots/two_link.urdf" --tip tip --field load=payload_on:tip --range load=0..4 --field g=gravity \
     --field c=com_of:fore --prepare --functions inverse_dynamics+mass_matrix,gravity,kinetic_energy
-one free "$PWD/robots/quadruped.urdf" --floating --external hr_foot --functions inverse_dynamics,bias
+one floating "$PWD/robots/quadruped.urdf" --floating --external hr_foot --functions inverse_dynamics,bias
 one every_joint "$PWD/tests/robots/every_joint.urdf" --tip link_geared \
     --functions forward_kinematics,body_jacobian_rate,inverse_dynamics,mass_matrix,base_regressor
-one every_joint_free "$PWD/tests/robots/every_joint.urdf" --floating --functions inverse_dynamics,mass_matrix,gravity_derivative
+one every_joint_floating "$PWD/tests/robots/every_joint.urdf" --floating --functions inverse_dynamics,mass_matrix,gravity_derivative
 one humanoid "$PWD/tests/robots/humanoid.urdf" --tip left_arm_9 --functions inverse_dynamics,mass_matrix,gravity
 
-# What a reviewer would not see, the tests do: a digit of the code, in the middle of a number.
+# The tests find a wrong digit in the middle of a number, which a reviewer would overlook.
 for file in "$folder"/two_link_*.rs "$folder"/two_link_*.c; do
     [[ $file != *_main.c ]] || continue
     changed="${file%.*}_changed.${file##*.}"
@@ -86,4 +86,4 @@ for file in "$folder"/two_link_*.rs "$folder"/two_link_*.c; do
         ;;
     esac
 done
-echo "$files files are what their heads and tests say"
+echo "$files files: tests pass, and the commands in their heads reproduce them"

@@ -1,7 +1,6 @@
-//! The arguments of a function of a robot with any number of joints.
+//! Arguments of a function for a robot with any number of joints.
 //!
-//! In: a seed, or a line of text. Out: q, q̇, q̈ and τ as vectors, which programs read entry by
-//! entry; the line holds every number exactly. Nothing here knows a robot.
+//! In: a seed, or a line of text. Out: q, q̇, q̈ and τ as vectors. A line holds every number exactly.
 
 use homogen_codegen::expression::Input;
 use homogen_codegen::space::{self, Variable};
@@ -9,15 +8,15 @@ use homogen_codegen::space::{self, Variable};
 use crate::hexadecimal;
 use crate::states::Random;
 
-/// One value of every argument; a function reads those that it has.
+/// A value for every argument; a function reads those that it has.
 pub type Arguments = space::Arguments<f64>;
 
-/// Arguments of so many joints, all entries in [−4, 4) and multiples of 2⁻²¹, which `f32` holds exactly; no actions.
+/// Random arguments: all entries in [−4, 4) and multiples of 2⁻²¹, exact in `f32`; no external wrenches.
 pub fn random(joints: usize, random: &mut Random) -> Arguments {
     of_lists(joints, joints, random)
 }
 
-/// The same where there are not as many velocities as coordinates; quaternions are of any length.
+/// The same for different numbers of coordinates and velocities; quaternions are not normalised.
 pub fn of_lists(coordinates: usize, velocities: usize, random: &mut Random) -> Arguments {
     Arguments::of(|variable| {
         let count = match variable {
@@ -29,10 +28,10 @@ pub fn of_lists(coordinates: usize, velocities: usize, random: &mut Random) -> A
     })
 }
 
-/// The argument that a program reads under a name.
+/// The value of an input of a program.
 ///
 /// # Panics
-/// For a struct field, and for an entry that is not there.
+/// For a struct field, and for an index out of range.
 #[must_use]
 pub fn at<T: Clone>(arguments: &space::Arguments<T>, input: Input) -> T {
     match input {
@@ -41,7 +40,7 @@ pub fn at<T: Clone>(arguments: &space::Arguments<T>, input: Input) -> T {
     }
 }
 
-/// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit; actions where there are any.
+/// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit; external wrenches if there are any.
 #[must_use]
 pub fn line(arguments: &Arguments) -> String {
     let mut words = Vec::new();
@@ -56,10 +55,10 @@ pub fn line(arguments: &Arguments) -> String {
     words.join(" ")
 }
 
-/// The arguments of a line.
+/// Reads the arguments of a line.
 ///
 /// # Errors
-/// A word that is neither the name of an argument nor a number.
+/// For a word that is neither the name of an argument nor a number.
 pub fn parse(line: &str) -> Result<Arguments, String> {
     let mut arguments = Arguments::default();
     let mut read = None;
@@ -69,9 +68,9 @@ pub fn parse(line: &str) -> Result<Arguments, String> {
             read = named;
             continue;
         }
-        let variable = read.ok_or_else(|| format!("{word:?} belongs to nothing"))?;
+        let variable = read.ok_or_else(|| format!("{word:?} stands before any argument's name"))?;
         let entry = hexadecimal::parse(word);
-        arguments[variable].push(entry.ok_or_else(|| format!("{word:?} is no number"))?);
+        arguments[variable].push(entry.ok_or_else(|| format!("{word:?} is not a number"))?);
     }
     Ok(arguments)
 }
@@ -84,7 +83,7 @@ mod tests {
     use crate::states::Random;
 
     #[test]
-    fn a_line_says_everything() {
+    fn a_line_holds_every_bit() {
         let mut arguments = random(3, &mut Random::new(1));
         arguments[Variable::Qd][1] = f64::from_bits(1);
         arguments[Variable::Tau][2] = -0.1;
@@ -93,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_line_is_refused() {
+    fn numbers_without_a_name_and_decimal_numbers_are_refused() {
         assert!(parse("0x1p+0").is_err());
         assert!(parse("q 1.0").is_err());
     }

@@ -1,8 +1,7 @@
-//! Numbers of 256 bits, which errors are measured against.
+//! Floating-point numbers of 256 bits, the reference for errors.
 //!
-//! In: numbers of `f64`, exactly. Out: numbers that every operation rounds to 256 bits, so that what
-//! thousands of them lose is out of sight of any type under test. It never rounds to `f64` but in
-//! [`Big::to_f64`].
+//! In: numbers of `f64`, exactly. Out: results rounded to 256 bits by every operation, so that the loss of thousands
+//! of operations is negligible beside that of the types under test. Only [`Big::to_f64`] rounds to `f64`.
 
 use core::cmp::Ordering;
 use core::fmt;
@@ -13,7 +12,7 @@ use dashu_float::ops::Abs;
 use dashu_float::round::mode::HalfEven;
 use homogen_codegen::expression::Arithmetic;
 
-/// How many bits every number carries.
+/// Bits of every number.
 pub const BITS: usize = 256;
 
 /// A number of [`BITS`] bits.
@@ -24,7 +23,7 @@ impl Big {
     /// The exact value of `x`.
     ///
     /// # Panics
-    /// Where it is infinite or NaN.
+    /// If `x` is infinite or NaN.
     #[must_use]
     pub fn new(x: f64) -> Self {
         let exact = FBig::try_from(x).expect("the number is finite");
@@ -68,7 +67,7 @@ impl Big {
         (Self(sine), Self(cosine))
     }
 
-    /// The angle of the point (`x`, `self`) from the x axis, in (−π, π]; 0 of the origin.
+    /// The angle of the point (`x`, `self`) from the x axis, in (−π, π]; 0 for the origin.
     #[must_use]
     pub fn atan2(&self, x: &Self) -> Self {
         let origin = [self, x].iter().all(|entry| **entry == Self::zero());
@@ -118,7 +117,7 @@ impl Neg for &Big {
     }
 }
 
-/// An operation of two numbers, by value and by reference.
+/// Implements an operation of two numbers, by value and by reference.
 macro_rules! operation {
     ($operation:ident, $method:ident) => {
         impl $operation<&Big> for &Big {
@@ -183,7 +182,7 @@ impl Arithmetic for Big {
 mod tests {
     use super::Big;
 
-    /// Identities that hold to the last bits of 256 and to no more than 53 of `f64`.
+    /// The identities hold to nearly 256 bits; in `f64` they would hold to 53.
     #[test]
     fn every_operation_carries_all_bits() {
         let small = Big::new(2_f64.powi(-240));
@@ -205,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_zero_takes_part() {
+    fn zero_is_an_operand_like_any_other() {
         let sum = Big::zero() + Big::new(3.0) * Big::zero() - Big::new(-2.0);
         assert_eq!(sum.to_f64(), 2.0);
         assert_eq!(Big::zero().sin_cos().1.to_f64(), 1.0);

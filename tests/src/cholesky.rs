@@ -1,8 +1,8 @@
-//! Whether a symmetric matrix is positive definite.
+//! Test of a symmetric matrix for positive definiteness.
 //!
-//! In: a matrix of `f64`. Out: its smallest pivot. It rounds as it goes, and bounds nothing.
+//! In: a matrix of `f64`. Out: its smallest pivot, with rounding errors and without a bound.
 
-/// The smallest pivot of the Cholesky decomposition, positive where the matrix is.
+/// The smallest pivot of the Cholesky decomposition, positive if the matrix is positive definite.
 #[must_use]
 pub fn least_pivot<const N: usize>(mut matrix: [[f64; N]; N]) -> f64 {
     let mut least = f64::INFINITY;

@@ -1,9 +1,8 @@
-//! Climbs to the worst error of a function.
+//! Random search for the worst error of a function, relative to its printed bound.
 //!
-//! In: a description, a function, a type of number. Out: the greatest share of its bound that the error
-//! of a result takes, in corners of the range, anywhere in it, and uphill from the worst of them.
-//! Programs run as the generated code does; the truth is the same function in the frames of the
-//! description, with 106 bits.
+//! In: a description, a function, a type of number. Out: for each result, the largest ratio of error to bound, at
+//! corners of the range, inside it, and uphill from the worst state. Programs run as the generated code does; the
+//! truth is the same function in the frames of the description, in 106 bits.
 
 use std::marker::PhantomData;
 
@@ -24,12 +23,12 @@ use homogen_codegen::{Function, Real};
 use crate::states::Random;
 use crate::tested::Tested;
 
-/// One function of a robot, by itself.
+/// A module's only function: the requested one.
 ///
 /// # Panics
-/// Where it is refused.
+/// If the robot is rejected.
 #[must_use]
-pub fn listed(
+pub fn generated(
     description: &Description,
     request: Request,
     function: Function,
@@ -46,22 +45,22 @@ pub fn listed(
     generated.expect("one function was asked for")
 }
 
-/// The bounds of a function, of results or of what they are exact for.
+/// The bounds of a function: of its results, or backward.
 ///
 /// # Panics
-/// Where there are none.
+/// If it has none.
 #[must_use]
 pub fn bounds(generated: &GeneratedFunction) -> &[Bound] {
     match &*generated.accuracy {
-        [Accuracy::Within(promise) | Accuracy::Backward(_, promise)] => &promise.bounds,
+        [Accuracy::Within(bound) | Accuracy::Backward(_, bound)] => &bound.bounds,
         other => panic!("{other:?}"),
     }
 }
 
-/// The bound of each result of a function, of those of its joints and units.
+/// The bound of each result of a function, chosen by joint and unit.
 ///
 /// # Panics
-/// Where one is missing.
+/// If one is missing.
 #[must_use]
 pub fn of_results(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f64> {
     let (result, spaces) = (function.result(), chain.spaces());
@@ -71,15 +70,15 @@ pub fn of_results(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f6
         let joint = owner.map(|(space, entry)| &spaces.entries(space)[entry].name);
         let of = |bound: &&Bound| bound.unit == unit && bound.joint.as_ref() == joint;
         let bound = bounds.iter().find(of).expect("each has a bound");
-        bound.double.or(bound.single).expect("it is of one type")
+        bound.double.or(bound.single).expect("a bound in one type")
     });
     of_result.collect()
 }
 
-/// What a climb looks at: one function in one type, its bounds and its truth.
+/// A function in one type, with its bounds and its true value.
 pub struct Climb<T> {
     generated: GeneratedFunction,
-    /// Of each result.
+    /// One for each result.
     bounds: Vec<f64>,
     units: Vec<&'static str>,
     exact: Evaluation<Double>,
@@ -87,17 +86,17 @@ pub struct Climb<T> {
     as_type: PhantomData<T>,
 }
 
-/// A state: every number that the range has.
+/// A value for every input.
 type State = Vec<f64>;
 
 impl<T: Tested> Climb<T> {
-    /// Of a function that has a bound for each joint.
+    /// The search for a function that has a bound for each joint.
     ///
     /// # Panics
-    /// Where the robot is refused, or the function has no bound.
+    /// If the robot is rejected, or the function has no bound.
     #[must_use]
     pub fn new(description: &Description, request: &Request, function: Function) -> Self {
-        let generated = listed(description, request.clone(), function, T::REAL);
+        let generated = generated(description, request.clone(), function, T::REAL);
         let chain = chain::build(description, request)
             .unwrap_or_else(|errors| panic!("{errors}"))
             .identified();
@@ -127,8 +126,8 @@ impl<T: Tested> Climb<T> {
         ends
     }
 
-    /// Makes quaternions of the entries of a state that are of one: of length 1 but for their rounding, or longer by as
-    /// much as a computed length may be off.
+    /// Normalises the quaternions of a state: length 1 but for rounding, or longer by as much as a computed length may
+    /// be off.
     fn settle(&self, ends: &[(Input, [f64; 2])], state: &mut [f64], random: &mut Random) {
         for first in &self.range.quaternions {
             let at = ends.iter().position(|(input, _)| input == first);
@@ -142,7 +141,7 @@ impl<T: Tested> Climb<T> {
         }
     }
 
-    /// The errors of all results in a state.
+    /// Absolute errors of all results at a state.
     fn errors(&self, ends: &[(Input, [f64; 2])], state: &[f64]) -> Vec<f64> {
         let at = |input: Input| {
             let place = ends.iter().position(|(of, _)| *of == input);
@@ -156,8 +155,8 @@ impl<T: Tested> Climb<T> {
             .collect()
     }
 
-    /// The share of its bound that the worst error takes, of each result: in corners of the range and
-    /// anywhere in it, and then uphill from the worst of those in a unit, or of all.
+    /// The largest ratio of error to bound of each result: at random states, often corners of the range, and uphill
+    /// from the worst state, judged by the results with one unit, or by all.
     fn attack(&self, seed: u64, unit: Option<&str>, states: usize, steps: usize) -> Vec<f64> {
         let ends = self.ends();
         let mut random = Random::new(seed);
@@ -169,9 +168,9 @@ impl<T: Tested> Climb<T> {
                 .map(|(error, bound)| if *error == 0.0 { 0.0 } else { error / bound })
                 .collect()
         };
-        for turn in 0..states + steps {
+        for step in 0..states + steps {
             let mut state = best.1.clone();
-            if turn < states {
+            if step < states {
                 state = ends
                     .iter()
                     .map(|(_, range)| any::<T>(*range, &mut random))
@@ -185,7 +184,7 @@ impl<T: Tested> Climb<T> {
             self.settle(&ends, &mut state, &mut random);
             let shares = share(&self.errors(&ends, &state));
             for (worst, share) in worst.iter_mut().zip(&shares) {
-                assert!(share.is_finite(), "an error that is no number");
+                assert!(share.is_finite(), "an error is not finite");
                 *worst = worst.max(*share);
             }
             let own = shares.into_iter().zip(&self.units);
@@ -198,10 +197,10 @@ impl<T: Tested> Climb<T> {
         worst
     }
 
-    /// Holds every result against its bound; the worst share of all.
+    /// Compares every result with its bound. Returns the largest ratio of error to bound.
     ///
     /// # Panics
-    /// Where one is beyond it.
+    /// If an error exceeds its bound.
     #[must_use]
     pub fn holds(&self, name: &str, states: usize, steps: usize) -> f64 {
         let worst = self
@@ -213,10 +212,10 @@ impl<T: Tested> Climb<T> {
         worst
     }
 
-    /// For each unit of the results the worst share of their bounds, uphill from the worst of its own.
+    /// For each unit, the largest ratio of error to bound, uphill from the worst state of its own results.
     ///
     /// # Panics
-    /// Where one is beyond its bound.
+    /// If an error exceeds its bound.
     #[must_use]
     pub fn by_unit(&self, name: &str, states: usize, steps: usize) -> Vec<(&'static str, f64)> {
         let mut units = self.units.clone();
@@ -234,7 +233,7 @@ impl<T: Tested> Climb<T> {
     }
 }
 
-/// A number of the type within a range, often at its ends and sometimes near its middle.
+/// A number of the type within a range: often an end, sometimes near its middle.
 pub fn any<T: Tested>([lo, hi]: [f64; 2], random: &mut Random) -> f64 {
     let x = match random.below(8) {
         0..3 => lo,
@@ -256,7 +255,7 @@ pub fn any<T: Tested>([lo, hi]: [f64; 2], random: &mut Random) -> f64 {
     }
 }
 
-/// What a function computes, with 106 bits.
+/// A function in 106 bits, by the frames of the description.
 #[must_use]
 pub fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();

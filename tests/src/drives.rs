@@ -1,28 +1,28 @@
-//! Drives for robots that are described without any.
+//! Actuators for descriptions without any.
 //!
-//! In: a description and a request. Out: the request with an armature, a rotor behind a gear, damping and
-//! friction at every joint that moves, another number for each velocity.
+//! In: a description and a request. Out: the request with an armature, a rotor behind a gear, damping and friction at
+//! every joint that moves, with a different number for each velocity.
 
 use homogen_codegen::description::{Description, Number};
 use homogen_codegen::joint::drive::Part;
 use homogen_codegen::request::Request;
 
-/// The request, with drives.
+/// The request with actuators.
 #[must_use]
-pub fn driven(description: &Description, mut request: Request) -> Request {
-    let held: Vec<&str> = (request.lock.iter())
+pub fn with_actuators(description: &Description, mut request: Request) -> Request {
+    let locked: Vec<&str> = (request.lock.iter())
         .map(|(name, _)| name.text.as_str())
         .collect();
-    let is_held = |name: &str| held.contains(&name);
+    let is_locked = |name: &str| locked.contains(&name);
     let moving = description.joints.iter().filter(|joint| {
-        // What follows a joint that is held does not move either.
-        let follows = joint
+        // A mimic joint of a locked joint does not move either.
+        let mimics_locked = joint
             .mimic
             .as_ref()
-            .is_some_and(|mimic| is_held(&mimic.leader.text));
-        joint.kind.moves() && !is_held(&joint.name.text) && !follows
+            .is_some_and(|mimic| is_locked(&mimic.leader.text));
+        joint.kind.moves() && !is_locked(&joint.name.text) && !mimics_locked
     });
-    let mut said = Vec::new();
+    let mut settings = Vec::new();
     let mut entry = 0.0;
     for joint in moving {
         for (part, size) in [
@@ -38,10 +38,10 @@ pub fn driven(description: &Description, mut request: Request) -> Request {
                 let share: f64 = entry * 0.618_033_988_749_895;
                 number(size * (0.5 + share.fract()))
             });
-            said.push((joint.name.clone(), part, numbers.collect()));
+            settings.push((joint.name.clone(), part, numbers.collect()));
         }
     }
-    request.drives = said;
+    request.drives = settings;
     request
 }
 

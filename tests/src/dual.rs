@@ -1,4 +1,4 @@
-//! Numbers that carry a derivative, so that generated code differentiates itself to rounding.
+//! Dual numbers: generated code that runs on them differentiates itself, to rounding.
 //!
 //! In: a value and its slope in one direction. Out: a [`Scalar`] whose operations follow the rules
 //! of differentiation.
@@ -86,8 +86,8 @@ impl Scalar for Dual {
         Self::new(root, self.slope / (2.0 * root))
     }
 
-    fn sgn(self) -> Self {
-        Self::new(Scalar::sgn(self.value), 0.0)
+    fn sign(self) -> Self {
+        Self::new(Scalar::sign(self.value), 0.0)
     }
 
     fn sin_cos(self) -> (Self, Self) {

@@ -1,11 +1,9 @@
-//! Descriptions under fire: texts that somebody's editor, script, disk or malice has changed, and what
-//! the engine makes of them.
+//! Fuzzing: damaged descriptions, and the outcome of reading and expanding each.
 //!
-//! In: a seed and a number. Out: the input of that number, the same on every machine, and what became
-//! of it: a mistake that was told, code, or a fault of the engine. A fault is a panic (an overflow is
-//! one where overflows are checked), a refusal that says nothing, a literal that is not finite, an
-//! output that hides something, or an expansion that found itself wrong. It never measures time or
-//! memory; the program `fire` does.
+//! In: a seed and a number. Out: the input of that number, the same on every machine, and its outcome: reported
+//! mistakes, code, or a fault of the engine. A fault is a panic (integer overflow in debug builds included), a refusal
+//! without a message, a literal that is not finite, an output with hidden characters, or an expansion that fails the
+//! engine's own check. Time and memory are measured by the program `fire`.
 
 mod damage;
 mod originals;
@@ -29,7 +27,7 @@ use proc_macro2::TokenStream;
 
 use crate::states::Random;
 
-/// What the text of a robot is written in.
+/// The language of a description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     /// URDF.
@@ -40,33 +38,33 @@ pub enum Language {
     Inline,
 }
 
-/// A text under fire.
+/// A damaged description.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// What it was written in.
+    /// The language of the original.
     pub language: Language,
-    /// What is left of it.
+    /// The bytes after the damage.
     pub bytes: Vec<u8>,
 }
 
-/// What became of an input.
+/// The outcome of an input without a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Every mistake was told.
+    /// Mistakes were reported.
     Refused,
-    /// A robot, and the functions asked for.
+    /// The requested functions were generated.
     Expanded,
-    /// A robot that is too large to be expanded in passing, or without the functions asked for.
+    /// The description was read, but is too large to expand here, or cannot have the requested functions.
     Understood,
 }
 
-/// How the engine says that an expansion found itself wrong.
+/// Part of the engine's message when an expansion fails its check.
 const OWN_FAULT: &str = "this is a fault of homogen";
 
-/// The most joints of a robot that is expanded.
+/// Joints of the largest robot that is expanded.
 const SMALL: usize = 8;
 
-/// The largest text whose answers on the command line are looked at.
+/// Bytes of the largest text that is given to the command line.
 const SHORT: usize = 20_000;
 
 /// The input of a number.
@@ -78,10 +76,10 @@ pub fn input(seed: u64, number: u64) -> Input {
     Input { language, bytes }
 }
 
-/// Takes the input of a number as far as it goes.
+/// Reads and expands an input.
 ///
 /// # Errors
-/// What the engine did that it must not do.
+/// A fault of the engine.
 pub fn attempt(seed: u64, number: u64, input: &Input) -> Result<Outcome, String> {
     let mut random = random(seed, !number);
     let went = catch_unwind(AssertUnwindSafe(|| take(input, &mut random)));
@@ -100,7 +98,7 @@ fn take(input: &Input, random: &mut Random) -> Result<Outcome, String> {
     let mut errors = Errors::new();
     let (description, mut request) = match input.language {
         Language::Inline => {
-            // What is no Rust does not reach a macro.
+            // A macro only gets what Rust can split into tokens.
             let text = String::from_utf8_lossy(&input.bytes);
             let Ok(tokens) = text.parse::<TokenStream>() else {
                 return Ok(Outcome::Refused);
@@ -124,7 +122,7 @@ fn take(input: &Input, random: &mut Random) -> Result<Outcome, String> {
         request = Some(asked(random, &description));
     }
     let request = request.unwrap_or_default();
-    // What was misread goes no further in a door, but must do no harm to the chain.
+    // Front ends stop at a misread description, but the chain must not panic on it.
     let built = chain::build(&description, &request);
     if !errors.is_empty() {
         return refused(&errors, "misread");
@@ -155,7 +153,7 @@ fn expanded(description: &Description, request: &Request) -> Result<Outcome, Str
     }
     let world = World::Core(Library::default());
     if rust::print(&module, &Item::named_after("arm"), &world).is_empty() {
-        return Err("no code, and nothing said".to_owned());
+        return Err("no code, and no message".to_owned());
     }
     Ok(Outcome::Expanded)
 }
@@ -163,7 +161,7 @@ fn expanded(description: &Description, request: &Request) -> Result<Outcome, Str
 fn refused(errors: &Errors, what: &str) -> Result<Outcome, String> {
     let text = errors.to_string();
     if errors.is_empty() {
-        return Err(format!("{what}, and nothing said"));
+        return Err(format!("{what}, and no message"));
     }
     if text.contains(OWN_FAULT) {
         return Err(text);
@@ -172,7 +170,7 @@ fn refused(errors: &Errors, what: &str) -> Result<Outcome, String> {
     Ok(Outcome::Refused)
 }
 
-/// What the command line says of a file.
+/// Checks the answers of the command line for a file.
 fn answers(bytes: &[u8]) -> Result<(), String> {
     for format in ["text", "json"] {
         let words = ["homogen", "check", "-", "--format", format].map(OsString::from);
@@ -186,7 +184,7 @@ fn answers(bytes: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
-/// Whether an output obeys nothing that a name says.
+/// An error if an output contains a control character or a hidden one.
 fn shown(text: &str) -> Result<(), String> {
     let hidden = |c: &char| {
         *c != '\n'
@@ -202,7 +200,7 @@ fn shown(text: &str) -> Result<(), String> {
     }
 }
 
-/// A request that fits the robot, more or less.
+/// A random request, with names of the robot.
 fn asked(random: &mut Random, description: &Description) -> Request {
     let links: Vec<_> = description
         .links

@@ -1,23 +1,21 @@
-//! All functions of a robot as lists of numbers.
+//! Results of all functions of a robot as lists of numbers.
 //!
-//! In: a robot and a state. Out: every result, cut into blocks whose entries have one meaning and
-//! one unit where the result has (rotations, translations, angular and linear parts), so that the
-//! entries of a block can share one measure of error.
+//! In: a robot and a state. Out: every result, cut into blocks of one meaning and one unit (rotations, translations,
+//! angular and linear parts), so that the entries of a block can share one measure of error.
 
 use homogen::{
-    Acceleration, Action, InverseDynamicsDerivatives, Momentum, Point, Pose, Scalar, Screw,
-    Velocity, robot,
+    Acceleration, Action, Momentum, Point, Pose, Scalar, Screw, TorqueDerivatives, Velocity, robot,
 };
 
 use crate::states::State;
 
-/// Makes the trait of all that is evaluated, and what evaluates it, of the list of every function;
-/// solutions, whose errors their conditioning decides, and what is as wide as a robot has parameters, have tests of
-/// their own.
+/// Defines, from the list of every function, a trait of those that are compared and a function that evaluates them.
+/// Solutions, whose errors depend on conditioning, and results as wide as the robot has parameters have tests of their
+/// own.
 macro_rules! evaluated {
     (@[] [$($name:ident $method:ident($($argument:ident),*) $as_blocks:ident;)*]) => {
-        /// A robot that has all functions but those that solve something: a generated one, or a chain
-        /// that is read at run time.
+        /// A robot with all functions but solutions and those of parameters: a generated one, or a chain read at run
+        /// time.
         pub trait EveryFunction<const N: usize, T, const Q: usize = N>:
             $(robot::$name<N, T, Q> +)*
         {
@@ -65,7 +63,7 @@ macro_rules! evaluated {
 }
 homogen::every_function!(evaluated);
 
-/// A result, or the part of it that has one meaning.
+/// A result, or a part of it with one meaning.
 #[derive(Clone, Debug)]
 pub struct Block<T> {
     /// The function and the part: `velocity ω`.
@@ -93,13 +91,13 @@ impl<T: Copy> Block<T> {
     }
 }
 
-/// A robot with functions that were generated to share their work.
+/// A robot with functions that were generated together.
 pub trait Shared<const N: usize, T> {
-    /// Pose and geometric Jacobian made together; mass matrix and bias made together.
+    /// Pose and geometric Jacobian from one function; mass matrix and bias from one function.
     fn shared(&self, state: &State<T, N>) -> [Vec<Block<T>>; 2];
 }
 
-/// A pose and a geometric Jacobian, in blocks named as those of [`evaluate`].
+/// A pose and a geometric Jacobian, in blocks with the names of [`evaluate`].
 #[must_use]
 pub fn of_the_tip<T: Scalar>(m: &Pose<T>, geometric: &[Screw<T>]) -> Vec<Block<T>> {
     [
@@ -109,18 +107,18 @@ pub fn of_the_tip<T: Scalar>(m: &Pose<T>, geometric: &[Screw<T>]) -> Vec<Block<T
     .concat()
 }
 
-/// A mass matrix and a bias, in blocks named as those of [`evaluate`].
+/// A mass matrix and a bias, in blocks with the names of [`evaluate`].
 #[must_use]
 pub fn of_the_whole<T: Scalar, const N: usize>(mass: &[[T; N]; N], bias: &[T; N]) -> Vec<Block<T>> {
     [bias.blocks("bias"), mass.blocks("mass_matrix")].concat()
 }
 
-/// A result that falls into blocks.
+/// A result that can be cut into blocks.
 trait Blocks<T> {
     fn blocks(&self, function: &str) -> Vec<Block<T>>;
 }
 
-/// The blocks of a result of several numbers.
+/// The blocks of a result with several numbers.
 fn blocks<T>(function: &str, result: &impl Blocks<T>) -> Vec<Block<T>> {
     result.blocks(function)
 }
@@ -130,7 +128,7 @@ fn number<T: Scalar>(function: &str, result: &T) -> Vec<Block<T>> {
     vec![Block::new(function, [*result])]
 }
 
-/// Two parts of a function's result.
+/// The blocks of two parts of a function's result.
 fn parts<T: Scalar>(function: &str, names: [&str; 2], entries: [Vec<T>; 2]) -> Vec<Block<T>> {
     let named = names.into_iter().zip(entries);
     named
@@ -200,8 +198,8 @@ impl<T: Scalar> Blocks<T> for Action<T> {
     }
 }
 
-/// One block of all rates: of axes that stay parallel, and of what turns about a tip, nothing is left but what
-/// was rounded.
+/// One block of all rates: with parallel axes, or rotation about the end effector alone, some parts are pure rounding
+/// error.
 impl<T: Scalar, const N: usize> Blocks<T> for [Screw<T>; N] {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
         if function.ends_with("_jacobian_rate") {
@@ -225,9 +223,8 @@ impl<T: Scalar, const N: usize, const M: usize> Blocks<T> for [[T; M]; N] {
     }
 }
 
-/// One block: of a body without gravity nothing is left of ∂τ/∂q but what was rounded of terms as large as
-/// those of ∂τ/∂q̇.
-impl<T: Scalar, const N: usize> Blocks<T> for InverseDynamicsDerivatives<N, T> {
+/// One block: without gravity, ∂τ/∂q of a single body is the rounding error of terms as large as those of ∂τ/∂q̇.
+impl<T: Scalar, const N: usize> Blocks<T> for TorqueDerivatives<N, T> {
     fn blocks(&self, function: &str) -> Vec<Block<T>> {
         let entries = [self.dq, self.dqd];
         let entries = entries.as_flattened().as_flattened();

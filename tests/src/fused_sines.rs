@@ -1,9 +1,8 @@
-//! The runtime's sines and cosines as a target computes them that fuses products with sums.
+//! The runtime's sines and cosines on a target that fuses products with sums.
 //!
-//! In: the runtime's own files, as they stand, over a product and a sum that are rounded once. Out: on every
-//! machine, the bits that such a target has.
+//! In: the runtime's own files, over a multiply-add that rounds once. Out: the bits of such a target, on every machine.
 
-/// What the files take from beside them.
+/// The module that the files import.
 mod fused {
     pub fn f32(factor: f32, other: f32, term: f32) -> f32 {
         factor.mul_add(other, term)

@@ -1,15 +1,15 @@
-//! Numbers of `f64` as people exchange them without losing a bit: `-0x1.8p+3` is −12.
+//! Hexadecimal floating-point texts, which lose no bit: `-0x1.8p+3` is −12.
 //!
-//! In: a finite number, or its text. Out: the other, exactly. It reads what it writes and nothing
-//! else: one digit, at most thirteen after the point, an exponent of two.
+//! In: a finite number, or its text. Out: the other, exactly. It reads only what it writes: one digit, at most
+//! thirteen after the point, an exponent of two.
 
-/// How many digits of four bits the fraction has.
+/// Hexadecimal digits of the fraction.
 const DIGITS: usize = 13;
 
-/// The text of a number, as `%a` of C has it.
+/// The text of a number, as by C's `%a`.
 ///
 /// # Panics
-/// Where the number is infinite or NaN.
+/// If the number is infinite or NaN.
 #[must_use]
 pub fn format(x: f64) -> String {
     assert!(x.is_finite(), "{x} has no digits");
@@ -28,7 +28,7 @@ pub fn format(x: f64) -> String {
     format!("{sign}0x{first}{point}{digits}p{exponent:+}")
 }
 
-/// The number of a text; none where it is none.
+/// The number of a text; `None` if it is not one.
 #[must_use]
 pub fn parse(text: &str) -> Option<f64> {
     let (negative, size) = match text.strip_prefix('-') {
@@ -62,7 +62,7 @@ mod tests {
     use crate::states::Random;
 
     #[test]
-    fn known_texts() {
+    fn known_numbers_have_their_texts() {
         for (x, text) in [
             (0.0, "0x0p+0"),
             (-0.0, "-0x0p+0"),
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn every_number_comes_back() {
+    fn every_number_is_read_back_exactly() {
         let mut random = Random::new(1);
         for _ in 0..10_000 {
             let x = f64::from_bits(random.bits());
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_else_is_refused() {
+    fn other_texts_are_refused() {
         for text in [
             "",
             "1",

@@ -1,9 +1,8 @@
-//! Trees with the build of humanoids, for what is hard about many joints.
+//! Humanoids with many joints, for tests of what is hard about them.
 //!
-//! In: how many joints. Out: a description: a waist of three joints on the fixed pelvis, two legs of
-//! six, two arms of seven, a head of two, and fingers of two joints on both hands for all that are
-//! left. Sizes, inertias and speeds are those of robots that are built; no number is round, and axes
-//! stand at right angles but for some that do not.
+//! In: the number of joints. Out: a description: a fixed pelvis, a waist of three joints, two legs of six, two arms of
+//! seven, a head of two, and fingers of two joints each on both hands for the rest. Sizes, inertias and speeds are
+//! typical of real robots; no number is round, and three quarters of the axes are at right angles to the one before.
 
 use homogen_codegen::description::{
     Axis, Description, Inertial, Joint, Limits, Link, Name, Number, Source, Step, Unmodelled,
@@ -14,7 +13,7 @@ use homogen_codegen::joint::drive::Parts;
 
 use crate::states::Random;
 
-/// A limb: the joint that carries it, its joints, their length, mass and speed.
+/// A limb: the joint that carries it, its number of joints, and length, mass and speed of each of them.
 struct Limb {
     on: Option<usize>,
     joints: usize,
@@ -23,7 +22,7 @@ struct Limb {
     speed: f64,
 }
 
-/// A humanoid with so many joints, 29 at least.
+/// A humanoid with so many joints, at least 29.
 #[must_use]
 pub fn humanoid(joints: usize) -> Description {
     let mut random = Random::new(29);
@@ -64,6 +63,7 @@ pub fn humanoid(joints: usize) -> Description {
         }],
         joints: Vec::new(),
         loops: Vec::new(),
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     };
@@ -85,7 +85,7 @@ pub fn humanoid(joints: usize) -> Description {
 fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
     let along = [0.2, 0.3, 1.0].map(|share| number(limb.length * share * random.unit()));
     let quarter = *random.choose(&[-1.0, 1.0]) * std::f64::consts::FRAC_PI_2;
-    let turn = if random.chance(4) {
+    let angle = if random.chance(4) {
         1.5 * random.unit()
     } else {
         quarter
@@ -96,7 +96,7 @@ fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
         kind: JointKind::Revolute,
         parent,
         child: name("link", k),
-        origin: vec![Step::Translate(along), Step::Rotate(about, number(turn))],
+        origin: vec![Step::Translate(along), Step::Rotate(about, number(angle))],
         axis: [0.0, 0.0, 1.0].map(number),
         second_axis: [Number::default(); 3],
         mimic: None,

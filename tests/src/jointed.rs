@@ -1,11 +1,11 @@
-//! Robots whose joints have several velocities, or follow others, derived once with all their functions.
+//! Robots whose joints have several velocities or mimic others, derived once with all their functions.
 //!
-//! In: robots/quadruped.urdf, and descriptions written here. Out: one struct a robot, and a macro that
-//! runs a test for each of them, with its numbers of velocities and coordinates.
+//! In: robots/quadruped.urdf, and inline descriptions. Out: a struct for each robot, and a macro that runs a test for
+//! each, with its numbers of velocities and coordinates.
 
 use homogen::{Robot, chain};
 
-/// A quadruped whose base is free.
+/// A quadruped with a floating base.
 #[derive(Robot, Clone, Copy, Debug)]
 #[robot(
     urdf = "../robots/quadruped.urdf",
@@ -16,8 +16,8 @@ use homogen::{Robot, chain};
 pub struct FreeQuadruped;
 
 chain! {
-    /// A gripper on a wrist: two fingers that slide as one, a thumb that a rack turns, and a guard that follows
-    /// the thumb.
+    /// A gripper on a wrist: two fingers on coupled prismatic joints, a thumb that mimics one of them, and a guard that
+    /// mimics the thumb.
     pub struct Gripper { tip: guard, generate(all) }
     link base;
     joint wrist: revolute(z) { from: base, to: palm, at: xyz(0.0, 0.1, 0.2) rpy(0.3, 0.0, -0.4) }
@@ -40,7 +40,7 @@ chain! {
 }
 
 chain! {
-    /// Every kind of joint, one after the other and in branches.
+    /// Every type of joint, in series and in branches.
     pub struct EveryJoint { tip: tool, gravity: [0.5, -1.0, -9.81], generate(all) }
     link world;
     joint puck: planar([0.0, 0.6, 0.8]) { from: world, to: puck, at: xyz(0.2, 0.0, 0.1) rpy(0.1, 0.2, 0.3) }
@@ -75,8 +75,7 @@ chain! {
     link brick { mass: 2.0, com: [0.03, -0.02, 0.05], inertia: [0.02, 0.001, 0.002, 0.03, -0.001, 0.045] }
 }
 
-/// Calls a macro with the name and the struct of each of them, the number of velocities and that of
-/// coordinates.
+/// Calls a macro for each of these robots, with a name, the struct, the numbers of velocities and coordinates.
 #[macro_export]
 macro_rules! for_every_jointed_robot {
     ($run:ident) => {

@@ -1,8 +1,8 @@
-//! What the tests share: the robots, random states and trees, a dual number, numbers of 256 bits, the
-//! truth in them, the measures of error.
+//! Shared code of the tests: robots, random states and trees, dual numbers, numbers of 256 bits and the truth in
+//! them, measures of error.
 //!
-//! In: robots/*.urdf, seeds. Out: structs with generated functions, and numbers that are the same
-//! on every machine. It never decides whether a test passes, except in [`rounding`].
+//! In: robots/*.urdf, seeds. Out: structs with generated functions, and numbers that are the same on every machine.
+//! Limits are up to the tests, except in [`rounding`].
 
 pub mod arguments;
 pub mod big;

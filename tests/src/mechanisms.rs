@@ -1,8 +1,9 @@
-//! Random mechanisms in any orientation, through the whole generator, against equations of motion in 256 bits.
+//! Random robots with closed loops, in any orientation, through the whole generator, compared with equations of motion
+//! in 256 bits.
 //!
-//! In: a seed. Out: what became of the mechanism, or what is wrong, with its text. [`draw`](mod@draw) says where its joints are,
-//! [`text`](mod@text) mounts and writes it, [`programs`] generates it and closes its loops, [`truth`] solves its equations, and
-//! [`judge`](mod@judge) compares.
+//! In: a seed. Out: the outcome, or an error with the robot's text. [`draw`](mod@draw) chooses points and axes,
+//! [`text`](mod@text) mounts and writes the robot, [`programs`] generates it and closes its loops, [`truth`] solves its
+//! equations, and [`judge`](mod@judge) compares.
 
 pub mod draw;
 pub mod judge;
@@ -20,32 +21,32 @@ use draw::{Kind, draw};
 use judge::{Outcome, judge};
 use text::{Mounting, text};
 
-/// How many digits numbers have in files.
+/// Decimal digits of the numbers in files.
 pub const DIGITS: [usize; 4] = [17, 16, 6, 3];
 
-/// What is asked of a seed.
+/// A test case.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial {
-    /// The kind of the mechanism.
+    /// The kind of the robot.
     pub kind: Kind,
-    /// How many digits its numbers have.
+    /// Decimal digits of its numbers.
     pub digits: usize,
-    /// The type of number.
+    /// The scalar type.
     pub scalar: Real,
-    /// The seed of everything else.
+    /// The seed of all other choices.
     pub seed: u64,
 }
 
 impl Trial {
-    /// That of an index in a run: kinds take turns, and so do digits.
+    /// The test case of an index in a run; kinds, digits and types alternate.
     #[must_use]
     pub fn numbered(run: u64, index: usize) -> Self {
         let kinds = Kind::ALL.len();
-        let round = index / kinds;
+        let cycle = index / kinds;
         Self {
             kind: Kind::ALL[index % kinds],
-            digits: DIGITS[round % DIGITS.len()],
-            scalar: if (round / DIGITS.len()) % 3 == 2 {
+            digits: DIGITS[cycle % DIGITS.len()],
+            scalar: if (cycle / DIGITS.len()) % 3 == 2 {
                 Real::F32
             } else {
                 Real::F64
@@ -55,10 +56,10 @@ impl Trial {
     }
 }
 
-/// What becomes of a mechanism.
+/// Draws, writes, generates and judges a robot.
 ///
 /// # Errors
-/// What is wrong, with the text.
+/// The failure, with the text of the robot.
 pub fn examine(trial: Trial) -> Result<Outcome, String> {
     let mut random = Random::new(trial.seed);
     let mechanism = draw(trial.kind, &mut random);

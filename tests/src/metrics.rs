@@ -1,10 +1,9 @@
-//! How far results are from what they should be.
+//! Measures of error.
 //!
-//! In: numbers of a type, and the same to 256 bits. Out: errors in units of rounding, component by
-//! component or of a whole vector, backward errors of forward dynamics, and what a thousand of them
-//! look like. It decides nothing: limits belong to the tests.
+//! In: results in a type, and their true values in 256 bits. Out: errors in units of rounding, of single entries or of
+//! a whole vector; backward errors of forward dynamics; distributions of many errors. Limits are up to the tests.
 //!
-//! An infinite error stands for a result that is infinite or NaN.
+//! The error of an infinite or NaN result is infinite.
 
 use std::marker::PhantomData;
 
@@ -22,7 +21,7 @@ pub fn results<T: Tested>(program: &Program, arguments: &Arguments) -> Vec<f64> 
     found.into_iter().map(T::to_f64).collect()
 }
 
-/// As a type of number sees it: what underflows is off by the type's floor.
+/// Measures in a scalar type: underflow has an error of the type's floor.
 #[derive(Clone, Copy, Debug)]
 struct By<T>(PhantomData<T>);
 
@@ -47,7 +46,7 @@ pub fn sizes<T: Tested>(program: &Program, arguments: &Arguments) -> Vec<f64> {
 /// |error| / (u S) of each result.
 ///
 /// # Panics
-/// Where the lists are not equally long.
+/// If the lists differ in length.
 #[must_use]
 pub fn scaled<T: Tested>(found: &[f64], exact: &[Big], sizes: &[f64]) -> Vec<f64> {
     assert_eq!((found.len(), sizes.len()), (exact.len(), exact.len()));
@@ -57,11 +56,11 @@ pub fn scaled<T: Tested>(found: &[f64], exact: &[Big], sizes: &[f64]) -> Vec<f64
         .collect()
 }
 
-/// The largest error beside the largest result, in units of u; of a vector that is zero the error
-/// beside the smallest normal number.
+/// The largest error relative to the largest result, in units of u; relative to the smallest normal number if the true
+/// vector is zero.
 ///
 /// # Panics
-/// Where the lists are not equally long.
+/// If the lists differ in length.
 #[must_use]
 pub fn relative<T: Tested>(found: &[f64], exact: &[Big]) -> f64 {
     assert_eq!(found.len(), exact.len());
@@ -70,22 +69,22 @@ pub fn relative<T: Tested>(found: &[f64], exact: &[Big]) -> f64 {
     largest(pairs.map(|(&found, exact)| units::<T>(found, exact, size)))
 }
 
-/// |error| in units of the last place of the exact value.
+/// |error| in ulps of the exact value.
 #[must_use]
 pub fn ulps<T: Tested>(found: f64, exact: &Big) -> f64 {
     let size = exact.abs().to_f64().max(T::FLOOR);
-    // The largest power of two that is no larger.
+    // The largest power of two up to the size.
     let power = f64::from_bits(size.to_bits() & f64::INFINITY.to_bits());
     units::<T>(found, exact, 2.0 * power)
 }
 
-/// The backward error of forward dynamics, joint by joint: by how much the torques that the found
-/// accelerations need miss those that were given, beside u (|τ| + S of the needed torques).
+/// The backward error of forward dynamics for each joint: the difference between the given torques and those that the
+/// computed accelerations need, relative to u (|τ| + S of the needed torques).
 ///
-/// `needed` and `sizes` are results and S of the inverse dynamics at the found accelerations.
+/// `needed` and `sizes` are results and S of the inverse dynamics at the computed accelerations.
 ///
 /// # Panics
-/// Where the lists are not equally long.
+/// If the lists differ in length.
 #[must_use]
 pub fn backward<T: Tested>(given: &[f64], needed: &[Big], sizes: &[f64]) -> Vec<f64> {
     let sizes = sizes.iter().zip(given);
@@ -93,7 +92,7 @@ pub fn backward<T: Tested>(given: &[f64], needed: &[Big], sizes: &[f64]) -> Vec<
     scaled::<T>(given, needed, &sizes)
 }
 
-/// The larger of all, or infinity where one is NaN.
+/// The largest error; infinite if one is NaN.
 #[must_use]
 pub fn largest(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().fold(0.0, |most, error| {
@@ -105,7 +104,7 @@ pub fn largest(errors: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
-/// |error| / (u size), at 256 bits: u times the smallest normal number is none of `f64`.
+/// |error| / (u size), in 256 bits, since u times the smallest normal number underflows in `f64`.
 fn units<T: Tested>(found: f64, exact: &Big, size: f64) -> f64 {
     if found.is_finite() {
         let error = (Big::new(found) - exact).abs();
@@ -115,7 +114,7 @@ fn units<T: Tested>(found: f64, exact: &Big, size: f64) -> f64 {
     }
 }
 
-/// Errors at many arguments.
+/// Errors at many states.
 #[derive(Clone, Debug, Default)]
 pub struct Distribution {
     errors: Vec<f64>,
@@ -123,7 +122,7 @@ pub struct Distribution {
 }
 
 impl Distribution {
-    /// Takes in the error at some arguments.
+    /// Adds the error at a state.
     pub fn note(&mut self, error: f64, arguments: &Arguments) {
         self.errors.push(error);
         if self.worst.as_ref().is_none_or(|(most, _)| error > *most) {
@@ -131,13 +130,13 @@ impl Distribution {
         }
     }
 
-    /// How many there are.
+    /// The number of errors.
     #[must_use]
     pub const fn len(&self) -> usize {
         self.errors.len()
     }
 
-    /// Whether there are none.
+    /// True if there are none.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.errors.is_empty()
@@ -146,29 +145,29 @@ impl Distribution {
     /// The error that a share of all does not exceed: 0.5 for the median, 0.99 for the 99th percentile.
     ///
     /// # Panics
-    /// Where there are none, or the share is not between 0 and 1.
+    /// If there are none, or the share is not between 0 and 1.
     #[must_use]
     pub fn quantile(&self, share: f64) -> f64 {
-        assert!((0.0..=1.0).contains(&share), "{share} is no share");
+        assert!((0.0..=1.0).contains(&share), "{share} is not in [0, 1]");
         let mut sorted = self.errors.clone();
         sorted.sort_by(f64::total_cmp);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_precision_loss,
             clippy::cast_sign_loss,
-            reason = "a place in a list of thousands"
+            reason = "an index in a list of thousands"
         )]
-        let place = (share * sorted.len() as f64).ceil() as usize;
-        sorted[place.max(1) - 1]
+        let rank = (share * sorted.len() as f64).ceil() as usize;
+        sorted[rank.max(1) - 1]
     }
 
-    /// The largest error, and where it was found.
+    /// The largest error and its state.
     ///
     /// # Panics
-    /// Where there are none.
+    /// If there are none.
     #[must_use]
     pub fn worst(&self) -> (f64, &Arguments) {
-        let (error, arguments) = self.worst.as_ref().expect("something was measured");
+        let (error, arguments) = self.worst.as_ref().expect("at least one error");
         (*error, arguments)
     }
 }
@@ -185,7 +184,7 @@ mod tests {
     const U: f64 = F64::ROUNDOFF;
 
     #[test]
-    fn errors_are_told_in_units_of_what_they_are_measured_by() {
+    fn each_measure_has_its_unit() {
         let exact = [3.0, -1.0].map(Big::new);
         let found = [3.0 + 8.0 * U, -1.0];
         assert_eq!(scaled::<F64>(&found, &exact, &[4.0, 1.0]), [2.0, 0.0]);
@@ -197,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_is_infinitely_wrong() {
+    fn the_error_of_a_result_that_is_not_finite_is_infinite() {
         for found in [f64::NAN, f64::INFINITY] {
             assert_eq!(
                 scaled::<F64>(&[found], &[Big::one()], &[1.0]),
@@ -209,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn what_underflows_is_measured_too() {
+    fn underflow_is_measured_in_units_of_the_floor() {
         let smallest = f64::from_bits(1);
         let errors = scaled::<F64>(
             &[0.0, smallest],
@@ -221,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn a_distribution_knows_its_middle_and_its_worst() {
+    fn a_distribution_has_quantiles_and_a_worst_state() {
         let mut errors = Distribution::default();
         for k in [3.0, 1.0, 4.0, 2.0] {
             let mut arguments = Arguments::default();

@@ -1,11 +1,9 @@
-//! What a function should return, to 256 bits, from two sources that share nothing but the numbers of the
-//! description.
+//! True values of functions, to 256 bits, from two sources that share only the numbers of the description.
 //!
-//! In: a description and a request, or the chain that the generator makes of them. Out: results in
-//! the order of the function's shape. [`frame_0`] multiplies the paper's dense matrices in frame 0,
-//! every fixed joint included; [`link_frames`] evaluates what the generator is about to print, with
-//! its frames, merged bodies and regrouped parameters. That they agree to 10⁻⁵⁰ is tested; from then on
-//! either is the truth, and the second is the faster one.
+//! In: a description and a request, or the chain that the generator makes of them. Out: results in the order of the
+//! function's shape. [`frame_0`] multiplies the paper's dense matrices in frame 0, fixed joints included;
+//! [`link_frames`] evaluates the graph that the generator would print, with its frames, merged bodies and regrouped
+//! parameters. A test shows that they agree to 10⁻⁵⁰; other tests use either, and the second is faster.
 
 pub mod drive;
 pub mod frame_0;

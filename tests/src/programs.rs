@@ -1,6 +1,6 @@
-//! Programs that the engine chooses for a chain.
+//! The programs that the engine plans for a chain.
 //!
-//! In: a chain, functions, a formulation and a type of number in place of those of its request. Out: the program of the
+//! In: a chain, functions; a formulation and a scalar type, which replace those of its request. Out: the program of the
 //! plan.
 
 use std::rc::Rc;
@@ -14,13 +14,13 @@ use homogen_codegen::real::Real;
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::FrameId;
 
-/// The program of some functions together in the default formulation.
+/// The program of several functions together, in the default formulation.
 ///
 /// # Errors
-/// As [`plan`] has them.
+/// Those of [`plan`].
 ///
 /// # Panics
-/// As [`plan`] does.
+/// Those of [`plan`].
 pub fn program(
     chain: &Chain,
     functions: &[Function],
@@ -30,13 +30,13 @@ pub fn program(
     program_as(Formulation::default(), chain, functions, frame, scalar)
 }
 
-/// The program of some functions together within a formulation.
+/// The program of several functions together, in a formulation.
 ///
 /// # Errors
-/// As [`plan`] has them.
+/// Those of [`plan`].
 ///
 /// # Panics
-/// As [`plan`] does.
+/// Those of [`plan`].
 pub fn program_as(
     formulation: Formulation,
     chain: &Chain,

@@ -1,6 +1,6 @@
 //! Every robot that ships, derived once with all its functions.
 //!
-//! In: robots/*.urdf. Out: one struct a robot, and a macro that runs a test for each of them.
+//! In: robots/*.urdf. Out: a struct for each robot, and a macro that runs a test for each.
 
 use homogen::{Robot, Scalar};
 
@@ -69,7 +69,7 @@ robot! {
     PandaClass, 7, "../robots/panda_class.urdf", "link8"
 }
 robot! {
-    /// A tree of twelve joints on a base that is held.
+    /// A tree of twelve joints on a fixed base.
     Quadruped, 12, "../robots/quadruped.urdf", "hr_foot"
 }
 

@@ -1,9 +1,8 @@
-//! How far two lists of results are apart, in units of rounding.
+//! Differences between two lists of results, in units of rounding.
 //!
-//! In: blocks and what they should be, state after state. Out: the worst error of each block, as a
-//! multiple of u times the largest entry that the block has in any state. A single entry may
-//! cancel to nothing, and then has no digits to agree on; the block says how large the numbers are
-//! that it was summed from.
+//! In: blocks and their expected values, state after state. Out: the worst error of each block, as a multiple of u
+//! times the largest entry that the block has in any state. A single entry may cancel and have no correct digit; the
+//! largest entry measures the terms that it is a sum of.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -29,7 +28,7 @@ struct Extremes {
 }
 
 impl Worst {
-    /// No errors yet, to be told in multiples of `unit`.
+    /// No errors yet; they will be in multiples of `unit`.
     #[must_use]
     pub const fn in_units_of(unit: f64) -> Self {
         Self {
@@ -38,15 +37,15 @@ impl Worst {
         }
     }
 
-    /// Takes in the results of one state.
+    /// Adds the results of one state.
     ///
     /// # Panics
-    /// Where the two lists have not the same blocks, or a number is not finite.
+    /// If the lists differ in their blocks, or a number is not finite.
     pub fn note(&mut self, results: &[Block<f64>], expected: &[Block<f64>]) {
-        assert_eq!(results.len(), expected.len(), "as many blocks");
+        assert_eq!(results.len(), expected.len(), "number of blocks");
         for (result, expected) in results.iter().zip(expected) {
             let name = &expected.name;
-            assert_eq!(&result.name, name, "blocks in the same order");
+            assert_eq!(&result.name, name, "order of blocks");
             assert_eq!(result.entries.len(), expected.entries.len(), "{name}");
             let extremes = self.blocks.entry(name.clone()).or_default();
             for (x, y) in result.entries.iter().zip(&expected.entries) {
@@ -57,18 +56,18 @@ impl Worst {
         }
     }
 
-    /// Every block must be right to within so many units.
+    /// Asserts that the errors of all blocks are within so many units.
     ///
     /// # Panics
-    /// With a table of all blocks, where one is not.
+    /// With a table of all blocks, if one is not.
     pub fn assert_within(&self, units: f64) {
         self.assert_each_within(|_| units);
     }
 
-    /// Every block must be right to within as many units as a block of its name may be off.
+    /// Asserts that the error of each block is within the limit of its name, in units.
     ///
     /// # Panics
-    /// With a table of all blocks, where one is not.
+    /// With a table of all blocks, if one is not.
     pub fn assert_each_within(&self, limit: impl Fn(&str) -> f64) {
         assert!(!self.blocks.is_empty(), "nothing was compared");
         for (name, block) in &self.blocks {

@@ -1,8 +1,8 @@
-//! The tested types for everything that is generic over a scalar.
+//! [`Scalar`] and [`Real`] for the tested types.
 //!
-//! In: the operations of [`Flushed`], [`Fused32`] and [`Fused64`]. Out: their [`Scalar`] and [`Real`], with
-//! the functions of the number inside. Such a function neither flushes nor fuses within, but for the sines
-//! and cosines of all joints, which are those of the type.
+//! In: the operations of [`Flushed`], [`Fused32`] and [`Fused64`]. Out: the traits, whose functions are those of the
+//! number inside. They neither flush nor fuse within a function, except for the sines and cosines of all joints, which
+//! are those of the type.
 
 use std::cmp::Ordering;
 use std::fmt;

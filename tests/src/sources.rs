@@ -1,6 +1,6 @@
-//! The sources of the engine, as tests read them that forbid something: without comments and without tests.
+//! Sources of the engine without comments and tests, for tests that forbid something in them.
 //!
-//! In: the files below `codegen/src`. Out: the code of each, under its path.
+//! In: the files below `codegen/src`. Out: the code of each, with its path.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,11 +10,11 @@ use std::path::{Path, PathBuf};
 pub struct Source {
     /// Its path below `codegen/src`, with slashes.
     pub name: String,
-    /// Its code, line by line as it stands there.
+    /// Its code, line by line.
     pub code: String,
 }
 
-/// All files of the engine that are not of tests.
+/// All files of the engine, without tests.
 ///
 /// # Panics
 /// If a file cannot be read.
@@ -33,7 +33,7 @@ pub fn engine() -> Vec<Source> {
     sources.collect()
 }
 
-/// What is left of a text without its module of tests and its lines of comments.
+/// A text without its module of tests and its lines of comments.
 #[must_use]
 pub fn code(text: &str) -> String {
     let code = text.split("#[cfg(test)]\nmod tests {").next();

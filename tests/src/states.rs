@@ -1,15 +1,14 @@
 //! Random states that are the same on every machine.
 //!
-//! In: a sequence of random numbers. Out: states made of it. All numbers of a state are multiples of
-//! 2⁻²¹ below 4, so that `f32` holds them exactly and a function's error is not that of its arguments.
+//! In: a sequence of random numbers. Out: states. All entries are multiples of 2⁻²¹ below 4, exact in `f32`, so that
+//! arguments have no error.
 
 use std::array::from_fn;
 
 use homogen::{Chain, Scalar};
 pub use homogen_random::Random;
 
-/// What no sensor should say, to take the place of some entries of a random state; every type of number
-/// has each of them.
+/// Values that a sensor may give by mistake, for some entries of a random state; all are exact in every tested type.
 pub const NASTY: [f32; 14] = [
     f32::NAN,
     f32::INFINITY,
@@ -39,7 +38,7 @@ pub struct State<T, const N: usize, const Q: usize = N> {
 }
 
 impl<const N: usize> State<f64, N> {
-    /// A state with all entries in [−4, 4): every angle, and more than a turn.
+    /// A state with all entries in [−4, 4), which includes every angle.
     pub fn random(random: &mut Random) -> Self {
         let mut vector = || from_fn(|_| 4.0 * random.unit());
         Self {
@@ -51,7 +50,7 @@ impl<const N: usize> State<f64, N> {
 }
 
 impl<const N: usize, const Q: usize> State<f64, N, Q> {
-    /// The same of a robot with quaternions, which have length 1 to rounding and are no such multiples.
+    /// A state of a robot with quaternions, which are normalised and so not exact in `f32`.
     pub fn of<const F: usize, const B: usize>(
         chain: &Chain<N, F, Q, B>,
         random: &mut Random,

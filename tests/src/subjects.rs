@@ -1,8 +1,8 @@
-//! Robots that no file describes, made to be hard on arithmetic, each known by a short label.
+//! Robots without a file that are hard cases of arithmetic, each with a short label.
 //!
-//! In: a label such as `planar/12` or `heavy_tip/1e6`. Out: a description and a request. Labels
-//! stand in the table of worst inputs, so their robots must not change. Lengths in metres, masses in
-//! kilograms; rods are thin and uniform unless it is said otherwise.
+//! In: a label such as `planar/12` or `heavy_tip/1e6`. Out: a description and a request. Labels are in the table of
+//! worst inputs, so their robots must not change. Lengths are in metres, masses in kilograms; rods are thin and uniform
+//! unless stated otherwise.
 
 use std::path::Path;
 
@@ -15,12 +15,12 @@ use homogen_codegen::joint::JointKind;
 use homogen_codegen::joint::drive::Parts;
 use homogen_codegen::request::Request;
 
-/// A robot and what is asked for of it.
+/// A robot and a request.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// What goes into the generator.
+    /// The input of the generator.
     pub description: Description,
-    /// What is asked for of it.
+    /// The request for it.
     pub request: Request,
 }
 
@@ -28,26 +28,26 @@ pub struct Subject {
 ///
 /// | label | robot |
 /// |---|---|
-/// | `planar/N` | N rods of 1 m and 1 kg that turn about y; straight along x at q = 0 |
+/// | `planar/N` | N rods of 1 m and 1 kg with axes along y; straight along x at q = 0 |
 /// | `floating/N` | the same without gravity |
-/// | `lift/N` | the same on a joint that slides along z |
+/// | `lift/N` | the same on a prismatic joint along z |
 /// | `spatial/N` | N links of 0.5 m with axes at right angles and no zero among their parameters |
-/// | `tilted/N` | the same with axes at 0.9 rad, whose sines are no exact numbers |
+/// | `tilted/N` | the same with axes at 0.9 rad, whose sine is not an exact number |
 /// | `twisted/T` | six of them with axes at T rad |
 /// | `heavy_tip/M`, `heavy_base/M` | six rods, the last or the first of M kg |
 /// | `shrinking/N`, `growing/N` | N rods of 1 kg, each a quarter or four times as long as the one before |
 /// | `short_link/L` | five rods, the third of L |
-/// | `massless_wrist/I` | three rods and a hand on three joints about one line, whose first two links have no mass and I kg m² about it |
-/// | `spherical_wrist/I` | the same with the second axis across, so that it is singular at q₅ = 0 alone |
-/// | `thin_rod/I` | six rods with axes y and z in turn, and I kg m² about themselves |
-/// | `rolling_rod/I` | the same, the last of which turns about itself |
+/// | `massless_wrist/I` | three rods and a hand on three joints about one line, whose first two links have no mass and I kg m² about the line |
+/// | `spherical_wrist/I` | the same with the second axis perpendicular, singular only at q₅ = 0 |
+/// | `thin_rod/I` | six rods, with axes along y and z alternately, and I kg m² about their own axis |
+/// | `rolling_rod/I` | the same, with the last joint about the rod's own axis |
 /// | `waist_with_arm/0` | a humanoid's waist of three joints in light links, a torso, and an arm of seven |
 /// | `panda_class/D`, `quadruped/0` … | a robot that ships, its first joint D to the side and up |
 /// | `floating_FILE/D` | the same without gravity |
 /// | `payload/M` | the arm of seven joints with M kg at 10 m from its hand |
 ///
 /// # Panics
-/// Where there is no such robot.
+/// If there is no such robot.
 #[must_use]
 pub fn subject(label: &str) -> Subject {
     let (family, parameter) = label.split_once('/').expect("family/parameter");
@@ -55,7 +55,7 @@ pub fn subject(label: &str) -> Subject {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "where it counts links it is a small whole number"
+        reason = "counts of links are small integers"
     )]
     let count = number as usize;
     let powers =
@@ -98,10 +98,10 @@ pub fn subject(label: &str) -> Subject {
 }
 
 impl Subject {
-    /// What the generator makes of it.
+    /// The chain of the robot.
     ///
     /// # Panics
-    /// Where it refuses.
+    /// If it is rejected.
     #[must_use]
     pub fn chain(&self) -> Chain {
         chain::build(&self.description, &self.request)
@@ -140,7 +140,7 @@ fn planar(lengths: &[f64], masses: &[f64]) -> Description {
     robot(segments.collect(), [lengths[lengths.len() - 1], 0.0, 0.0])
 }
 
-/// Along x, with a moment of inertia about itself.
+/// A rod along x; `about_itself` is the moment of inertia about its own axis.
 fn rod(length: f64, mass: f64, about_itself: f64) -> Body {
     let across = mass * length * length / 12.0;
     Body {
@@ -190,7 +190,7 @@ fn spatial(count: usize, twist: f64) -> Description {
 
 fn wrist(about_axis: f64, second: [f64; 3]) -> Description {
     let arm = |axis, at| revolute(vec![translation(at)], axis, rod(0.4, 2.0, 1e-3));
-    let nothing = |axis: [f64; 3], at| {
+    let massless = |axis: [f64; 3], at| {
         let [x, y, z] = axis.map(|entry| entry * about_axis);
         let body = Body {
             mass: 0.0,
@@ -205,8 +205,8 @@ fn wrist(about_axis: f64, second: [f64; 3]) -> Description {
         arm([0.0, 0.0, 1.0], here),
         arm(across, here),
         arm(across, end),
-        nothing(along, end),
-        nothing(second, here),
+        massless(along, end),
+        massless(second, here),
         revolute(Vec::new(), along, rod(0.2, 0.5, 1e-3)),
     ];
     robot(segments, [0.2, 0.0, 0.0])
@@ -226,7 +226,7 @@ fn thin_rods(about_itself: f64, last: [f64; 3]) -> Description {
     robot(segments.collect(), [0.5, 0.0, 0.0])
 }
 
-/// Joints of small links about one point, as gears and motors make them, before what is heavy.
+/// Three joints with small links about one point, as gears and motors have them, inboard of a heavy torso and an arm.
 fn waist_with_arm() -> Description {
     let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
     let body = |mass, center, [xx, yy, zz]: [f64; 3]| Body {
@@ -300,7 +300,7 @@ fn revolute(at: Vec<Step>, axis: [f64; 3], body: Body) -> Segment {
     }
 }
 
-/// A chain of segments, and a frame without mass at its end.
+/// A serial robot, and a massless end effector.
 fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
     let count = segments.len();
     let mut links = vec![link("link0", None)];
@@ -343,6 +343,7 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
         links,
         joints,
         loops: Vec::new(),
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     }
@@ -368,7 +369,7 @@ fn translation(t: [f64; 3]) -> Step {
     Step::Translate(t.map(exactly))
 }
 
-/// A number that was not read from digits.
+/// A number that was not read from text.
 fn exactly(value: f64) -> Number {
     Number {
         value,

@@ -1,9 +1,8 @@
-//! The types of number that programs are tested in.
+//! Scalar types in which programs are tested.
 //!
-//! In: the operations of a program. Out: what generated code gets with the runtime's own sines: IEEE 754
-//! in double and in single precision, where the target fuses products with sums and where it does not,
-//! and in single precision where every subnormal number is taken for zero, as many processors do.
-//! Each gives the same bits on every machine, whatever that one can fuse.
+//! In: the operations of a program. Out: results as generated code has them with the runtime's own sines: IEEE 754 in
+//! double and in single precision, with and without fused products, and single precision with subnormal numbers
+//! flushed to zero, as on many processors. Each type gives the same bits on every machine.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -16,17 +15,17 @@ use crate::fused_sines;
 
 /// A type whose errors are measured.
 pub trait Tested: Arithmetic + Copy + Debug {
-    /// What it is called in tables.
+    /// Its name in tables.
     const NAME: &'static str;
-    /// The type that programs are made for.
+    /// The type for which programs are generated.
     const REAL: Real;
     /// u, the largest relative error of an operation.
     const ROUNDOFF: f64;
-    /// No result is smaller for the purpose of measuring its error: where one underflows, the operation
-    /// is off by up to u times this.
+    /// The smallest size for measures of error: an operation whose result underflows has an error of up to u times
+    /// this.
     const FLOOR: f64;
 
-    /// The number, which `f64` holds exactly.
+    /// The exact value in `f64`.
     fn to_f64(self) -> f64;
 }
 
@@ -38,20 +37,20 @@ pub struct F64(pub f64);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct F32(pub f32);
 
-/// Single precision without subnormal numbers: what is one, in or out, becomes zero.
+/// Single precision without subnormal numbers: arguments and results that are subnormal become zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flushed(pub(crate) f32);
 
-/// Double precision, a product and a sum rounded once.
+/// Double precision with fused products: product and sum are rounded once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fused64(pub f64);
 
-/// Single precision, a product and a sum rounded once.
+/// Single precision with fused products: product and sum are rounded once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fused32(pub f32);
 
 impl Flushed {
-    /// The number, or zero in its place.
+    /// The number; zero if it is subnormal.
     #[must_use]
     pub const fn new(x: f32) -> Self {
         Self(if x.is_subnormal() {
@@ -133,7 +132,7 @@ macro_rules! implement {
 implement!(F64, Self, double::sin_cos);
 implement!(F32, Self, single::sin_cos);
 implement!(Flushed, Self::new, single::sin_cos);
-// Where there is no instruction the standard library computes the same digits without it.
+// Without the instruction, the standard library computes the same bits in software.
 implement!(Fused64, Self, fused_sines::double::sin_cos, f64::mul_add);
 implement!(Fused32, Self, fused_sines::single::sin_cos, f32::mul_add);
 
@@ -164,7 +163,7 @@ impl Tested for Flushed {
     const NAME: &'static str = "flushed";
     const REAL: Real = Real::F32;
     const ROUNDOFF: f64 = F32::ROUNDOFF;
-    // The smallest normal number is lost whole: 2⁻¹²⁶ / u.
+    // A subnormal result is lost entirely: 2⁻¹²⁶ / u.
     const FLOOR: f64 = F32::FLOOR / F32::ROUNDOFF;
 
     fn to_f64(self) -> f64 {
@@ -209,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn a_subnormal_number_is_flushed_wherever_it_turns_up() {
+    fn subnormal_arguments_and_results_are_flushed() {
         let smallest = Flushed::literal(f32::MIN_POSITIVE.into());
         let half = Flushed::literal(0.5);
         let nothing = [
@@ -224,19 +223,19 @@ mod tests {
         assert_ne!((F32::literal(1e-40) * F32::literal(0.5)).to_f64(), 0.0);
     }
 
-    /// (1 + ε)(1 − ε) − 1 = −ε², of which two roundings leave nothing.
-    fn product_beside_one<T: Tested>(epsilon: f64) -> f64 {
+    /// (1 + ε)(1 − ε) − 1 = −ε²; 0 if the product is rounded before the sum.
+    fn product_near_one<T: Tested>(epsilon: f64) -> f64 {
         let [one, epsilon] = [1.0, epsilon].map(T::literal);
         (one + epsilon).mul_add(one - epsilon, -one).to_f64()
     }
 
     #[test]
-    fn a_product_and_a_sum_are_rounded_once_only_where_they_are_fused() {
+    fn product_and_sum_are_rounded_once_only_if_fused() {
         let (double, single) = (f64::EPSILON, f64::from(f32::EPSILON));
-        assert_eq!(product_beside_one::<Fused64>(double), -double * double);
-        assert_eq!(product_beside_one::<Fused32>(single), -single * single);
-        assert_eq!(product_beside_one::<F64>(double), 0.0);
-        assert_eq!(product_beside_one::<F32>(single), 0.0);
-        assert_eq!(product_beside_one::<Flushed>(single), 0.0);
+        assert_eq!(product_near_one::<Fused64>(double), -double * double);
+        assert_eq!(product_near_one::<Fused32>(single), -single * single);
+        assert_eq!(product_near_one::<F64>(double), 0.0);
+        assert_eq!(product_near_one::<F32>(single), 0.0);
+        assert_eq!(product_near_one::<Flushed>(single), 0.0);
     }
 }

@@ -1,10 +1,20 @@
-//! Random trees: robots as vendors ship them and as users ask for them, through the whole generator,
-//! against dense matrices of 256 bits that share nothing with it.
+//! Random robots: trees as vendors ship them and requests as users make them, through the whole generator, compared
+//! with dense matrices of 256 bits that share nothing with it.
 //!
-//! In: a seed. Out: what was found, or the smallest robot that fails. [`grow`] draws a [`robot`] number
-//! by number; [`text`] writes it and has it read; [`movement`] knows what moves its joints, [`dense`] puts it into matrices; [`cases`] says
-//! what is run, [`prepared`] runs it, [`bounded`] beside its bounds, [`measure`] how wrong it is, and [`mod@examine`] what that amounts to;
-//! [`ranks`] compares base parameters with it; [`mod@shrink`] takes away what a failure does not need; [`features`] says what a robot has.
+//! In: a seed. Out: findings, or the smallest robot that fails.
+//!
+//! | module | does |
+//! |---|---|
+//! | [`grow`] | draws a [`robot`], number by number |
+//! | [`text`] | writes it and has it read |
+//! | [`movement`], [`dense`] | put it into dense matrices |
+//! | [`cases`] | chooses the programs to run |
+//! | [`prepared`], [`measure`] | run them and measure their errors |
+//! | [`bounded`] | compares errors with printed bounds |
+//! | [`ranks`] | compares base parameters with ranks of regressors |
+//! | [`mod@examine`] | collects findings |
+//! | [`mod@shrink`] | removes all that a failure does not need |
+//! | [`features`] | lists the features of a robot |
 
 pub mod bounded;
 pub mod cases;
@@ -30,22 +40,22 @@ use shrink::shrink;
 
 use crate::states::Random;
 
-/// The robot of a seed, and what it shows.
+/// Draws and examines the robot of a seed.
 ///
 /// # Errors
-/// The smallest robot that fails as it does, in words.
+/// A report with the smallest robot that fails in the same way.
 pub fn try_seed(seed: u64, effort: Effort) -> Result<(Robot, Findings), String> {
     let robot = of_seed(seed);
     match examine(&robot, seed, effort) {
         Ok(findings) => Ok((robot, findings)),
-        Err(fault) => Err(told(&robot, seed, effort, &fault)),
+        Err(fault) => Err(report(&robot, seed, effort, &fault)),
     }
 }
 
-/// The base parameters of the long robot of a seed, of up to so many joints, against its regressor.
+/// Compares the base parameters of the long robot of a seed, with up to `most` joints, with the rank of its regressor.
 ///
 /// # Errors
-/// The robot and what is wrong with them, in words.
+/// A report with the robot and the difference.
 pub fn try_ranks(seed: u64, most: usize) -> Result<Ranked, String> {
     let (robot, length) = grow::grow_long(&mut Random::new(seed), most);
     ranked(&robot, length, seed)
@@ -58,10 +68,10 @@ pub fn of_seed(seed: u64) -> Robot {
     grow::grow(&mut Random::new(seed))
 }
 
-/// What one needs to repair a fault.
-fn told(robot: &Robot, seed: u64, effort: Effort, fault: &Fault) -> String {
+/// A report of a fault, with the smallest robot that has it.
+fn report(robot: &Robot, seed: u64, effort: Effort, fault: &Fault) -> String {
     let fails = |robot: &Robot| {
-        (robot.asked.floating || robot.moving().next().is_some())
+        (robot.options.floating || robot.moving().next().is_some())
             && again(robot, seed, effort.states, fault.case)
                 .is_err_and(|what| alike(&what, &fault.what))
     };
@@ -75,19 +85,23 @@ fn told(robot: &Robot, seed: u64, effort: Effort, fault: &Fault) -> String {
     format!("seed {seed}: {fault}{least}")
 }
 
-/// Whether two faults are of one kind: wrong numbers are, and refusals in the same words.
+/// True if two faults are of the same kind: both are wrong numbers, or both begin with the same message.
 fn alike(one: &str, other: &str) -> bool {
     let words = |what: &str| -> String {
-        let spoken = ["refused", "a panic"]
+        let is_message = ["refused", "a panic"]
             .iter()
             .any(|word| what.starts_with(word));
-        let line = what.lines().next().filter(|_| spoken).unwrap_or_default();
+        let line = what
+            .lines()
+            .next()
+            .filter(|_| is_message)
+            .unwrap_or_default();
         line.chars().filter(|c| !c.is_ascii_digit()).collect()
     };
     words(one) == words(other)
 }
 
-/// The seed of a robot of a run: every run and every index has its own.
+/// The seed of robot `index` in a run.
 #[must_use]
 pub fn numbered(run: u64, index: u64) -> u64 {
     Random::new(run.rotate_left(32) ^ index).bits()

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Compiles files for `core` alone, without functions for C and with them, with the oldest compilers
-# that their heads promise; then functions of many thousand operations, by which a compiler that goes
-# through a function by recursion runs out of stack, as machine code with what debuggers need.
+# Compiles files for `core`, without and with functions for C, with the oldest compiler version stated in their heads.
+# Then compiles functions of many thousand operations to machine code with debug information: a compiler that visits
+# them recursively could overflow its stack.
 #
-# With `--long` these are all functions, for minutes; without, the longest of those that controllers call.
+# With `--long` these are all functions, which takes minutes; by default only the longest ones that controllers call.
 #
-# rustup installs the compiler where it is missing. Where there is no rustup, or it cannot, the
-# compiler that is there has to do, and the last line says which one it was.
+# rustup installs the compiler if it is missing. Without rustup, or if it fails, the installed compiler is used; the
+# output states its version.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -14,7 +14,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 folder="$built/standalone"
 mkdir -p "$folder"
 
-compiler() { # version: the command that is this compiler, or the one that there is
+compiler() { # version: the command for this compiler, or for the installed one
     if rustup run "$1" rustc --version >/dev/null 2>&1 ||
         rustup toolchain install "$1" --profile minimal >/dev/null 2>&1; then
         echo "rustup run $1 rustc"
@@ -23,32 +23,31 @@ compiler() { # version: the command that is this compiler, or the one that there
     fi
 }
 
-promised() { # file: the oldest compiler that its head names
+minimum() { # file: the oldest compiler version, stated in its head
     sed -n 's|^// Needs: Rust \([0-9.]*\) or later.*|\1|p' "$1"
 }
 
-as_crate() { # file: the same without a standard library
+as_crate() { # file: writes it as a crate without the standard library
     { echo '#![no_std]'; cat "$1"; } >"$1.crate.rs"
 }
 
-compile() { # file: as the whole of a crate without a standard library
+compile() { # file: compiles it as a crate without the standard library
     local version rustc edition
-    version=$(promised "$1")
+    version=$(minimum "$1")
     read -ra rustc <<<"$(compiler "$version.0")"
     as_crate "$1"
     for edition in 2018 2021; do
         "${rustc[@]}" --edition "$edition" --crate-type lib --crate-name standalone -D warnings \
             --emit metadata -o "$1.rmeta" "$1.crate.rs"
     done
-    echo "$(basename "$1"): promises Rust $version, compiles with $("${rustc[@]}" --version)"
+    echo "$(basename "$1"): needs Rust $version, compiles with $("${rustc[@]}" --version)"
 }
 
-build() { # file, compiler: unoptimised with all of it, and optimised with the lines of the source
+build() { # file, compiler: unoptimised with full debug information, and optimised with line tables
     local file="$1" flags
     shift
     as_crate "$file"
-    # With the stack that compilers have by default. `debuginfo=1` has what `line-tables-only` has,
-    # which the older ones don't know.
+    # With the default stack size of compilers. `debuginfo=1` includes `line-tables-only`, which older compilers lack.
     for flags in "-C debuginfo=2" "-C opt-level=3 -C debuginfo=1"; do
         read -ra flags <<<"$flags"
         env -u RUST_MIN_STACK "$@" "${flags[@]}" --edition 2021 --crate-type lib \
@@ -75,7 +74,7 @@ for scalar in f32 f64; do
     "$homogen" generate tests/robots/humanoid.urdf --tip left_arm_9 --scalar "$scalar" "${functions[@]}" -o "$file"
     build "$file" rustc
 done
-read -ra rustc <<<"$(compiler "$(promised "$file").0")"
+read -ra rustc <<<"$(compiler "$(minimum "$file").0")"
 build "$file" "${rustc[@]}"
 
 tests/standalone/sections.sh

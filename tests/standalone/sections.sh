@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Holds functions in sections against the same ones whole, bit for bit at random states, in Rust and in C, for a chain
-# of 32 joints; and compiles them with the oldest compiler that their head promises.
+# Compares functions split into sections with the same functions unsplit, bit for bit at random states, in Rust and in
+# C, for a chain of 32 joints; compiles them with the oldest compiler version stated in their head.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -16,7 +16,7 @@ generate --scalar f64 --name Chain -o "$folder/chosen.rs"
 generate --scalar f64 --name Chain --section 300 -o "$folder/short.rs"
 generate --language c --extern-c chain_ --section 1500 -o "$folder/chain.c"
 if grep -q 'fn section_' "$folder/whole.rs"; then
-    echo "a function is cut that may be as long as it is" >&2
+    echo "a function within the limit was split into sections" >&2
     exit 1
 fi
 grep -q 'fn section_5(' "$folder/chosen.rs"
@@ -56,7 +56,7 @@ fn main() {
         assert_eq!(matrix, short::Chain.mass_matrix(&q).map(bits));
         assert_eq!(matrix, matrix_c.map(bits));
     }
-    println!("sections: the bits of the whole at 200 states, in Rust and in C");
+    println!("sections: the same bits as unsplit functions at 200 states, in Rust and in C");
 }
 RUST
 "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -O2 -ffp-contract=off \

@@ -1,8 +1,7 @@
-//! Generated code against the same robot run through the generic recursions, which share nothing
-//! with the generator but the chain as data.
+//! Generated code compared with the generic recursions, which share nothing with the generator but the chain as data.
 //!
-//! Errors are in units of rounding of the type, times the largest entry of the result in any of the
-//! 1,000 states. Limits are a few times the worst that was measured.
+//! Errors are in units of rounding of the type, times the largest entry of the result in any of the 1,000 states.
+//! Limits are a few times the worst measured error.
 
 use homogen::{Chain, Real};
 use homogen_tests::for_every_robot;
@@ -16,11 +15,11 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 1000;
 
-/// In single precision only generated code rounds visibly: the worst is 4.9 u.
+/// In single precision nearly all errors are those of generated code: the worst is 4.9 u.
 const SINGLE_LIMIT: f64 = 16.0;
 
-/// In double precision the dense products of the generic recursions round more than what they are to judge:
-/// the worst is 32 u.
+/// In double precision the dense products of the generic recursions have larger errors than generated code: the worst
+/// is 32 u.
 const DOUBLE_LIMIT: f64 = 64.0;
 
 /// Compares every function in both precisions with the generic recursions in double precision.
@@ -42,7 +41,7 @@ where
     single.assert_within(SINGLE_LIMIT);
 }
 
-/// Compares every function, made alone and made together with others.
+/// Compares every function, generated alone and together with others.
 fn compare<R, T, const N: usize>(
     robot: &R,
     state: &State<f64, N>,

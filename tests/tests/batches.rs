@@ -1,21 +1,20 @@
-//! Batches against the functions of one state, bit for bit: every function, on vectors of every length, for
-//! batches of every size; and some of a robot with more coordinates than velocities.
+//! Batches compared with single states, bit for bit: every function, on vectors of every length, in batches of many
+//! sizes, also of a robot with more coordinates than velocities.
 //!
-//! In: robots that are derived with the word `batch`, and random states, one without numbers and one with
-//! angles beyond any turn among them. What is fused is held against one state of fused numbers, and columns against
-//! the same numbers in other places.
+//! In: robots derived with the word `batch`, and random states, one with NaN and one with huge angles among them. Fused
+//! batches are compared with one state of fused numbers; columns with the same numbers by states.
 
 use std::fmt::Debug;
 
 use homogen::batch::{Batch, BatchError, ColumnsError, Packed, Vectors};
-use homogen::robot::InverseDynamics;
+use homogen::robot::{Batched, InverseDynamics};
 use homogen::{
-    Acceleration, Action, ForwardDynamicsDerivatives, Fused, InverseDynamicsDerivatives, Momentum,
-    Pack, Point, Pose, Robot, Scalar, Screw, Velocity, chain,
+    Acceleration, AccelerationDerivatives, Action, Fused, Momentum, Pack, Point, Pose, Robot,
+    Scalar, Screw, TorqueDerivatives, Velocity, chain,
 };
 use homogen_random::Random;
 
-/// The two-link arm, with a field.
+/// The two-link arm with a field.
 #[derive(Robot)]
 #[robot(urdf = "../robots/two_link.urdf", tip = "fore", batch, generate(all))]
 struct TwoLink {
@@ -24,7 +23,7 @@ struct TwoLink {
 }
 
 chain! {
-    /// A ball joint, and a slider that turns a hand along.
+    /// A ball joint, a prismatic joint, and a hand that mimics the latter.
     struct Puppet { tip: hand, batch, generate(all) }
     link base;
     joint ball: spherical { from: base, to: arm, at: xyz(0.1, 0.0, 0.2) rpy(0.1, 0.2, 0.3) }
@@ -35,7 +34,7 @@ chain! {
     link hand { mass: 0.4, com: [0.0, 0.0, 0.05], inertia: [0.002, 0.002, 0.001] }
 }
 
-/// Seven joints: entries are moved four by four, and some of them twice.
+/// Seven joints: four entries are moved at a time, and some of them twice.
 #[derive(Robot)]
 #[robot(
     urdf = "../robots/panda_class.urdf",
@@ -45,8 +44,10 @@ chain! {
 )]
 struct Arm;
 
-/// The same by a call, of which nobody knows that it is inlined.
+/// The same arm behind a call that is not marked as inlined.
 struct Called(Arm);
+
+impl Batched for Called {}
 
 impl<T: Scalar> InverseDynamics<7, T> for Called {
     fn inverse_dynamics(&self, q: &[T; 7], qd: &[T; 7], qdd: &[T; 7]) -> [T; 7] {
@@ -54,15 +55,15 @@ impl<T: Scalar> InverseDynamics<7, T> for Called {
     }
 }
 
-/// How many states there are.
+/// The number of states.
 const COUNT: usize = 40;
 
-/// Sizes of batches: none, one, and around those of packs and of several packs.
+/// Sizes of batches: empty, one, and around multiples of packs.
 const SIZES: [usize; 15] = [0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33, COUNT];
 
 const VECTORS: [Vectors; 3] = [Vectors::OfTarget, Vectors::Bits256, Vectors::Bits512];
 
-/// Whether a batch of fused numbers fuses, on vectors of some length.
+/// True if a batch of fused numbers fuses on vectors of this length.
 fn fuses(vectors: Vectors) -> bool {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     let has = std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma");
@@ -72,7 +73,7 @@ fn fuses(vectors: Vectors) -> bool {
     compiled || has && vectors != Vectors::OfTarget
 }
 
-/// The arguments of many calls.
+/// The arguments of all states.
 struct States<T, const N: usize, const Q: usize> {
     q: Vec<[T; Q]>,
     qd: Vec<[T; N]>,
@@ -80,7 +81,7 @@ struct States<T, const N: usize, const Q: usize> {
     tau: Vec<[T; N]>,
 }
 
-/// Random states; the sixth has no number in it, the twelfth angles of a million turns.
+/// Random states; the sixth has NaN coordinates, the twelfth angles of 7e6 rad.
 fn states<T: Copy, const N: usize, const Q: usize>(number: fn(f64) -> T) -> States<T, N, Q> {
     let mut random = Random::new(5);
     let mut numbers = || std::array::from_fn(|_| number(3.0 * random.unit() - 1.5));
@@ -101,7 +102,7 @@ fn fused<T: Copy, const N: usize>(state: &[T; N]) -> [Pack<Fused<T>, 1>; N] {
     state.map(|entry| Pack([Fused(entry)]))
 }
 
-/// The numbers of a result one by one, in the order of the columns.
+/// The numbers of a result one by one, in the order of columns.
 trait Numbers {
     fn numbers(&self) -> Vec<f64>;
 }
@@ -136,8 +137,8 @@ numbers! {
     Momentum<f64>: gamma => gamma.gamma(), gamma.rho();
     Action<f64>: phi => phi.c(), phi.f();
     Point<f64>: p => p.0;
-    InverseDynamicsDerivatives<N, f64>: d => d.dq, d.dqd;
-    ForwardDynamicsDerivatives<N, f64>: d => d.dq, d.dqd, d.dtau;
+    TorqueDerivatives<N, f64>: d => d.dq, d.dqd;
+    AccelerationDerivatives<N, f64>: d => d.dq, d.dqd, d.dtau;
 }
 
 /// The first entries of all states, then the second ones, and so on.
@@ -145,7 +146,7 @@ fn columns_of<T: Copy, const K: usize>(states: &[[T; K]]) -> [Vec<T>; K] {
     std::array::from_fn(|k| states.iter().map(|state| state[k]).collect())
 }
 
-/// All digits count, and the sign of a zero; not a number is not a number.
+/// Asserts equal digits and equal signs of zeros; NaN equals NaN.
 fn same(what: &str, found: &[impl Debug], expected: &[impl Debug]) {
     let size = expected.len();
     assert_eq!(found.len(), size);
@@ -158,7 +159,7 @@ fn same(what: &str, found: &[impl Debug], expected: &[impl Debug]) {
     }
 }
 
-/// Every function in every size, on vectors of every length, and refused where a slice is too short.
+/// Compares every function in every size on vectors of every length, and refusals of slices that are too short.
 macro_rules! compare {
     ($(
         $(#[doc = $about:literal])+
@@ -244,12 +245,12 @@ const Q: usize = 2;
 homogen::every_function!(compare);
 
 #[test]
-fn every_function_of_many_states_is_that_of_each() {
+fn every_function_of_a_batch_gives_the_bits_of_each_state() {
     compare(&TwoLink { payload: 1.3 }, &states(|value| value));
 }
 
 #[test]
-fn results_of_single_precision_and_of_quaternions_are_those_of_each_state() {
+fn single_precision_and_quaternions_give_the_bits_of_each_state() {
     let number = <f32 as Scalar>::constant;
     let States { q, qd, .. } = states::<f32, 4, 5>(number);
     for vectors in VECTORS {
@@ -267,7 +268,7 @@ fn results_of_single_precision_and_of_quaternions_are_those_of_each_state() {
     }
 }
 
-/// Inverse dynamics of one robot in one type of number, on vectors of every length and for batches of every size.
+/// Compares inverse dynamics of one robot in one type, on vectors of every length, in batches of every size.
 macro_rules! compare_inverse_dynamics {
     ($robot:expr, $number:ident) => {{
         let (robot, number) = ($robot, <$number as Scalar>::constant);
@@ -299,10 +300,9 @@ macro_rules! compare_inverse_dynamics {
 }
 
 #[test]
-fn registers_and_what_is_not_inlined_have_the_bits_of_each_state() {
-    let is_inlined = |robot: &dyn InverseDynamics<7>| robot.is_inlined();
-    assert!(is_inlined(&Arm));
-    assert!(!is_inlined(&Called(Arm)));
+fn functions_in_registers_and_functions_not_inlined_give_the_bits_of_each_state() {
+    assert_eq!(<Arm as Batched>::INLINED, ["inverse_dynamics"]);
+    assert!(<Called as Batched>::INLINED.is_empty());
     compare_inverse_dynamics!(Arm, f64);
     compare_inverse_dynamics!(Arm, f32);
     compare_inverse_dynamics!(Called(Arm), f64);
@@ -310,7 +310,7 @@ fn registers_and_what_is_not_inlined_have_the_bits_of_each_state() {
 }
 
 #[test]
-fn a_robot_has_batches_of_its_own_on_all_cores() {
+fn a_robots_own_batches_give_the_bits_of_each_state_on_all_cores() {
     let States { q, qd, qdd, .. } = states::<f64, 4, 5>(|value| value);
     let many = |list: &[[f64; 4]]| list.iter().cycle().take(5003).copied().collect::<Vec<_>>();
     let q: Vec<_> = q.iter().cycle().take(5003).copied().collect();
@@ -330,7 +330,7 @@ fn a_robot_has_batches_of_its_own_on_all_cores() {
         .map(|columns| columns.each_ref().map(Vec::as_slice));
     let q_columns = columns_of(&q);
     let q_columns = q_columns.each_ref().map(Vec::as_slice);
-    // An array of Fortran, of shape (5003, 4).
+    // A column-major array of shape (5003, 4).
     let mut results = vec![0.0; 4 * 5003];
     let mut results: Vec<&mut [f64]> = results.chunks_mut(5003).collect();
     let batch = Batch::of(&Puppet).columns();
@@ -346,17 +346,17 @@ fn a_robot_has_batches_of_its_own_on_all_cores() {
     let refusal = batch.inverse_dynamics(q_columns, shorter, qdd, &mut results);
     assert_eq!(
         refusal.map_err(|error| error.to_string()),
-        Err("column 2 of `qd` has a length of 5002, and the first of `q` of 5003".to_owned())
+        Err("column 2 of `qd` has 5002 states, the first of `q` has 5003".to_owned())
     );
     let refusal = batch.inverse_dynamics(q_columns, qd, qdd, &mut results[1..]);
     assert_eq!(
         refusal.map_err(|error| error.to_string()),
-        Err("the result has 4 numbers, and `results` 3 columns".to_owned())
+        Err("`results` has 3 columns, a result has 4 numbers".to_owned())
     );
     assert_eq!(
         Puppet
             .gravity_batch(&q, &mut tau[1..])
             .map_err(|error| error.to_string()),
-        Err("`results` has a length of 5002, and `q` of 5003".to_owned())
+        Err("`results` has 5002 states, `q` has 5003".to_owned())
     );
 }

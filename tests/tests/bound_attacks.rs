@@ -1,8 +1,6 @@
-//! Attacks on the errors that are printed: what has once been found to break a bound, by the name of
-//! what it is.
+//! Attacks on printed error bounds: descriptions that once broke a bound.
 //!
-//! In: descriptions, and what is printed of them. Out: that what is printed is true, or that it says
-//! why nothing is promised.
+//! In: descriptions. Out: the printed bound holds, or the reason for its absence is printed.
 
 use homogen_codegen::accuracy::Accuracy;
 use homogen_codegen::description::{Description, read_text};
@@ -11,18 +9,18 @@ use homogen_codegen::formulation::{Formulation, Forward};
 use homogen_codegen::module::GeneratedFunction;
 use homogen_codegen::request::{Parameter, Request, Target};
 use homogen_codegen::{Builder, Function, Real};
-use homogen_tests::climb::{Climb, bounds, listed};
+use homogen_tests::climb::{Climb, bounds, generated};
 use homogen_tests::tested::{F32, F64, Flushed, Fused32, Tested};
 use quote::format_ident;
 
-/// A link of a serial arm: its joint as URDF has it, its mass, and ixx = iyy = izz.
+/// A link of a serial arm: its joint in URDF, its mass, and ixx = iyy = izz.
 struct Segment<'s> {
     joint: &'s str,
     mass: f64,
     inertia: f64,
 }
 
-/// Links in a row, 0.4 m apart.
+/// A serial arm of links 0.4 m apart.
 fn row(segments: &[Segment<'_>]) -> Description {
     let mut text = r#"<robot name="row"><link name="l0"/>"#.to_owned();
     for (k, segment) in segments.iter().enumerate() {
@@ -47,12 +45,12 @@ fn row(segments: &[Segment<'_>]) -> Description {
     description.expect("no mistakes, so a description")
 }
 
-/// A joint about or along an axis, with these limits.
+/// A joint about or along an axis, with limits.
 fn joint(kind: &str, axis: &str, limit: &str) -> String {
     format!(r#"type="{kind}"><origin xyz="0.4 0 0.1"/><axis xyz="{axis}"/><limit {limit}/>"#)
 }
 
-/// Why a function has no bound.
+/// The reason why a function has no bound.
 fn refusal(generated: &GeneratedFunction) -> &'static str {
     match *generated.accuracy {
         [Accuracy::Unknown(reason)] => reason,
@@ -60,7 +58,7 @@ fn refusal(generated: &GeneratedFunction) -> &'static str {
     }
 }
 
-/// Holds all results of a function against their bounds; the worst share of one.
+/// Compares all results of a function with their bounds. Returns the largest ratio of error to bound.
 fn holds<T: Tested>(description: &Description, request: &Request, function: Function) -> f64 {
     let climb = Climb::<T>::new(description, request, function);
     climb.holds(&format!("{function:?}"), 200, 100)
@@ -89,7 +87,7 @@ fn two(limit: &str) -> Description {
 }
 
 #[test]
-fn angles_that_leave_the_sines_of_a_file_for_core_alone() {
+fn angles_beyond_the_range_of_a_files_sines_have_no_bound() {
     let text = |most: f64, scalar: Real| {
         let limits = format!(r#"lower="-{most}" upper="{most}" velocity="2""#);
         let builder = Builder::from_description(two(&limits));
@@ -107,9 +105,9 @@ fn angles_that_leave_the_sines_of_a_file_for_core_alone() {
     assert!(!text(2e5, Real::F64).contains(refused));
 }
 
-/// At the edge of the range of those sines the bound holds.
+/// The range is that of the sines in a file.
 #[test]
-fn angles_at_the_edge_of_the_range_of_sines() {
+fn bounds_hold_at_the_edge_of_the_range_of_sines() {
     let description = two(r#"lower="-3200" upper="3200" velocity="2""#);
     let request = Request::default();
     for function in TORQUES {
@@ -121,7 +119,7 @@ fn angles_at_the_edge_of_the_range_of_sines() {
 }
 
 #[test]
-fn sines_that_a_user_names_are_said_to_be_assumed() {
+fn the_bound_states_its_assumption_of_a_users_sines() {
     let builder = Builder::from_description(two(r#"lower="-1" upper="1" velocity="2""#));
     let builder = builder.sin_cos("crate::sines::table");
     let source = builder.generate([Function::Gravity]).to_source();
@@ -146,9 +144,9 @@ fn gravity(range: Option<[f64; 2]>) -> Request {
     }
 }
 
-/// On vertical axes, where the described gravity is felt by no joint.
+/// With vertical axes, the described gravity causes no torque.
 #[test]
-fn gravity_that_a_field_turns_to_where_it_is_felt() {
+fn bounds_hold_for_every_direction_of_gravity_in_a_field() {
     let vertical = joint("continuous", "0 0 1", "effort=\"1\" velocity=\"2\"");
     let segment = || Segment {
         joint: &vertical,
@@ -160,18 +158,18 @@ fn gravity_that_a_field_turns_to_where_it_is_felt() {
         let request = gravity(range);
         let worst = holds::<F32>(&description, &request, Function::Gravity);
         assert!(worst > 1e-2, "{worst}");
-        let generated = listed(&description, request, Function::Gravity, Real::F32);
-        let Accuracy::Within(promise) = &generated.accuracy[0] else {
+        let generated = generated(&description, request, Function::Gravity, Real::F32);
+        let Accuracy::Within(bound) = &generated.accuracy[0] else {
             panic!("{:?}", generated.accuracy);
         };
         let most = range.map_or(2.0 * 9.81, |[_, most]| most);
-        let said = format!("entries of `gravity` ≤ {most} m/s²");
-        assert!(promise.range.contains(&said), "{}", promise.range);
+        let expected = format!("entries of `gravity` ≤ {most} m/s²");
+        assert!(bound.range.contains(&expected), "{}", bound.range);
     }
 }
 
 #[test]
-fn a_mass_in_a_field_from_zero_to_twice_what_is_described() {
+fn bounds_hold_for_a_mass_in_a_field_within_its_range() {
     let description = two(r#"lower="-1" upper="1" velocity="2""#);
     for range in [None, Some([0.5, 40.0])] {
         let request = Request {
@@ -186,8 +184,8 @@ fn a_mass_in_a_field_from_zero_to_twice_what_is_described() {
             holds::<F32>(&description, &request, function);
             holds::<F64>(&description, &request, function);
         }
-        // Without the load its inertia is left, and M regular.
-        let generated = listed(&description, request, Function::ForwardDynamics, Real::F64);
+        // The inertia of link 2 remains at mass 0, so M is regular.
+        let generated = generated(&description, request, Function::ForwardDynamics, Real::F64);
         assert!(
             bounds(&generated)
                 .iter()
@@ -196,16 +194,16 @@ fn a_mass_in_a_field_from_zero_to_twice_what_is_described() {
     }
 }
 
-/// Limits that are one point: a slide that is held at 50 m.
+/// Equal limits: a prismatic joint that stays at 50 m.
 #[test]
-fn a_slide_held_at_50_m() {
-    let turn = joint("revolute", "0 1 0", r#"lower="-1" upper="1" velocity="2""#);
-    let slide = joint(
+fn bounds_hold_for_a_prismatic_joint_with_equal_limits() {
+    let revolute = joint("revolute", "0 1 0", r#"lower="-1" upper="1" velocity="2""#);
+    let prismatic = joint(
         "prismatic",
         "1 0 0",
         r#"lower="50" upper="50" velocity="1""#,
     );
-    let segments = [&turn, &slide].map(|joint| Segment {
+    let segments = [&revolute, &prismatic].map(|joint| Segment {
         joint,
         mass: 1.0,
         inertia: 0.01,
@@ -223,48 +221,45 @@ fn a_velocity_limit_of_1e20_overflows_in_single_precision() {
         two(r#"lower="-1" upper="1" velocity="1e20""#),
         Request::default(),
     );
-    let of = |scalar| listed(&description, request.clone(), Function::Bias, scalar);
+    let of = |scalar| generated(&description, request.clone(), Function::Bias, scalar);
     assert_eq!(
         refusal(&of(Real::F32)),
-        "a number may overflow, as far as ranges tell"
+        "a number may overflow within the range"
     );
     holds::<F64>(&description, &request, Function::Bias);
-    // Where any type is meant, one line tells both.
-    let Accuracy::Within(promise) = &of(Real::Generic).accuracy[0] else {
+    // A module for any type states both bounds in one line.
+    let Accuracy::Within(bound) = &of(Real::Generic).accuracy[0] else {
         panic!("f64 has a bound");
     };
-    assert_eq!(
-        promise.lacks,
-        Some("a number may overflow, as far as ranges tell")
-    );
+    assert_eq!(bound.lacks, Some("a number may overflow within the range"));
     assert!(
-        promise
+        bound
             .bounds
             .iter()
             .all(|bound| bound.single == Some(f64::INFINITY))
     );
     let huge = two(r#"lower="-1" upper="1" velocity="1e200""#);
-    let generated = listed(&huge, request, Function::Bias, Real::F64);
+    let generated = generated(&huge, request, Function::Bias, Real::F64);
     assert_eq!(
         refusal(&generated),
-        "a number may overflow, as far as ranges tell"
+        "a number may overflow within the range"
     );
 }
 
-/// Infinite limits are as good as none, which the range says.
+/// Infinite limits are like no limits, and the range states the default.
 #[test]
-fn limits_without_end() {
+fn infinite_limits_give_the_default_range() {
     let description = two(r#"lower="-inf" upper="inf" velocity="inf""#);
-    let generated = listed(&description, Request::default(), Function::Bias, Real::F32);
-    let Accuracy::Within(promise) = &generated.accuracy[0] else {
+    let generated = generated(&description, Request::default(), Function::Bias, Real::F32);
+    let Accuracy::Within(bound) = &generated.accuracy[0] else {
         panic!("{:?}", generated.accuracy);
     };
-    assert_eq!(promise.range, "|q| ≤ π rad, |q̇| ≤ 10 rad/s");
+    assert_eq!(bound.range, "|q| ≤ π rad, |q̇| ≤ 10 rad/s");
 }
 
-/// Results, arguments and all between are subnormal, and may be taken for zero.
+/// Results, arguments and intermediate values are subnormal, and may be flushed to zero.
 #[test]
-fn arguments_that_are_subnormal() {
+fn bounds_hold_for_subnormal_arguments() {
     let light = joint(
         "revolute",
         "0 1 0",
@@ -287,10 +282,10 @@ fn arguments_that_are_subnormal() {
 }
 
 #[test]
-fn an_inertia_that_no_body_has() {
-    let turn = joint("revolute", "0 1 0", r#"lower="-1" upper="1" velocity="2""#);
+fn a_non_physical_inertia_has_no_bound() {
+    let revolute = joint("revolute", "0 1 0", r#"lower="-1" upper="1" velocity="2""#);
     let segments = [0.03, -0.01].map(|inertia| Segment {
-        joint: &turn,
+        joint: &revolute,
         mass: 1.0,
         inertia,
     });
@@ -303,7 +298,7 @@ fn an_inertia_that_no_body_has() {
             },
             ..Request::default()
         };
-        let generated = listed(&description, request, function, Real::F64);
+        let generated = generated(&description, request, function, Real::F64);
         let reason = refusal(&generated);
         assert_eq!(
             reason,
@@ -312,9 +307,9 @@ fn an_inertia_that_no_body_has() {
     }
 }
 
-/// Two joints about one line, with nothing but rounding between them and a singular mass matrix.
+/// Two joints about one line, with a mass matrix that is singular but for rounding.
 #[test]
-fn a_coaxial_pair_whose_first_body_weighs_next_to_nothing() {
+fn a_coaxial_pair_with_a_nearly_massless_first_body_has_no_bound() {
     let first = joint("continuous", "0 0 1", "effort=\"1\" velocity=\"2\"");
     let second = first.replace("0.4 0 0.1", "0 0 0.1");
     let description = row(&[
@@ -336,7 +331,7 @@ fn a_coaxial_pair_whose_first_body_weighs_next_to_nothing() {
         },
         ..Request::default()
     };
-    let generated = listed(
+    let generated = generated(
         &description,
         request,
         Function::ForwardDynamics,
@@ -344,32 +339,32 @@ fn a_coaxial_pair_whose_first_body_weighs_next_to_nothing() {
     );
     match &generated.accuracy[0] {
         Accuracy::Unknown(_) => {}
-        Accuracy::Backward(_, promise) => {
-            let single = promise.bounds.iter().map(|bound| bound.single);
+        Accuracy::Backward(_, bound) => {
+            let single = bound.bounds.iter().map(|bound| bound.single);
             assert!(single.into_iter().all(|bound| bound == Some(f64::INFINITY)));
-            assert!(promise.lacks.is_some());
+            assert!(bound.lacks.is_some());
         }
         other => panic!("accelerations are not bounded themselves: {other:?}"),
     }
 }
 
 #[test]
-fn the_sentence_of_the_inverse_says_that_each_column_is_exact() {
+fn the_bound_of_the_inverse_says_that_each_column_is_exact_for_a_nearby_matrix() {
     let builder = Builder::from_description(two(r#"lower="-1" upper="1" velocity="2""#));
     let source = builder.generate([Function::MassMatrixInverse]).to_source();
     let source = source
         .unwrap_or_else(|errors| panic!("{errors}"))
         .to_string();
     assert!(
-        source.contains("each column is exact for an M of its own, off by at most"),
+        source.contains("each column is exact for a mass matrix that differs from M by at most"),
         "{source}"
     );
 }
 
-/// Twelve joints in a row, and a speck at their end that moves for next to nothing: what a mass matrix loses by
-/// rounding is the reason, and not numbers that might overflow where it may be anything. Of three it is those.
+/// Twelve joints in a row with a light link at the end: the reason is the rounding of the mass matrix, not overflow.
+/// With three joints it is overflow.
 #[test]
-fn a_solution_that_rounding_may_spoil_is_not_said_to_overflow() {
+fn the_reason_for_no_bound_is_rounding_before_overflow() {
     let limit = r#"lower="-2" upper="2" velocity="2""#;
     let joints = ["0 0 1", "0 1 0"].map(|axis| joint("revolute", axis, limit));
     for (count, expected) in [
@@ -377,7 +372,7 @@ fn a_solution_that_rounding_may_spoil_is_not_said_to_overflow() {
             12,
             "rounding may outweigh the least inertia, as far as ranges tell",
         ),
-        (3, "a number may overflow, as far as ranges tell"),
+        (3, "a number may overflow within the range"),
     ] {
         let segment = |k: usize| Segment {
             joint: &joints[k % 2],
@@ -385,7 +380,7 @@ fn a_solution_that_rounding_may_spoil_is_not_said_to_overflow() {
             inertia: if k + 1 < count { 0.03 } else { 1e-18 },
         };
         let arm = row(&(0..count).map(segment).collect::<Vec<_>>());
-        let generated = listed(
+        let generated = generated(
             &arm,
             Request::default(),
             Function::MassMatrixInverse,

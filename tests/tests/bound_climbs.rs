@@ -1,7 +1,7 @@
-//! Climbs of the worst error on arms and trees, and what the bounds of solutions rest on.
+//! Searches for the worst errors on arms and trees, and the assumptions of the bounds of solutions.
 //!
-//! In: robots. Out: that no error is beyond its bound and no bound far from the worst error, that
-//! accelerations under a bound are numbers, and that nothing moves more than its energy allows.
+//! In: robots. Out: errors are within their bounds, and bounds are not far above the worst error; accelerations with a
+//! bound are finite; velocities are within the bounds by the kinetic energy.
 
 use homogen_codegen::Function;
 use homogen_codegen::accuracy::Accuracy;
@@ -16,16 +16,16 @@ use homogen_codegen::range::Range;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::Variable;
-use homogen_tests::climb::{Climb, any, exactly, listed};
+use homogen_tests::climb::{Climb, any, exactly, generated};
 use homogen_tests::humanoid::humanoid;
 use homogen_tests::states::Random;
 use homogen_tests::subjects::{Subject, subject};
 use homogen_tests::tested::{F32, F64, Fused64, Tested};
 
-/// What shows that a mass matrix stays positive definite: no joint and no body is faster than its bound
-/// for the energy that it has.
+/// The bounds of velocities by the kinetic energy, which show that a mass matrix stays positive definite, hold for
+/// joints and bodies.
 #[test]
-fn nothing_moves_more_than_its_energy_allows() {
+fn velocities_are_within_their_bounds_by_the_kinetic_energy() {
     for label in [
         "panda_class/0",
         "quadruped/0",
@@ -57,7 +57,7 @@ fn nothing_moves_more_than_its_energy_allows() {
         let moving: Vec<Expr> = (chain.frames.ids())
             .flat_map(|frame| {
                 let of = |function: Function| function.build(&graph, &bodies, frame, Way::PLAIN);
-                [of(Function::Velocity), of(Function::ForwardKinematics)].concat()
+                [of(Function::TipVelocity), of(Function::ForwardKinematics)].concat()
             })
             .map(Term::expr)
             .collect();
@@ -81,7 +81,7 @@ fn nothing_moves_more_than_its_energy_allows() {
             let twice: f64 = (0..count * count)
                 .map(|k| m[k] * qd[k / count] * qd[k % count])
                 .sum();
-            // What stands on an axis is at rest, but for the last digits here.
+            // A point on an axis is at rest, but for rounding here.
             let allowed =
                 |square: f64, most: f64| square <= most * twice * (1.0 + 1e-9) + 1e-30 * twice;
             for (k, &most) in most.joints.iter().enumerate() {
@@ -97,16 +97,15 @@ fn nothing_moves_more_than_its_energy_allows() {
                 };
                 let speed = [0, 1, 2].map(|k| v[k] + cross(k));
                 let square = |vector: [f64; 3]| vector.iter().map(|x| x * x).sum::<f64>();
-                let [turns, slides] = most.bodies[frame.body.expect("it moves")];
-                assert!(allowed(square(omega), turns), "{label} {}", frame.name);
-                assert!(allowed(square(speed), slides), "{label} {}", frame.name);
+                let [angular, linear] = most.bodies[frame.body.expect("it moves")];
+                assert!(allowed(square(omega), angular), "{label} {}", frame.name);
+                assert!(allowed(square(speed), linear), "{label} {}", frame.name);
             }
         }
     }
 }
 
-/// Torques of the exact accelerations that the range has never lead to what is no number, where a bound
-/// is printed.
+/// Accelerations with a printed bound are finite and within it, at torques of accelerations in the range.
 fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
     let request = Request {
         formulation: Formulation {
@@ -116,9 +115,9 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
         ..Request::default()
     };
     let function = Function::ForwardDynamics;
-    let listed = listed(description, request.clone(), function, T::REAL);
-    let promise = match &listed.accuracy[0] {
-        Accuracy::Backward(_, promise) => promise,
+    let generated = generated(description, request.clone(), function, T::REAL);
+    let bound = match &generated.accuracy[0] {
+        Accuracy::Backward(_, bound) => bound,
         other => {
             println!("{} in {}: {other:?}", description.name.text, T::NAME);
             return;
@@ -154,15 +153,15 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
         let tau: Vec<T> = (torques(&qdd).into_iter())
             .map(|tau| T::literal(tau.to_f64()))
             .collect();
-        let found = run(&listed.program, |input| match input {
+        let found = run(&generated.program, |input| match input {
             Input::Variable(Variable::Q, k) => T::literal(q[usize::from(k)]),
             Input::Variable(Variable::Qd, k) => T::literal(qd[usize::from(k)]),
             Input::Variable(Variable::Tau, k) => tau[usize::from(k)],
             _ => unreachable!("nothing else is read"),
         });
         let found: Vec<f64> = found.into_iter().map(T::to_f64).collect();
-        for ((needed, tau), bound) in torques(&found).iter().zip(&tau).zip(&promise.bounds) {
-            let most = bound.double.or(bound.single).expect("it is of one type");
+        for ((needed, tau), bound) in torques(&found).iter().zip(&tau).zip(&bound.bounds) {
+            let most = bound.double.or(bound.single).expect("a bound in one type");
             let error = (*needed - Double::from(tau.to_f64())).to_f64().abs();
             assert!(error <= most, "{}: {error:e} of {most:e}", T::NAME);
             worst = worst.max(error / most);
@@ -171,9 +170,9 @@ fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
     println!("{} in {}: {worst:.1e}", description.name.text, T::NAME);
 }
 
-/// Infinite in single precision under a bound, once.
+/// Accelerations were once infinite in single precision though a bound was printed.
 #[test]
-fn articulated_bodies_on_trees_in_single_precision() {
+fn articulated_bodies_of_trees_stay_within_their_bounds() {
     for joints in [29, 36] {
         let description = humanoid(joints);
         accelerations::<F32>(&description, Some(Forward::Articulated));
@@ -182,15 +181,15 @@ fn articulated_bodies_on_trees_in_single_precision() {
 }
 
 #[test]
-fn accelerations_of_trees_by_default() {
+fn accelerations_of_trees_stay_within_their_bounds() {
     let description = humanoid(31);
     accelerations::<F64>(&description, None);
     accelerations::<F64>(&description, Some(Forward::MassMatrix { refinements: 1 }));
 }
 
-/// No error beyond its bound, and no bound farther than 1,000 times the worst that is found.
+/// Errors stay within their bounds, and bounds are at most 1,000 times the worst error that is found.
 #[test]
-fn climbs_on_trees_of_29_to_48_joints() {
+fn bounds_on_trees_of_29_to_48_joints_hold_and_are_tight_within_1000() {
     for joints in [29, 36, 48] {
         let description = humanoid(joints);
         for function in [Function::InverseDynamics, Function::Bias] {
@@ -210,9 +209,9 @@ fn climbs_on_trees_of_29_to_48_joints() {
     }
 }
 
-/// The same within 100 on arms, of every function that is evaluated and every unit of its results.
+/// All functions except solutions, in every unit of their results.
 #[test]
-fn climbs_on_arms() {
+fn bounds_on_arms_hold_and_are_tight_within_100() {
     for label in [
         "panda_class/0",
         "ur5_class/0",
@@ -228,7 +227,7 @@ fn climbs_on_arms() {
             let subject = Climb::<F64>::new(&description, &request, function);
             let name = format!("{label} {function:?}");
             for (unit, worst) in subject.by_unit(&name, 300, 3_600) {
-                // What is exact may have been bounded as if its numbers were not.
+                // Exact results may have a bound for rounded numbers.
                 let is_near = worst >= 1e-2 || worst == 0.0;
                 assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
             }
@@ -236,10 +235,10 @@ fn climbs_on_arms() {
     }
 }
 
-/// The same within 500 with a floating base, of each function whose results its quaternion turns; of the rate of a
-/// tree's momentum, where inertias cancel that grow with all that it carries, within 10,000.
+/// Functions whose results depend on the base's orientation. The bound of a tree's momentum bias may be 10,000 times
+/// the worst error, since inertias cancel that grow with all that they carry.
 #[test]
-fn climbs_with_a_floating_base() {
+fn bounds_with_a_floating_base_hold_and_are_tight_within_500() {
     for (name, description, tip, far) in [
         (
             "panda_class",
@@ -256,7 +255,7 @@ fn climbs_with_a_floating_base() {
         };
         for (function, farthest) in [
             (Function::SpatialJacobianRate, 500.0),
-            (Function::Acceleration, 500.0),
+            (Function::TipAcceleration, 500.0),
             (Function::Gravity, 500.0),
             (Function::CentroidalMomentumMatrix, 500.0),
             (Function::CentroidalMomentumBias, far),

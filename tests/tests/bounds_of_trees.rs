@@ -1,8 +1,7 @@
-//! Bounds of errors hold for what a file says, and not only for what was read of it.
+//! Error bounds hold for the numbers in the file, reading included.
 //!
-//! In: random robots with axes of any length, lengths and angles that are products and quotients, joints that follow
-//! others. Out: no error beyond its bound, beside 256 bits computed of the words of the file, which nothing of the
-//! generator has read.
+//! In: random robots with axes of any length, lengths and angles that are products and quotients, mimic joints. Out:
+//! errors within their bounds, relative to true values in 256 bits from the words of the file, read independently.
 
 use std::ops::Range;
 
@@ -10,33 +9,36 @@ use homogen_codegen::Function;
 use homogen_tests::states::Random;
 use homogen_tests::tested::{F32, F64};
 use homogen_tests::trees::prepared::Prepared;
-use homogen_tests::trees::robot::{Asked, Body, Door, Inertial, Kind, Mimic, Placement, Robot};
+use homogen_tests::trees::robot::{
+    Body, FrontEnd, Inertial, Kind, Mimic, Options, Placement, Robot,
+};
 use homogen_tests::trees::written::Written;
 use homogen_tests::trees::{numbered, of_seed};
 
-/// Functions with few roundings of their own, beside which one more is seen.
+/// Functions with few roundings of their own, so that one more is noticed.
 const FUNCTIONS: [Function; 9] = [
     Function::ForwardKinematics,
     Function::SpatialJacobian,
-    Function::Velocity,
+    Function::TipVelocity,
     Function::Gravity,
     Function::InverseDynamics,
     Function::MassMatrix,
     Function::PotentialEnergy,
     Function::CenterOfMass,
-    Function::Momentum,
+    Function::TotalMomentum,
 ];
 
 const RUN: u64 = 35;
 
-/// The range of a field is not that of what is drawn for it, and no quaternion is of length 1 but for rounding.
+/// True for robots without fields, whose drawn values may be out of range, and without quaternions, whose length is not
+/// 1.
 fn is_of_the_file(robot: &Robot) -> bool {
-    let turns = |kind: &Kind| matches!(kind, Kind::Spherical | Kind::Floating);
-    let moved = robot.bodies.iter().any(|body| turns(&body.kind));
-    robot.asked.fields.is_empty() && !robot.asked.floating && !moved
+    let has_quaternion = |kind: &Kind| matches!(kind, Kind::Spherical | Kind::Floating);
+    let has_any = robot.bodies.iter().any(|body| has_quaternion(&body.kind));
+    robot.options.fields.is_empty() && !robot.options.floating && !has_any
 }
 
-/// The worst share of a bound that an error takes, of some robots in a row.
+/// The largest ratio of error to bound of a range of robots.
 fn worst(robots: Range<u64>, states: usize) -> f64 {
     let mut worst = (0.0, String::new());
     let mut beyond = Vec::new();
@@ -54,12 +56,12 @@ fn worst(robots: Range<u64>, states: usize) -> f64 {
             let double = prepared.share_of_bound::<F64>(function, states, &mut random);
             let single = prepared.share_of_bound::<F32>(function, states, &mut random);
             for (share, what) in [double, single].into_iter().flatten() {
-                let told = format!("{function:?} of seed {seed}: {what}\n{robot}");
+                let report = format!("{function:?} of seed {seed}: {what}\n{robot}");
                 if share > 1.0 {
-                    beyond.push(told.clone());
+                    beyond.push(report.clone());
                 }
                 if share > worst.0 {
-                    worst = (share, told);
+                    worst = (share, report);
                 }
             }
         }
@@ -74,7 +76,7 @@ fn worst(robots: Range<u64>, states: usize) -> f64 {
     worst.0
 }
 
-/// The worst share of all functions of one robot.
+/// The largest ratio of error to bound of all functions of one robot.
 fn share(robot: &Robot, states: usize) -> f64 {
     let prepared = Prepared::of(robot, 1, 1).unwrap_or_else(|what| panic!("{what}\n{robot}"));
     let shares = FUNCTIONS.into_iter().filter_map(|function| {
@@ -86,7 +88,7 @@ fn share(robot: &Robot, states: usize) -> f64 {
     })
 }
 
-/// Joints in a row, each on the link of the one before.
+/// A serial robot.
 fn row(joints: Vec<(Kind, [&str; 3], [&str; 3])>) -> Robot {
     let words = |words: [&str; 3]| words.map(Written::new);
     let count = joints.len();
@@ -116,18 +118,18 @@ fn row(joints: Vec<(Kind, [&str; 3], [&str; 3])>) -> Robot {
     Robot {
         root: None,
         bodies: bodies.collect(),
-        asked: Asked {
+        options: Options {
             tip: Some(count),
-            ..Asked::default()
+            ..Options::default()
         },
-        door: Door::Inline,
+        front_end: FrontEnd::Inline,
     }
 }
 
-const NO_TURN: [&str; 3] = ["0"; 3];
+const NO_ROTATION: [&str; 3] = ["0"; 3];
 
 #[test]
-fn axes_of_other_lengths_than_1_are_in_the_bounds() {
+fn bounds_include_the_normalisation_of_axes() {
     for axis in [
         ["0.012", "-0.18", "-0.945"],
         ["0.069", "-0.491", "0.327"],
@@ -145,46 +147,46 @@ fn axes_of_other_lengths_than_1_are_in_the_bounds() {
             Kind::Universal(axis.map(Written::new)),
             Kind::Planar,
         ] {
-            let others = (Kind::Revolute, NO_TURN, ["0", "0", "1"]);
-            share(&row(vec![(kind.clone(), NO_TURN, axis), others]), 4);
+            let others = (Kind::Revolute, NO_ROTATION, ["0", "0", "1"]);
+            share(&row(vec![(kind.clone(), NO_ROTATION, axis), others]), 4);
         }
     }
 }
 
 #[test]
-fn angles_that_are_computed_are_in_the_bounds() {
+fn bounds_include_the_rounding_of_computed_angles() {
     for angle in ["pi/3", "2*pi/7", "-pi/180", "1/3", "pi/5000"] {
         let turned = (Kind::Prismatic, ["0", angle, "0"], ["0", "0", "1"]);
         share(&row(vec![turned.clone(), turned]), 20);
     }
 }
 
-/// Of 6e-17, which two halves of a right angle leave with turns there and back between them, the last digits are not
-/// known to 106 bits of 1.
+/// Two halves of a right angle, with inverse rotations between them, leave 6e-17, whose last digits are below 106 bits
+/// of 1.
 #[test]
-fn what_cancels_between_fixed_joints_is_in_the_bounds() {
+fn bounds_include_what_cancels_between_fixed_joints() {
     let half = "-0.7853981633974483";
     let turns = [half, "0.3", "-0.3", "1.1", "-1.1", "0.7", "-0.7", half];
     let fixed = turns.map(|roll| (Kind::Fixed, [roll, "0", "0"], ["1", "0", "0"]));
-    let plane = (Kind::Planar, NO_TURN, ["0", "0", "-1"]);
+    let plane = (Kind::Planar, NO_ROTATION, ["0", "0", "-1"]);
     share(&row(fixed.into_iter().chain([plane]).collect()), 100);
 }
 
-/// A held joint that follows another stands where exact numbers say.
+/// A mimic joint of a locked joint is at an exact product plus offset.
 #[test]
-fn joints_that_are_held_where_others_take_them_are_in_the_bounds() {
+fn bounds_include_the_position_of_a_mimic_joint_of_a_locked_one() {
     let axis = ["0", "0", "1"];
     let mut robot = row(vec![
-        (Kind::Revolute, NO_TURN, axis),
-        (Kind::Prismatic, NO_TURN, axis),
-        (Kind::Prismatic, NO_TURN, ["0", "1", "0"]),
+        (Kind::Revolute, NO_ROTATION, axis),
+        (Kind::Prismatic, NO_ROTATION, axis),
+        (Kind::Prismatic, NO_ROTATION, ["0", "1", "0"]),
     ]);
     robot.bodies[1].mimic = Some(Mimic {
-        leader: 1,
+        mimicked: 1,
         multiplier: Written::new("0.1"),
         offset: Written::new("-0.030000000000000002"),
     });
-    robot.asked.lock = vec![(1, Some(Written::new("0.3")))];
+    robot.options.lock = vec![(1, Some(Written::new("0.3")))];
     assert!(share(&robot, 20) > 0.0);
 }
 

@@ -1,7 +1,7 @@
-//! Derivatives of forces and accelerations, and the Coriolis matrix: against generated code that runs on dual
-//! numbers, against laws of mechanics, against the generic runtime, and against Pinocchio.
+//! Derivatives of torques and accelerations, and the Coriolis matrix, compared with generated code on dual numbers,
+//! laws of mechanics, the generic recursions, and Pinocchio.
 //!
-//! Of what solves, the errors are beside what the inverse of the mass matrix makes of torques that cancel.
+//! Errors of solutions are relative to the inverse of the mass matrix times the torques that cancel.
 
 use std::array::from_fn;
 
@@ -23,15 +23,15 @@ const STATES: usize = 100;
 /// Both sides are sums of some hundred terms.
 const LIMIT: f64 = 64.0;
 
-/// Of what solves; the worst is 38 u, of the two links.
+/// For solutions; the worst is 38 u, of the two links.
 const LIMIT_OF_SOLUTIONS: f64 = 128.0;
 
-/// Of Pinocchio's numbers, beside the largest.
+/// For Pinocchio's numbers, relative to the largest entry.
 const TOLERANCE: f64 = 1e-11;
 
 type Matrix<const N: usize> = [[f64; N]; N];
 
-/// A robot whose code runs on numbers and on dual numbers.
+/// A robot whose code runs on `f64` and on dual numbers.
 trait Differentiable<const N: usize>:
     EveryFunction<N, f64>
     + EveryFunction<N, Dual>
@@ -50,7 +50,7 @@ impl<R, const N: usize> Differentiable<N> for R where
 {
 }
 
-/// A matrix by what a list becomes along each coordinate.
+/// The matrix whose columns are the derivatives along each coordinate.
 fn columns<const N: usize>(column: impl Fn([f64; N]) -> [Dual; N]) -> Matrix<N> {
     let columns: Matrix<N> = from_fn(|k| {
         let unit = from_fn(|i| if i == k { 1.0 } else { 0.0 });
@@ -74,25 +74,25 @@ fn off<const N: usize>(matrix: &Matrix<N>, expected: &Matrix<N>) -> f64 {
     largest(&off)
 }
 
-/// Torques: what they change by, and what is left of a motion that goes on.
+/// Compares the derivatives of torques, and dτ/dt of a motion.
 fn of_torques<R: Differentiable<N>, const N: usize>(
     robot: &R,
     State { q, qd, qdd }: &State<f64, N>,
     found: &mut Worst,
 ) {
     let still = [0.0; N];
-    let [fixed, moving, driven] = [q, qd, qdd].map(|list| Dual::pairs(list, &still));
+    let [fixed, moving, acceleration] = [q, qd, qdd].map(|list| Dual::pairs(list, &still));
     let (along_q, along_qd) = (|d| Dual::pairs(q, &d), |d| Dual::pairs(qd, &d));
     let by = robot.inverse_dynamics_derivatives(q, qd, qdd);
-    let dq = columns(|d| robot.inverse_dynamics(&along_q(d), &moving, &driven));
-    let dqd = columns(|d| robot.inverse_dynamics(&fixed, &along_qd(d), &driven));
+    let dq = columns(|d| robot.inverse_dynamics(&along_q(d), &moving, &acceleration));
+    let dqd = columns(|d| robot.inverse_dynamics(&fixed, &along_qd(d), &acceleration));
     note(found, "∂τ/∂q", &by.dq, &dq);
     note(found, "∂τ/∂q̇", &by.dqd, &dqd);
     let gravity = columns(|d| robot.gravity(&along_q(d)));
     note(found, "∂gravity/∂q", &robot.gravity_derivative(q), &gravity);
 
-    // dτ/dt = ∂τ/∂q q̇ + ∂τ/∂q̇ q̈ where q̈ stays as it is.
-    let in_time = robot.inverse_dynamics(&Dual::pairs(q, qd), &Dual::pairs(qd, qdd), &driven);
+    // dτ/dt = ∂τ/∂q q̇ + ∂τ/∂q̇ q̈ at constant q̈.
+    let in_time = robot.inverse_dynamics(&Dual::pairs(q, qd), &Dual::pairs(qd, qdd), &acceleration);
     let sum: [f64; N] = from_fn(|i| dot(&by.dq[i], qd) + dot(&by.dqd[i], qdd));
     found.note(
         &[Block::new("dτ/dt", sum)],
@@ -124,8 +124,8 @@ fn of_coriolis<R: Differentiable<N>, const N: usize>(
     note(found, "2 C = ∂bias/∂q̇", &double, &twice);
 }
 
-/// Accelerations: what they change by, by dual numbers and by the generic runtime; the worst difference, in
-/// units of rounding.
+/// The worst difference of the derivatives of accelerations from dual numbers and from the generic recursions, in units
+/// of rounding.
 fn of_accelerations<R: Differentiable<N>, const N: usize, const F: usize>(
     robot: &R,
     chain: &Chain<N, F>,
@@ -133,20 +133,20 @@ fn of_accelerations<R: Differentiable<N>, const N: usize, const F: usize>(
 ) -> f64 {
     let still = [0.0; N];
     let tau = from_fn(|k| 3.0 * qdd[N - 1 - k]);
-    let [fixed, moving, driven] = [q, qd, &tau].map(|list| Dual::pairs(list, &still));
+    let [fixed, moving, torque] = [q, qd, &tau].map(|list| Dual::pairs(list, &still));
     let by = robot.forward_dynamics_derivatives(q, qd, &tau);
     let expected = generic::forward_dynamics_derivatives(chain, q, qd, &tau);
-    let dq = columns(|d| robot.forward_dynamics(&Dual::pairs(q, &d), &moving, &driven));
-    let dqd = columns(|d| robot.forward_dynamics(&fixed, &Dual::pairs(qd, &d), &driven));
+    let dq = columns(|d| robot.forward_dynamics(&Dual::pairs(q, &d), &moving, &torque));
+    let dqd = columns(|d| robot.forward_dynamics(&fixed, &Dual::pairs(qd, &d), &torque));
     let dtau = columns(|d| robot.forward_dynamics(&fixed, &moving, &Dual::pairs(&tau, &d)));
-    // Beside what M⁻¹ makes of the torques that cancel: those of the bias, those that M takes for the result, and
-    // those that it takes for accelerations that are as far off as M⁻¹ lets them be.
+    // Relative to M⁻¹ times the torques that cancel: those of the bias, M times the result, and M times the error of q̈
+    // that M⁻¹ allows.
     let mass = largest(&generic::mass_matrix(chain, q));
     let bias = generic::inverse_dynamics_derivatives(chain, q, qd, &still);
     let qdd = largest(&[generic::forward_dynamics(chain, q, qd, &tau)]);
-    let astray = mass * largest(&expected.dtau) * mass * qdd;
+    let error = mass * largest(&expected.dtau) * mass * qdd;
     let found = [
-        (by.dq, [expected.dq, dq], largest(&bias.dq) + astray),
+        (by.dq, [expected.dq, dq], largest(&bias.dq) + error),
         (by.dqd, [expected.dqd, dqd], largest(&bias.dqd)),
         (by.dtau, [expected.dtau, dtau], 1.0),
     ];
@@ -167,8 +167,8 @@ fn largest<const N: usize>(rows: &[[f64; N]]) -> f64 {
     entries.fold(0.0, |most, entry| most.max(entry.abs()))
 }
 
-/// A matrix of a state of a file.
-fn listed<const N: usize>(state: &Value, name: &str) -> Matrix<N> {
+/// A matrix of a state in a file.
+fn matrix_of<const N: usize>(state: &Value, name: &str) -> Matrix<N> {
     from_fn(|i| from_fn(|k| state[name][i][k].as_f64().expect("a number")))
 }
 
@@ -200,8 +200,8 @@ fn agree_with_pinocchio<R: Differentiable<N>, const N: usize>(
             ("ddq_dtau", made.dtau),
             ("coriolis", robot.coriolis_matrix(&q, &qd)),
         ] {
-            let expected = listed(expected, name);
-            // A SCARA's gravity is no zero for Pinocchio, but nearly.
+            let expected = matrix_of(expected, name);
+            // A SCARA's gravity is nearly zero for Pinocchio.
             let error = off(&found, &expected) / largest(&expected).max(1e-3);
             assert!(error < TOLERANCE, "{name}: {error:e}");
         }

@@ -1,6 +1,7 @@
-//! Robots describe themselves: counts, names, limits and the neutral configuration, as constants and by the trait `Robot`.
+//! Robots describe themselves: counts, names, limits and the neutral configuration, as constants and by the trait
+//! `Robot`.
 //!
-//! In: robots that ship. Out: the constants beside numbers of their files, written here once more.
+//! In: robots that ship. Out: the constants, compared with the numbers of their files.
 
 use homogen::robot::{Bias, Gravity, MassMatrix};
 use homogen::{Chain, Robot};
@@ -48,7 +49,7 @@ fn joints_that_mimic_others_have_a_name_and_no_coordinate() {
     assert_eq!(Gripper::LOWER, [f64::NEG_INFINITY; 2]);
 }
 
-/// Computed torque within the limits of the actuators, for any robot.
+/// Computed torque, clamped to effort limits, for any robot.
 fn within_limits<R, const N: usize>(
     robot: &R,
     q: &[f64; N],

@@ -1,8 +1,8 @@
-//! Drives at every kind of joint, and at one that follows another, with actions on links: the power that goes in, and
-//! derivatives.
+//! Armature, damping and friction of every type of joint, a mimic joint included, with external wrenches on links: the
+//! balance of power, and derivatives.
 //!
-//! Derivatives are taken by running generated code on dual numbers along a motion, in which coordinates are
-//! integrated. What drives take is written down here once more, velocity by velocity.
+//! Derivatives are compared with generated code on dual numbers along an integrated motion. The power lost by friction
+//! is computed here once more, velocity by velocity.
 
 use std::array::from_fn;
 
@@ -14,17 +14,17 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 100;
 
-/// How many velocities and coordinates there are.
+/// The numbers of velocities and coordinates.
 const N: usize = 17;
 const Q: usize = 19;
 
 /// Both sides are sums of some hundred terms; the worst is 26 u.
 const LIMIT: f64 = 128.0;
 
-macro_rules! driven {
+macro_rules! robot_with_actuators {
     ($name:ident, $external:tt) => {
         homogen::chain! {
-            /// Joints with several velocities, a thread, and a gear that follows a hinge.
+            /// Joints with several velocities, a screw, and a gear that mimics a hinge.
             struct $name {
                 external $external,
                 generate(
@@ -75,16 +75,16 @@ macro_rules! driven {
     };
 }
 
-driven!(Driven, (tool, gear, pod));
-driven!(FromFrame0, (tool, gear, pod, frame = 0));
+robot_with_actuators!(WithActuators, (tool, gear, pod));
+robot_with_actuators!(FromFrame0, (tool, gear, pod, frame = 0));
 
 const LINKS: [&str; 3] = ["tool", "gear", "pod"];
 
-/// The velocity that the hinge has, and how many times as fast the gear turns.
+/// The velocity of the hinge, and the ratio of the gear's velocity to it.
 const HINGE: usize = 6;
 const MULTIPLIER: f64 = -3.0;
 
-/// Of each velocity damping and friction, as they stand above.
+/// Damping and friction of each velocity, as above.
 const RESISTANCES: [[f64; 2]; N] = [
     [1.5, 0.25],
     [2.0, 0.25],
@@ -105,7 +105,7 @@ const RESISTANCES: [[f64; 2]; N] = [
     [2.0, 0.5],
 ];
 
-/// Actions of a few N m and N.
+/// Wrenches of up to 8 N m and 8 N.
 fn actions(random: &mut Random) -> [Action<f64>; 3] {
     let mut vector = || from_fn(|_| 8.0 * random.unit());
     [(); 3].map(|()| Action::new(vector(), vector()))
@@ -128,16 +128,16 @@ fn moving<const F: usize, const B: usize>(
     chain.integrate(&Dual::pairs(q, &[0.0; Q]), &Dual::pairs(&[0.0; N], v))
 }
 
-/// What friction takes: damping q̇² + friction |q̇| of each joint at its own rate.
+/// The power lost by damping q̇² + friction |q̇| of each joint at its own rate.
 fn lost(qd: &[f64; N]) -> f64 {
-    let taken = |[damping, friction]: [f64; 2], rate: f64| {
+    let power = |[damping, friction]: [f64; 2], rate: f64| {
         (damping * rate + friction * rate.signum()) * rate
     };
     let own = RESISTANCES.iter().zip(qd);
     let own: f64 = own
-        .map(|(resistance, rate)| taken(*resistance, *rate))
+        .map(|(resistance, rate)| power(*resistance, *rate))
         .sum();
-    own + taken([0.5, 0.25], MULTIPLIER * qd[HINGE])
+    own + power([0.5, 0.25], MULTIPLIER * qd[HINGE])
 }
 
 macro_rules! tests {
@@ -145,7 +145,8 @@ macro_rules! tests {
         mod $module {
             use super::*;
 
-            /// What torques and surroundings put in is gained as energy, or rubbed off; in f32 as well.
+            /// The power of torques and external wrenches is the rate of energy plus the power lost by friction; in f32
+            /// too.
             #[test]
             fn power_is_conserved() {
                 let chain = $robot::chain();
@@ -159,11 +160,11 @@ macro_rules! tests {
                     let along = moving(&chain, q, qd);
                     let energy = $robot.kinetic_energy(&along, &Dual::pairs(qd, qdd))
                         + $robot.potential_energy(&along);
-                    let outside: f64 = (LINKS.iter().zip(&actions))
+                    let external: f64 = (LINKS.iter().zip(&actions))
                         .map(|(link, action)| {
                             let frame = chain
                                 .frame(link)
-                                .expect("what is acted on is a frame of the chain");
+                                .expect("links with external wrenches are frames of the chain");
                             $power(&chain, &frame, q, qd, action)
                         })
                         .sum();
@@ -178,7 +179,7 @@ macro_rules! tests {
                         ($robot.inverse_dynamics(q, qd, qdd, &actions), 1e-13),
                         (in_f32.map(f64::from), 1e-5),
                     ] {
-                        let power = dot(&tau, qd) + outside - lost(qd);
+                        let power = dot(&tau, qd) + external - lost(qd);
                         let scale = dot(&tau.map(f64::abs), &qd.map(f64::abs)) + 100.0;
                         assert!(
                             (energy.slope - power).abs() < tolerance * scale,
@@ -191,7 +192,7 @@ macro_rules! tests {
             }
 
             #[test]
-            fn accelerations_are_given_back() {
+            fn forward_dynamics_inverts_inverse_dynamics() {
                 let chain = $robot::chain();
                 let mut random = Random::new(12);
                 let mut worst = Worst::in_units_of(DOUBLE);
@@ -220,7 +221,7 @@ macro_rules! tests {
                     let by = $robot.inverse_dynamics_derivatives(&q, &qd, &qdd, &actions);
                     let solved = $robot.forward_dynamics_derivatives(&q, &qd, &tau, &actions);
                     let still = Dual::pairs(&q, &[0.0; Q]);
-                    let [rates, driven, given] =
+                    let [velocity, acceleration, torque] =
                         [&qd, &qdd, &tau].map(|list| Dual::pairs(list, &[0.0; N]));
                     let pushed = as_scalar::<Dual>(&actions);
                     for k in 0..N {
@@ -231,22 +232,22 @@ macro_rules! tests {
                             (
                                 "∂τ/∂q",
                                 column(&by.dq),
-                                $robot.inverse_dynamics(&along, &rates, &driven, &pushed),
+                                $robot.inverse_dynamics(&along, &velocity, &acceleration, &pushed),
                             ),
                             (
                                 "∂τ/∂q̇",
                                 column(&by.dqd),
-                                $robot.inverse_dynamics(&still, &faster, &driven, &pushed),
+                                $robot.inverse_dynamics(&still, &faster, &acceleration, &pushed),
                             ),
                             (
                                 "∂q̈/∂q",
                                 column(&solved.dq),
-                                $robot.forward_dynamics(&along, &rates, &given, &pushed),
+                                $robot.forward_dynamics(&along, &velocity, &torque, &pushed),
                             ),
                             (
                                 "∂q̈/∂q̇",
                                 column(&solved.dqd),
-                                $robot.forward_dynamics(&still, &faster, &given, &pushed),
+                                $robot.forward_dynamics(&still, &faster, &torque, &pushed),
                             ),
                         ] {
                             worst.note(
@@ -265,8 +266,8 @@ macro_rules! tests {
 
 type Frame = homogen::Frame;
 
-/// The power of an action in the link's frame, by what it is for the joints.
-fn turning<const F: usize, const B: usize>(
+/// The power of a wrench in the link's frame, by its torques on the joints.
+fn power_in_link_frame<const F: usize, const B: usize>(
     chain: &Chain<N, F, Q, B>,
     frame: &Frame,
     q: &[f64; Q],
@@ -276,8 +277,8 @@ fn turning<const F: usize, const B: usize>(
     dot(&generic::torques_of_action(chain, frame, q, action), qd)
 }
 
-/// The power of an action in frame 0: W ⊗ Φ.
-fn standing<const F: usize, const B: usize>(
+/// The power of a wrench in frame 0: W ⊗ Φ.
+fn power_in_frame_0<const F: usize, const B: usize>(
     chain: &Chain<N, F, Q, B>,
     frame: &Frame,
     q: &[f64; Q],
@@ -288,26 +289,26 @@ fn standing<const F: usize, const B: usize>(
     dot(&w.omega(), &action.c()) + dot(&w.v(), &action.f())
 }
 
-tests!(in_the_frames_of_links, Driven, turning);
-tests!(in_frame_0, FromFrame0, standing);
+tests!(in_the_frames_of_links, WithActuators, power_in_link_frame);
+tests!(in_frame_0, FromFrame0, power_in_frame_0);
 
-/// Against the recursions at run time, which know drives from data.
+/// The generic recursions read armature, damping and friction as data.
 #[test]
-fn the_generic_recursions_know_the_same_drives() {
-    let chain = Driven::chain();
+fn the_generic_recursions_give_the_same() {
+    let chain = WithActuators::chain();
     let mut random = Random::new(14);
     let mut worst = Worst::in_units_of(DOUBLE);
     for _ in 0..STATES {
         let State { q, qd, qdd } = State::<f64, N, Q>::of(&chain, &mut random);
         let nothing = [Action::zero(); 3];
-        let by = Driven.inverse_dynamics_derivatives(&q, &qd, &qdd, &nothing);
+        let by = WithActuators.inverse_dynamics_derivatives(&q, &qd, &qdd, &nothing);
         let expected = generic::inverse_dynamics_derivatives(&chain, &q, &qd, &qdd);
         let tau = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
         let found = [
-            Block::new("τ", Driven.inverse_dynamics(&q, &qd, &qdd, &nothing)),
+            Block::new("τ", WithActuators.inverse_dynamics(&q, &qd, &qdd, &nothing)),
             Block::new("∂τ/∂q", by.dq.as_flattened().to_vec()),
             Block::new("∂τ/∂q̇", by.dqd.as_flattened().to_vec()),
-            Block::new("energy", [Driven.kinetic_energy(&q, &qd)]),
+            Block::new("energy", [WithActuators.kinetic_energy(&q, &qd)]),
         ];
         let expected = [
             Block::new("τ", tau),

@@ -1,7 +1,6 @@
-//! Armature, rotors behind gears, viscous and Coulomb friction in generated code: against the generic
-//! recursions, Pinocchio's numbers, and the power that friction takes.
-//!
-//! Whatever way the same drives are said, the same comes out, in every form of forward dynamics.
+//! Armature, rotors behind gears, viscous and Coulomb friction in generated code, compared with the generic recursions,
+//! Pinocchio's numbers, and the power lost by friction; with every key for them, and with every algorithm of forward
+//! dynamics.
 
 use homogen::robot::{ForwardDynamics, MassMatrixInverse};
 use homogen::{Chain, Drive, Real, Robot, generic};
@@ -13,8 +12,8 @@ use serde_json::Value;
 
 const STATES: usize = 200;
 
-/// The Stanford arm without a zero among its inertial parameters, with the drives that
-/// reference/make.py gives it: that of joint 2 as a rotor behind a gear.
+/// The Stanford arm without a zero among its inertial parameters, with the armature and friction of reference/make.py;
+/// the armature of joint 2 as a rotor behind a gear.
 macro_rules! stanford {
     ($name:ident $(, $more:tt)*) => {
         #[derive(Robot)]
@@ -33,7 +32,7 @@ stanford!(Refined, (formulation(refined = 1)));
 stanford!(Bodies, (formulation(articulated)));
 stanford!(InFrame0, (formulation(frame_0, raw)));
 
-/// One of the numbers that struct fields stand for.
+/// The same, with three of the numbers as struct fields.
 #[derive(Robot)]
 #[robot(urdf = "../robots/stanford_general.urdf", tip = "tool", generate(all))]
 #[robot(armature(
@@ -61,7 +60,7 @@ const FIELDS: Fields = Fields {
 };
 
 homogen::chain! {
-    /// A quill whose two velocities have drives of their own, on an arm that has one for both.
+    /// A quill with different actuators for its two velocities, on an arm.
     struct Quill { generate(inverse_dynamics, bias, gravity, mass_matrix, forward_dynamics, mass_matrix_inverse, kinetic_energy) }
     link base;
     joint arm: revolute(y) { armature: 0.2, damping: 0.5, friction: 0.125 }
@@ -71,7 +70,7 @@ homogen::chain! {
 }
 
 homogen::chain! {
-    /// A wrist without mass, which only its drive opposes.
+    /// A massless arm: its inertia is that of its armatures.
     struct Massless { generate(forward_dynamics, inverse_dynamics) }
     link base;
     joint shoulder: revolute(y) { armature: 1e-6 }
@@ -80,7 +79,7 @@ homogen::chain! {
     link fore { mass: 0.0, inertia: [0.0, 0.0, 0.0] }
 }
 
-/// A state in which some joints stand still, in turn.
+/// A random state in which every third joint is at rest.
 fn state<const N: usize>(random: &mut Random, number: usize) -> State<f64, N> {
     let mut state = State::random(random);
     for (k, rate) in state.qd.iter_mut().enumerate() {
@@ -104,7 +103,7 @@ where
         worst.note(&found, &evaluate(chain, &state));
     }
     println!("{worst}");
-    // The worst is 12 u: dense products round more than what they judge.
+    // The worst is 12 u, mostly of the dense products.
     worst.assert_within(64.0);
 }
 
@@ -118,7 +117,7 @@ fn generated_code_agrees_with_the_generic_recursions() {
     agree::<_, f64, 6, 1>(&FIELDS, &chain, DOUBLE);
 }
 
-/// q̈ of the τ that it needs, and M⁻¹ beside that of the generic recursions.
+/// Compares q̈ of the torques that it needs, and M⁻¹ with that of the generic recursions.
 fn inverts<R, const N: usize, const F: usize>(robot: &R, chain: &Chain<N, F>, tolerance: f64)
 where
     R: ForwardDynamics<N, f64> + MassMatrixInverse<N, f64>,
@@ -140,7 +139,7 @@ where
 }
 
 #[test]
-fn every_form_of_forward_dynamics_inverts_inverse_dynamics() {
+fn every_algorithm_of_forward_dynamics_inverts_inverse_dynamics() {
     let chain = Stanford::chain();
     inverts(&Stanford, &chain, 1e-10);
     inverts(&Refined, &chain, 1e-10);
@@ -151,7 +150,7 @@ fn every_form_of_forward_dynamics_inverts_inverse_dynamics() {
 }
 
 #[test]
-fn each_velocity_of_a_joint_has_its_own_drive() {
+fn each_velocity_of_a_joint_has_its_own_actuator() {
     let drives = Quill::chain().joints.map(|joint| {
         [
             joint.drives[0].armature,
@@ -173,15 +172,15 @@ fn each_velocity_of_a_joint_has_its_own_drive() {
         ..Quill::chain()
     };
     let bodies = generic::bias(&without, &q, &qd);
-    for (k, taken) in [0.0, -1.0, 32.5].into_iter().enumerate() {
-        assert!((moving[k] - bodies[k] - taken).abs() < 1e-13, "joint {k}");
+    for (k, torque) in [0.0, -1.0, 32.5].into_iter().enumerate() {
+        assert!((moving[k] - bodies[k] - torque).abs() < 1e-13, "joint {k}");
     }
     for (rest, gravity) in rest.into_iter().zip(Quill.gravity(&q)) {
-        assert!((rest - gravity).abs() < 1e-14, "something rubs at rest");
+        assert!((rest - gravity).abs() < 1e-14, "friction at rest");
     }
 }
 
-/// What torques put in is gained as energy, or taken by friction.
+/// The power of torques is the rate of energy plus the power lost by friction.
 #[test]
 fn power_is_conserved() {
     let mut random = Random::new(5);
@@ -207,9 +206,9 @@ fn power_is_conserved() {
     }
 }
 
-/// A drive alone makes M regular, and decides the accelerations.
+/// Armature alone makes M regular and determines the accelerations.
 #[test]
-fn a_wrist_without_mass_moves_by_its_drive() {
+fn a_massless_arm_accelerates_by_its_armature() {
     let found = Massless.forward_dynamics(&[0.3, 0.2], &[0.1, -0.2], &[1e-6, -2e-6]);
     for (found, exact) in found.into_iter().zip([1.0, -2.0]) {
         assert!((found - exact).abs() < 1e-14, "{found}");
@@ -223,7 +222,7 @@ fn numbers(value: &Value) -> Vec<f64> {
         .collect()
 }
 
-/// Armatures are Pinocchio's own, friction is added to what it gives.
+/// Armatures are Pinocchio's own; friction is added to its results.
 #[test]
 fn generated_code_agrees_with_pinocchio() {
     let text = include_str!("../reference/stanford_general_driven.json");
@@ -236,9 +235,9 @@ fn generated_code_agrees_with_pinocchio() {
         .collect();
     assert_eq!(armatures, numbers(&reference["armature"]));
     let mut worst = Worst::in_units_of(DOUBLE);
-    for listed in reference["states"].as_array().expect("states") {
+    for state in reference["states"].as_array().expect("states") {
         let vector = |field: &str| -> [f64; 6] {
-            numbers(&listed[field])
+            numbers(&state[field])
                 .try_into()
                 .expect("as many numbers as joints")
         };
@@ -256,7 +255,7 @@ fn generated_code_agrees_with_pinocchio() {
             Block::new("ddq", Refined.forward_dynamics(&q, &qd, &torque)),
             Block::new("kinetic_energy", [Stanford.kinetic_energy(&q, &qd)]),
         ];
-        let expected = found.each_ref().map(|block| match &listed[&block.name] {
+        let expected = found.each_ref().map(|block| match &state[&block.name] {
             number @ Value::Number(_) => Block::new(&block.name, number.as_f64()),
             list => Block::new(&block.name, numbers(list)),
         });

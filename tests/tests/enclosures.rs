@@ -1,15 +1,15 @@
-//! The numbers that are computed while generating, against numbers of 256 bits.
+//! Enclosures of numbers that are computed during generation, compared with numbers of 256 bits.
 //!
-//! In: random numbers of 1e-300 to 1e300, residues among them, and random operations on them. Out: that
-//! an enclosure holds what exact arithmetic gives, is taken for zero only where it is smaller than
-//! anything that an `f64` beside it could hold, and that what is normalised has length 1.
+//! In: random numbers of 1e-300 to 1e300, residues among them, and random operations on them. Out: an enclosure
+//! contains the exact result; it counts as zero only if the result is negligible for an `f64`; a normalised vector has
+//! length 1.
 
 use homogen_codegen::expression::{Double, Graph};
 use homogen_codegen::matrix::Vector;
 use homogen_tests::big::Big;
 use homogen_tests::states::Random;
 
-/// An enclosure, what it is to hold, and how large the terms were that it is made of.
+/// An enclosure, the exact number, and the size of the terms that it is a sum of.
 #[derive(Clone)]
 struct Tracked {
     found: Double,
@@ -17,8 +17,8 @@ struct Tracked {
     size: f64,
 }
 
-/// What is below a 70th bit is out of sight of an `f64`.
-const OUT_OF_SIGHT: f64 = 8.5e-22;
+/// Half a unit of the 70th bit: negligible beside the rounding of an `f64`.
+const NEGLIGIBLE: f64 = 8.5e-22;
 
 impl Tracked {
     fn number(value: f64) -> Self {
@@ -41,7 +41,7 @@ impl Tracked {
             return;
         }
         let (distance, radius) = (self.distance(), self.found.radius());
-        // Numbers of 256 bits are rounded themselves.
+        // Numbers of 256 bits have rounding errors too.
         let rounding = self.size * 1e-70;
         assert!(
             distance <= radius + rounding,
@@ -51,7 +51,7 @@ impl Tracked {
         let exact = self.exact.clone().abs().to_f64();
         if self.found.is_zero() {
             assert!(
-                exact <= OUT_OF_SIGHT * self.size + 1e-300,
+                exact <= NEGLIGIBLE * self.size + 1e-300,
                 "{how}: {exact:e} of {:e} is taken for zero",
                 self.size
             );
@@ -59,7 +59,7 @@ impl Tracked {
     }
 }
 
-/// A number of any size, mostly not a large one; or the residue of one.
+/// A random number of any size, or a whole number.
 fn number(random: &mut Random, exponents: i32) -> f64 {
     let exponent = f64::from(exponents) * random.unit();
     let number = random.unit() * 10_f64.powf(exponent);
@@ -70,7 +70,7 @@ fn number(random: &mut Random, exponents: i32) -> f64 {
     }
 }
 
-/// Random operations, each on numbers that came before.
+/// Random operations, each on earlier results.
 fn walk(random: &mut Random, exponents: i32, most: f64) {
     let mut numbers: Vec<Tracked> = (0..4)
         .map(|_| Tracked::number(number(random, exponents)))
@@ -97,7 +97,7 @@ fn walk(random: &mut Random, exponents: i32, most: f64) {
                 a.exact.clone() * b.exact.clone(),
                 a.size * b.size,
             ),
-            // A number of 256 bits may have lost what an enclosure still holds.
+            // A number of 256 bits may have cancelled where the enclosure has not.
             6 if b.found.is_sharp() && b.exact != Big::zero() => {
                 let size = a.size / b.found.to_f64().abs();
                 let spread = b.size / b.found.to_f64().abs();
@@ -116,7 +116,7 @@ fn walk(random: &mut Random, exponents: i32, most: f64) {
             _ if a.found.to_f64().abs() < 1e12 && a.found.is_known() => {
                 let ((sine, cosine), (exact_sine, exact_cosine)) =
                     (a.found.sin_cos(), a.exact.sin_cos());
-                // What is lost of the angle is lost of both.
+                // An error of the angle is one of both.
                 let size = a.size.max(1.0);
                 if random.chance(2) {
                     ("a sine", sine, exact_sine, size)
@@ -130,7 +130,7 @@ fn walk(random: &mut Random, exponents: i32, most: f64) {
         if !found.is_known() || size > most {
             continue;
         }
-        // What underflows is lost as if it were of this size.
+        // Underflow counts as an error of this size.
         let size = size.max(1e-298);
         let next = Tracked { found, exact, size };
         next.check(how);
@@ -139,7 +139,7 @@ fn walk(random: &mut Random, exponents: i32, most: f64) {
 }
 
 #[test]
-fn an_enclosure_holds_what_exact_arithmetic_gives() {
+fn an_enclosure_contains_the_exact_result() {
     let mut random = Random::new(106);
     for _ in 0..1500 {
         walk(&mut random, 1, 1e100);
@@ -149,7 +149,7 @@ fn an_enclosure_holds_what_exact_arithmetic_gives() {
 }
 
 #[test]
-fn products_quotients_and_roots_of_any_size_hold() {
+fn products_quotients_and_roots_of_any_size_contain_the_exact_result() {
     let mut random = Random::new(600);
     for _ in 0..3000 {
         let [a, b] = [0; 2].map(|_| Tracked::number(number(&mut random, 300)));
@@ -165,9 +165,9 @@ fn products_quotients_and_roots_of_any_size_hold() {
     }
 }
 
-/// Vectors of any length, with entries that are residues beside the others.
+/// Vectors of any length, some with residues.
 #[test]
-fn what_is_normalised_has_length_one() {
+fn a_normalised_vector_has_length_one() {
     let mut random = Random::new(3);
     for _ in 0..3000 {
         let graph = Graph::new();
@@ -191,7 +191,7 @@ fn what_is_normalised_has_length_one() {
         };
         let square = direction.dot(direction);
         assert!(square.value().expect("a number").is_one(), "{entries:?}");
-        // It points where the vector does, however short an entry is.
+        // Its direction is that of the vector, also for small entries.
         let largest = entries.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         for (entry, cosine) in entries.iter().zip(direction.0) {
             let cosine = cosine.value().expect("a number").to_f64();

@@ -1,7 +1,7 @@
-//! `homogen eval` against the numbers of Pinocchio, for every robot that ships.
+//! `homogen eval` compared with the numbers of Pinocchio, for every robot that ships.
 //!
-//! In: tests/reference/*.json. Out: agreement to a few roundings, with right angles taken for what
-//! they are and with angles as written, which these files give to all digits.
+//! In: tests/reference/*.json. Out: agreement to a few roundings, with and without `--exact`, since these files have
+//! angles with all digits.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use homogen_cli::answer;
 use serde_json::{Value, json};
 
-/// Largest difference in units of the largest number of a result.
+/// Largest difference, relative to the largest entry of a result.
 const TOLERANCE: f64 = 1e-13;
 
 #[test]
@@ -49,8 +49,7 @@ fn quadruped() {
     check("quadruped");
 }
 
-/// What a function's result is to be compared with: the numbers of Pinocchio, and of ours in the
-/// same order.
+/// A function, the numbers of Pinocchio to compare with, and ours in the same order.
 type Comparison = (&'static str, fn(&Value) -> Vec<f64>, fn(&Value) -> Vec<f64>);
 
 const COMPARISONS: [Comparison; 11] = [
@@ -134,7 +133,7 @@ fn difference(ours: &[f64], theirs: &[f64]) -> f64 {
         .fold(0.0_f64, |size, entry| size.max(entry.abs()));
     let pairs = ours.iter().zip(theirs);
     let worst = pairs.fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
-    // A SCARA's gravity torques are no zeros for Pinocchio, but nearly.
+    // A SCARA's gravity torques are nearly zero for Pinocchio.
     worst / size.max(1e-3)
 }
 
@@ -151,7 +150,7 @@ fn rows(matrix: &Value) -> Vec<Vec<f64>> {
     rows.iter().map(numbers).collect()
 }
 
-/// Columns of the first three rows, row by row.
+/// The given columns of the first three rows, row by row.
 fn block(matrix: &Value, columns: std::ops::Range<usize>) -> Vec<f64> {
     let rows = rows(matrix);
     assert_eq!(rows.len(), 4);
@@ -165,7 +164,7 @@ fn upper(matrix: &Value) -> Vec<f64> {
     rows.flat_map(|(k, row)| row[k..].to_vec()).collect()
 }
 
-/// The rows of a Jacobian in the order of the reference.
+/// The rows of a Jacobian in the order of the reference, linear part first.
 fn linear_first(jacobian: &Value) -> Vec<f64> {
     let mut rows = rows(jacobian);
     rows.rotate_left(3);
@@ -181,7 +180,7 @@ fn skew(vector: &[f64]) -> [[f64; 3]; 3] {
 fn velocity(state: &Value) -> Vec<f64> {
     let spin = skew(&numbers(&state["frame_angular_velocity"]));
     let linear = numbers(&state["frame_linear_velocity"]);
-    beside(spin, &linear, &numbers(&state["frame_p"]))
+    with_offset(spin, &linear, &numbers(&state["frame_p"]))
 }
 
 /// G, a₀ from the acceleration of the frame's origin p: G = ω̲̇ + ω̲², a₀ = a − G p.
@@ -191,11 +190,11 @@ fn acceleration(state: &Value) -> Vec<f64> {
     let square = |i: usize, j: usize| (0..3).map(|k| spin[i][k] * spin[k][j]).sum::<f64>();
     let g = std::array::from_fn(|i| std::array::from_fn(|j| rate[i][j] + square(i, j)));
     let linear = numbers(&state["frame_linear_acceleration"]);
-    beside(g, &linear, &numbers(&state["frame_p"]))
+    with_offset(g, &linear, &numbers(&state["frame_p"]))
 }
 
 /// The rows of a 3×3 block, each with its entry of u − block · p.
-fn beside(block: [[f64; 3]; 3], u: &[f64], p: &[f64]) -> Vec<f64> {
+fn with_offset(block: [[f64; 3]; 3], u: &[f64], p: &[f64]) -> Vec<f64> {
     let rows = block.iter().zip(u);
     rows.flat_map(|(row, u)| {
         let moved: f64 = row.iter().zip(p).map(|(entry, p)| entry * p).sum();

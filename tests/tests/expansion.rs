@@ -1,7 +1,7 @@
-//! What a robot expands to: the text of small ones, the price of all of them.
+//! Generated code: the text for small robots, operation counts for all of them.
 //!
-//! Text is pinned so that a change of it is read by somebody; prices so that none rises unseen.
-//! Whichever door a robot comes through it must be the same code, and the same bytes each time.
+//! Text is pinned so that changes are reviewed; counts so that none rises unnoticed. All front ends must give the same
+//! code, and the same bytes each time.
 
 use std::fmt::Write;
 
@@ -19,7 +19,7 @@ use homogen_tests::for_every_robot;
 use homogen_tests::programs::program;
 use quote::{format_ident, quote};
 
-/// Of a snapshot, in lines: what can be read in a review.
+/// Lines of a snapshot that can be read in a review.
 const READABLE: usize = 240;
 
 fn path(robot: &str) -> String {
@@ -50,7 +50,7 @@ fn chain_of(robot: &str, tip: &str) -> Chain {
         .identified()
 }
 
-/// The file that a builder writes, short enough to be read.
+/// The file of a builder, short enough for a review.
 fn file(builder: &Builder) -> String {
     let source = builder
         .to_source()
@@ -107,7 +107,7 @@ fn a_pendulum_with_a_field() {
     insta::assert_snapshot!(text);
 }
 
-/// What becomes a row of the table: the price of a function, without the dense products.
+/// The operation count of a function, for a row of the table.
 fn price(chain: &Chain, function: Function) -> Price {
     let program = program(chain, &[function], FrameId::FIRST, Real::Generic);
     Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")))
@@ -158,9 +158,9 @@ fn prices_of_every_robot() {
     insta::assert_snapshot!(table);
 }
 
-/// The counts that the project has published; a lower one is never given up.
+/// The counts that the project has published.
 #[test]
-fn no_price_rises_above_what_was_published() {
+fn no_operation_count_rises_above_the_published_one() {
     let panda = chain_of("panda_class", "link8");
     let price_of = |function| price(&panda, function);
     let inverse_dynamics = price_of(Function::InverseDynamics);
@@ -184,7 +184,7 @@ fn no_price_rises_above_what_was_published() {
 }
 
 /// The two-link arm of robots/, in the grammar of `chain!`.
-const IN_PLACE: &str = "
+const INLINE: &str = "
     link base;
     joint shoulder: revolute(z) { at: rx(pi/2), limits: [-3, 3] }
     link upper { mass: 2.0, com: [0.2, 0, 0], inertia: [0.002, 0.03, 0.03] }
@@ -193,11 +193,10 @@ const IN_PLACE: &str = "
     joint tip_fixed: fixed { at: xyz(0.3, 0, 0) }
     link tip";
 
-/// The methods and traits of formatted code, without comments and attributes.
+/// The methods and traits of formatted code.
 ///
-/// Comments are left out because they tell the origin, which is a file or is not; the struct,
-/// because a derive does not write it; the constants before the first method, since limits differ; and the constant that
-/// makes the compiler watch a file.
+/// Left out: comments, which state the origin; attributes; the struct, which a derive does not write; the constants
+/// before the first method, since limits differ; and the constant by which the compiler watches a file.
 fn methods(text: &str) -> String {
     text.lines()
         .skip_while(|line| !line.contains(" fn "))
@@ -209,12 +208,12 @@ fn methods(text: &str) -> String {
 }
 
 #[test]
-fn every_door_leads_to_the_same_code() {
-    doors("", Formulation::default());
+fn every_front_end_gives_the_same_code() {
+    front_ends("", Formulation::default());
 }
 
 #[test]
-fn every_door_leads_to_the_same_formulation() {
+fn every_front_end_gives_the_same_formulation() {
     let formulation = Formulation {
         parameters: Parameters::Raw,
         forward: Some(Forward::Articulated),
@@ -222,16 +221,16 @@ fn every_door_leads_to_the_same_formulation() {
         sines: Sines::Platform,
         ..Formulation::default()
     };
-    let formulated = doors("raw, articulated, unfused, platform_sines", formulation);
+    let formulated = front_ends("raw, articulated, unfused, platform_sines", formulation);
     assert!(!formulated.contains("mul_add") && !formulated.contains("sin_cos_all"));
-    assert!(formulated != doors("", Formulation::default()));
+    assert!(formulated != front_ends("", Formulation::default()));
 }
 
-/// The code that every door but the command line leads to; the formulation as words and as data.
-fn doors(words: &str, formulation: Formulation) -> String {
+/// The code of every front end except the command line; the formulation as words and as data.
+fn front_ends(words: &str, formulation: Formulation) -> String {
     let functions = Function::ALL;
     let names = functions.map(|function| format_ident!("{}", function.name()));
-    let in_place: proc_macro2::TokenStream = IN_PLACE.parse().expect("tokens");
+    let inline: proc_macro2::TokenStream = INLINE.parse().expect("tokens");
     let words: proc_macro2::TokenStream = words.parse().expect("tokens");
     let source = |tokens| Source::new("", &tokens).to_string();
 
@@ -239,12 +238,12 @@ fn doors(words: &str, formulation: Formulation) -> String {
         #[robot(urdf = "../robots/two_link.urdf", generate(#(#names),*), formulation(#words))]
         pub struct TwoLink;
     }));
-    let written_in_place = source(door::chain(quote! {
+    let by_chain = source(door::chain(quote! {
         pub struct TwoLink { generate(#(#names),*), formulation(#words) }
-        #in_place
+        #inline
     }));
-    let in_an_attribute = source(door::derive(quote! {
-        #[robot(generate(#(#names),*), formulation(#words); #in_place)]
+    let by_attribute = source(door::derive(quote! {
+        #[robot(generate(#(#names),*), formulation(#words); #inline)]
         pub struct TwoLink;
     }));
     let builder = Builder::from_urdf(path("two_link")).generate(functions);
@@ -255,27 +254,27 @@ fn doors(words: &str, formulation: Formulation) -> String {
         formulation,
         ..Request::default()
     };
-    let listing = expand(&described("two_link"), &request).expect("no mistakes");
+    let module = expand(&described("two_link"), &request).expect("no mistakes");
     let item = Item::named_after("two link");
-    let by_the_library = source(rust::print(&listing, &item, &World::default()));
+    let by_library = source(rust::print(&module, &item, &World::default()));
 
     let expected = methods(&derived);
-    // Each function is a method and a trait of that name, and then there is `chain`.
+    // Each function is a method and a trait method; `chain` is one more.
     assert_eq!(
         expected.matches(" fn ").count(),
         2 * functions.len() + 1,
         "{expected}"
     );
-    for (door, text) in [
-        ("chain!", written_in_place),
-        ("attribute", in_an_attribute),
+    for (front_end, text) in [
+        ("chain!", by_chain),
+        ("attribute", by_attribute),
         ("builder", built),
-        ("library", by_the_library),
+        ("library", by_library),
     ] {
         let methods = methods(&text);
         assert!(
             methods == expected,
-            "{door}:\n{methods}\nderive:\n{expected}"
+            "{front_end}:\n{methods}\nderive:\n{expected}"
         );
     }
     expected
@@ -297,7 +296,7 @@ macro_rules! same_bytes {
             };
             assert!(
                 expanded() == expanded(),
-                "hash maps are seeded anew each time"
+                "the hash maps of each run have another seed"
             );
         }
     };

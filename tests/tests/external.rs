@@ -1,5 +1,4 @@
-//! Actions of the surroundings as an argument: against the generic recursions, and the power that they put
-//! in.
+//! External wrenches as an argument: compared with the generic recursions, and by their power.
 
 use std::array::from_fn;
 
@@ -12,7 +11,7 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 200;
 
-/// A hand and an elbow that are held, each in its own frame; a joint rubs.
+/// An arm with external wrenches on its hand and its elbow, and friction at one joint.
 macro_rules! panda {
     ($name:ident, $external:tt, $formulation:tt) => {
         #[derive(Robot)]
@@ -37,13 +36,13 @@ panda!(
     (frame_0, raw, refined = 1)
 );
 
-/// Actions of a few N m and N.
+/// Wrenches of up to 8 N m and 8 N.
 fn actions(random: &mut Random) -> [Action<f64>; 2] {
     let mut vector = || from_fn(|_| 8.0 * random.unit());
     [(); 2].map(|()| Action::new(vector(), vector()))
 }
 
-/// τ of a state under actions in the frames of the links.
+/// τ of a state under wrenches in the frames of the links.
 fn expected(state: &State<f64, 7>, actions: &[Action<f64>; 2]) -> [f64; 7] {
     let chain = Panda::chain();
     let State { q, qd, qdd } = state;
@@ -51,31 +50,31 @@ fn expected(state: &State<f64, 7>, actions: &[Action<f64>; 2]) -> [f64; 7] {
     for (link, action) in ["link8", "link3"].into_iter().zip(actions) {
         let frame = chain
             .frame(link)
-            .expect("what is acted on is a frame of the chain");
+            .expect("links with external wrenches are frames of the chain");
         let of_action = generic::torques_of_action(&chain, &frame, q, action);
         tau = from_fn(|k| tau[k] - of_action[k]);
     }
     tau
 }
 
-/// The same actions in frame 0: M Φ Mᵗ.
+/// The same wrenches in frame 0: M Φ Mᵗ.
 fn in_frame_0(q: &[f64; 7], actions: &[Action<f64>; 2]) -> [Action<f64>; 2] {
     let chain = Panda::chain();
     let links = ["link8", "link3"];
     from_fn(|k| {
         let frame = chain.frame(links[k]).expect("a frame");
         let pose = generic::forward_kinematics(&chain, &frame, q);
-        let turned = |v: [f64; 3]| {
+        let rotated = |v: [f64; 3]| {
             pose.rotation()
                 .map(|row| row.iter().zip(v).map(|(r, x)| r * x).sum::<f64>())
         };
-        let (c, f) = (turned(actions[k].c()), turned(actions[k].f()));
+        let (c, f) = (rotated(actions[k].c()), rotated(actions[k].f()));
         Action::new(c, f) + Action::of_force(f, pose.translation()) - Action::new([0.0; 3], f)
     })
 }
 
 #[test]
-fn inverse_dynamics_is_less_what_the_surroundings_do() {
+fn external_wrenches_reduce_the_torques() {
     let mut random = Random::new(7);
     let mut worst = Worst::in_units_of(DOUBLE);
     let mut single = Worst::in_units_of(SINGLE);
@@ -106,7 +105,7 @@ fn inverse_dynamics_is_less_what_the_surroundings_do() {
 }
 
 #[test]
-fn forward_dynamics_gives_back_the_accelerations() {
+fn forward_dynamics_inverts_inverse_dynamics() {
     let mut random = Random::new(8);
     for _ in 0..STATES {
         let (state, actions) = (State::random(&mut random), actions(&mut random));
@@ -127,9 +126,9 @@ fn forward_dynamics_gives_back_the_accelerations() {
     }
 }
 
-/// A controller that serves any robot knows of none.
+/// A controller that is generic over robots has no external wrenches.
 #[test]
-fn the_trait_has_none() {
+fn the_trait_method_has_no_external_wrenches() {
     fn torques<R: InverseDynamics<7, f64>>(robot: &R, state: &State<f64, 7>) -> [f64; 7] {
         robot.inverse_dynamics(&state.q, &state.qd, &state.qdd)
     }
@@ -139,7 +138,7 @@ fn the_trait_has_none() {
     assert_eq!(torques(&Panda, &state), without);
 }
 
-/// What torques and surroundings put in is gained as energy, or rubbed off.
+/// The power of torques and external wrenches is the rate of energy plus the power lost by friction.
 #[test]
 fn power_is_conserved() {
     let chain = Panda::chain();

@@ -1,13 +1,12 @@
-//! Some thousands of descriptions that somebody's editor, script, disk or malice has changed: whatever
-//! comes in, the stages give code or mistakes, and nothing else.
+//! Fuzzing with some thousands of damaged descriptions: the engine gives code or reported mistakes.
 //!
-//! `cargo run -p homogen-tests --bin fire -- --long` fires more, and measures.
+//! `cargo run -p homogen-tests --bin fire -- --long` runs more, and measures time and memory.
 
 use homogen_tests::fire::{Outcome, attempt, input};
 
 const SEED: u64 = 10;
 
-fn stands(numbers: std::ops::Range<u64>) {
+fn has_no_faults(numbers: std::ops::Range<u64>) {
     let count = numbers.clone().count();
     let mut refused = 0;
     let mut expanded = 0;
@@ -22,16 +21,16 @@ fn stands(numbers: std::ops::Range<u64>) {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     println!("{count} inputs: {refused} refused, {expanded} expanded");
-    // Fire that hits everything or nothing tests nothing.
+    // Inputs that are nearly all refused or nearly all accepted test little.
     assert!(refused * 4 > count && expanded * 20 > count);
 }
 
 #[test]
-fn the_first_part() {
-    stands(0..1250);
+fn inputs_of_the_first_part_have_no_faults() {
+    has_no_faults(0..1250);
 }
 
 #[test]
-fn the_second_part() {
-    stands(1250..2500);
+fn inputs_of_the_second_part_have_no_faults() {
+    has_no_faults(1250..2500);
 }

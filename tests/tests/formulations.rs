@@ -1,5 +1,5 @@
-//! Generated code in formulations other than the default: what it computes is the same, and each
-//! word of a formulation reaches it.
+//! Formulations other than the default: generated code computes the same, and each word of a formulation has its
+//! effect.
 
 use std::path::Path;
 
@@ -34,32 +34,32 @@ macro_rules! robot {
 }
 
 robot! {
-    /// Every operation rounded for itself, as `run` does it.
+    /// Every operation is rounded separately, as by `run`.
     Plain, "../robots/panda_class.urdf", "link8": unfused, platform_sines
 }
 robot! {
-    /// As the paper writes it.
+    /// In frame 0, as in the paper.
     InFrame0, "../robots/panda_class.urdf", "link8": frame_0, raw, unfused, platform_sines
 }
 robot! {
-    /// Accelerations by articulated bodies.
+    /// Accelerations by the articulated-body algorithm.
     Articulated, "../robots/panda_class.urdf", "link8": articulated
 }
 robot! {
-    /// Accelerations refined twice, for no need.
+    /// Accelerations refined twice.
     Refined, "../robots/panda_class.urdf", "link8": refined = 2
 }
 
 robot! {
-    /// Three parallel axes, whose angles are summed.
+    /// Three parallel axes with merged angles.
     Merged, "../robots/ur5_class.urdf", "tool0": merged
 }
 robot! {
-    /// The same arm with each angle by itself.
+    /// The same arm with separate angles.
     Apart, "../robots/ur5_class.urdf", "tool0": apart
 }
 
-/// Every function against the dense recursions, in units of rounding.
+/// Compares every function with the dense recursions, in units of rounding.
 fn agree<R, const N: usize>(robot: &R, chain: &homogen::Chain<N, 1>, limit: f64)
 where
     R: EveryFunction<N, f64> + ForwardDynamics<N, f64> + MassMatrixInverse<N, f64>,
@@ -71,19 +71,19 @@ where
     for _ in 0..STATES {
         let state: State<f64, N> = State::random(&mut random);
         worst.note(&evaluate(robot, &state), &evaluate(chain, &state));
-        // The torques of a motion give the motion back.
+        // Forward dynamics inverts inverse dynamics.
         let tau = generic::inverse_dynamics(chain, &state.q, &state.qd, &state.qdd);
         let found = robot.forward_dynamics(&state.q, &state.qd, &tau);
-        let missed = found.iter().zip(state.qdd).map(|(x, y)| (x - y).abs());
-        furthest = missed.fold(furthest, f64::max);
+        let differences = found.iter().zip(state.qdd).map(|(x, y)| (x - y).abs());
+        furthest = differences.fold(furthest, f64::max);
         let (found, exact) = (
             robot.mass_matrix_inverse(&state.q),
             generic::mass_matrix_inverse(chain, &state.q),
         );
         let [found, exact] = [&found, &exact].map(|rows| rows.as_flattened());
         let size = exact.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let missed = found.iter().zip(exact).map(|(x, y)| (x - y).abs() / size);
-        inverted = missed.fold(inverted, f64::max);
+        let differences = found.iter().zip(exact).map(|(x, y)| (x - y).abs() / size);
+        inverted = differences.fold(inverted, f64::max);
     }
     println!("{worst}q̈ {furthest:.1e}, M⁻¹ {inverted:.1e}");
     // The dense recursions have most of that error.
@@ -103,20 +103,20 @@ fn code_in_frame_0_computes_the_same() {
 }
 
 #[test]
-fn every_form_of_forward_dynamics_computes_the_same() {
+fn every_algorithm_of_forward_dynamics_computes_the_same() {
     agree(&Articulated, &Articulated::chain(), 64.0);
     agree(&Refined, &Refined::chain(), 64.0);
 }
 
 #[test]
-fn summed_angles_compute_the_same() {
+fn merged_angles_compute_the_same() {
     agree(&Merged, &Merged::chain(), 64.0);
     agree(&Apart, &Apart::chain(), 64.0);
 }
 
-/// After many turns of a joint, the sum with the next one's angle has no room for all its digits.
+/// After many full turns of a joint, rounding the sum with the next angle loses digits.
 #[test]
-fn the_sum_of_large_angles_costs_what_is_said() {
+fn merged_large_angles_lose_the_documented_digits() {
     let turns = 1e6;
     let q = [0.3, turns, 1.0 / 3.0, 0.1, 0.4, -0.5];
     let found = |tau: [f64; 6], expected: [f64; 6]| {
@@ -131,11 +131,11 @@ fn the_sum_of_large_angles_costs_what_is_said() {
     assert!(merged <= 4.0 * turns * DOUBLE, "{merged:e}");
     assert!(
         merged > 16.0 * DOUBLE,
-        "{merged:e}: the sum is no dearer than it is cheap"
+        "{merged:e}: merging has no error to document"
     );
 }
 
-/// Inverse dynamics of the engine's own program, run as it stands.
+/// Inverse dynamics by the engine's own program.
 fn interpreted(formulation: Formulation, state: &State<f64, 7>) -> Vec<f64> {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/panda_class.urdf");
     let mut errors = Errors::new();
@@ -167,7 +167,7 @@ fn bits(numbers: impl IntoIterator<Item = f64>) -> Vec<u64> {
 }
 
 #[test]
-fn unfused_code_is_the_program_bit_for_bit() {
+fn unfused_code_gives_the_bits_of_the_program() {
     let state: State<f64, 7> = State::random(&mut Random::new(9));
     let State { q, qd, qdd } = &state;
     let plain = interpreted(Formulation::default(), &state);
@@ -184,13 +184,13 @@ fn unfused_code_is_the_program_bit_for_bit() {
     );
 }
 
-/// Factors cost ever more for each further joint, articulated bodies the same; refinements cost more than
-/// either. Which are accurate enough, 100 u in a thousand states, the hard cases tell.
+/// The cost of factors per joint grows with the number of joints, that of articulated bodies does not; refinements cost
+/// most. Algorithms are accurate enough up to 100 u in a thousand states, which the hard cases test.
 #[test]
-fn the_cheapest_form_is_taken_of_those_that_are_accurate_enough() {
+fn the_cheapest_algorithm_is_chosen_of_those_that_are_accurate_enough() {
     const FACTORS: Forward = Forward::UNREFINED;
     const REFINED: Forward = Forward::MassMatrix { refinements: 1 };
-    let weight = |chain: &Chain, function, forward| {
+    let cost = |chain: &Chain, function, forward| {
         let formulation = Formulation {
             forward,
             ..Formulation::default()
@@ -210,15 +210,18 @@ fn the_cheapest_form_is_taken_of_those_that_are_accurate_enough() {
     ];
     for (label, of_dynamics, of_inverse) in of_robots {
         let chain = subject(label).chain();
-        for (function, form) in [
+        for (function, algorithm) in [
             (Function::ForwardDynamics, of_dynamics),
             (Function::MassMatrixInverse, of_inverse),
         ] {
-            let taken = weight(&chain, function, None);
-            let forms = [FACTORS, Forward::Articulated, REFINED];
-            let weights = forms.map(|form| (form, weight(&chain, function, Some(form))));
-            println!("{label}, {}: {taken} of {weights:?}", function.name());
-            assert!(weights.contains(&(form, taken)), "{label}, {function:?}");
+            let chosen = cost(&chain, function, None);
+            let algorithms = [FACTORS, Forward::Articulated, REFINED];
+            let costs = algorithms.map(|forward| (forward, cost(&chain, function, Some(forward))));
+            println!("{label}, {}: {chosen} of {costs:?}", function.name());
+            assert!(
+                costs.contains(&(algorithm, chosen)),
+                "{label}, {function:?}"
+            );
         }
     }
 }

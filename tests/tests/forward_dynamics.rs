@@ -1,5 +1,5 @@
-//! Forward dynamics and the inverse of the mass matrix: against the inverse dynamics that they undo,
-//! against the mass matrix that they invert, against the generic runtime, and against Pinocchio.
+//! Forward dynamics and the inverse of the mass matrix, compared with inverse dynamics, the mass matrix, the generic
+//! recursions, and Pinocchio.
 
 use std::array::from_fn;
 
@@ -14,7 +14,7 @@ use homogen_tests::rounding::DOUBLE;
 use homogen_tests::states::{Random, State};
 use serde_json::Value;
 
-/// How many random states of each robot.
+/// Random states of each robot.
 const STATES: usize = 1000;
 
 /// The largest difference of two lists.
@@ -29,13 +29,13 @@ fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
 
-/// Torques of the state's own size, so that q̈ is not the difference of large numbers alone.
+/// Torques of the accelerations' size, so that q̈ is not only a difference of large numbers.
 fn torques<const N: usize>(state: &State<f64, N>) -> [f64; N] {
     from_fn(|k| 3.0 * state.qdd[N - 1 - k])
 }
 
-/// The worst backward error over random states, in u: by how much the torques of the found
-/// accelerations miss, beside what accelerations and torques of that size weigh.
+/// The worst backward error over random states, in u: the difference of the torques that the computed accelerations
+/// need from the given ones, relative to the size of M q̈ and τ.
 fn backward_error<R, const N: usize>(robot: &R) -> f64
 where
     R: InverseDynamics<N> + MassMatrix<N> + ForwardDynamics<N>,
@@ -47,16 +47,16 @@ where
         let found = robot.forward_dynamics(&state.q, &state.qd, &tau);
         let needed = robot.inverse_dynamics(&state.q, &state.qd, &found);
         let mass = robot.mass_matrix(&state.q);
-        let weight = mass
+        let inertia = mass
             .as_flattened()
             .iter()
             .fold(0.0, |most: f64, m| most.max(m.abs()));
-        let size = weight * largest(&found) + largest(&tau);
+        let size = inertia * largest(&found) + largest(&tau);
         worst.max(difference(&needed, &tau) / size / DOUBLE)
     })
 }
 
-/// The worst entry of M M⁻¹ − 1 over random states, beside |M| |M⁻¹|, in u.
+/// The worst entry of M M⁻¹ − 1 over random states, relative to |M| |M⁻¹|, in u.
 fn inversion_error<R, const N: usize>(robot: &R) -> f64
 where
     R: MassMatrix<N> + MassMatrixInverse<N>,
@@ -88,8 +88,7 @@ where
     })
 }
 
-/// The worst difference from the generic recursions, relative, times the share of u that the
-/// conditioning of the mass matrix leaves.
+/// The worst relative difference from the generic recursions, in u times the condition number of the mass matrix.
 fn distance_from_generic<R, const N: usize, const F: usize>(
     robot: &R,
     chain: &homogen::Chain<N, F>,
@@ -111,7 +110,7 @@ where
     })
 }
 
-/// Two numbers of the file of a robot, as many as it has joints.
+/// A vector of a state in the file of a robot.
 fn vector<const N: usize>(state: &Value, field: &str) -> [f64; N] {
     from_fn(|k| state[field][k].as_f64().expect("a number"))
 }

@@ -1,8 +1,8 @@
-//! Generated code in scopes, under lints and among names that are all against it.
+//! Generated code among adverse names, scopes and lints.
 #![deny(warnings, clippy::pedantic, missing_docs, unused_qualifications)]
 #![deny(unreachable_pub)]
 
-/// The same robot where nothing is in its way.
+/// The same robot in an ordinary scope.
 mod friendly {
     #[derive(homogen::Robot)]
     #[robot(
@@ -26,14 +26,14 @@ mod friendly {
     pub(crate) struct Arm;
 }
 
-/// No prelude, and nothing is what it is called.
+/// A scope without the prelude, in which common names mean something else.
 #[no_implicit_prelude]
 #[allow(
     dead_code,
     non_camel_case_types,
     non_upper_case_globals,
     unused_macros,
-    reason = "they are only in the way"
+    reason = "they are here only to shadow"
 )]
 mod shadowed {
     use ::homogen::Robot as Macro;
@@ -95,7 +95,7 @@ mod shadowed {
                 /// Gravity.
                 #[robot(gravity)]
                 pub(crate) r#fn: [::core::primitive::f64; 3],
-                /// Nothing that the generated code knows.
+                /// A field that the robot does not use.
                 pub(crate) t_1: &'q [T; q_1],
             }
         };
@@ -105,7 +105,7 @@ mod shadowed {
     arm!(Double, f64);
 }
 
-/// Structs that are called as generated code calls its type of number, or a value.
+/// Structs with names of generated code: of its type parameter or of its values.
 mod namesakes {
     macro_rules! arm {
         ($name:ident) => {
@@ -115,15 +115,15 @@ mod namesakes {
         };
     }
     arm!(T);
-    #[allow(non_camel_case_types, reason = "it is only in the way")]
+    #[allow(non_camel_case_types, reason = "the name is under test")]
     pub(crate) mod k {
         arm!(k);
     }
-    #[allow(non_camel_case_types, reason = "it is only in the way")]
+    #[allow(non_camel_case_types, reason = "the name is under test")]
     pub(crate) mod t_1 {
         arm!(t_1);
     }
-    #[allow(non_camel_case_types, reason = "it is only in the way")]
+    #[allow(non_camel_case_types, reason = "the name is under test")]
     pub(crate) mod q {
         arm!(q);
     }
@@ -164,7 +164,7 @@ fn names_and_scopes_change_no_result() {
     let double = double.inverse_dynamics(&Q, &QD, &QDD);
     let single = single.inverse_dynamics(&narrow(Q), &narrow(QD), &narrow(QDD));
     for i in 0..3 {
-        // The mass went through an f32.
+        // The field of the mass is an f32.
         close(generic[i], expected[i], 1e-6);
         close(double[i], generic[i], 1e-14);
         close(single[i].into(), expected[i], 1e-5);
@@ -203,7 +203,7 @@ fn frames_of_similar_names_are_two_functions() {
 }
 
 #[test]
-fn functions_that_share_work_agree_with_those_that_do_not() {
+fn functions_generated_together_agree_with_those_generated_alone() {
     let (mass, bias) = friendly::Arm.mass_matrix_and_bias(&Q, &QD);
     let (alone, at_rest) = (friendly::Arm.mass_matrix(&Q), friendly::Arm.bias(&Q, &QD));
     for i in 0..3 {

@@ -1,8 +1,7 @@
-//! What must hold between the results of one robot, whatever the robot is.
+//! Laws of mechanics between the results of one robot.
 //!
-//! Hardly another implementation is asked: derivatives are taken by running generated code on dual
-//! numbers, so that they are right to rounding. Errors are in units of rounding times the largest
-//! value that either side of the identity has in any state.
+//! They need hardly any other implementation: derivatives come from generated code on dual numbers, to rounding. Errors
+//! are in units of rounding times the largest value of either side in any state.
 
 use std::array::from_fn;
 
@@ -25,11 +24,11 @@ const STATES: usize = 100;
 /// The worst is 20 u, of the power balance, whose terms are larger than their sum.
 const LIMIT: f64 = 64.0;
 
-/// Differences of the potential energy lose ten bits to their step, and as much to its fourth power;
-/// the worst is 10,000 u.
+/// Differences of the potential energy lose ten bits by their step, and as much by its fourth power; the worst is
+/// 10,000 u.
 const LIMIT_OF_DIFFERENCES: f64 = 40_000.0;
 
-/// A robot whose code runs on numbers and on dual numbers.
+/// A robot whose code runs on `f64` and on dual numbers.
 trait Differentiable<const N: usize>: EveryFunction<N, f64> + EveryFunction<N, Dual> {}
 
 impl<R: EveryFunction<N, f64> + EveryFunction<N, Dual>, const N: usize> Differentiable<N> for R {}
@@ -67,7 +66,7 @@ where
     differences.0.assert_within(LIMIT_OF_DIFFERENCES);
 }
 
-/// τ = M q̈ + bias, with M symmetric and positive.
+/// τ = M q̈ + bias, with a symmetric and positive definite M.
 fn equations_of_motion<R, const N: usize>(
     robot: &R,
     State { q, qd, qdd }: &State<f64, N>,
@@ -104,7 +103,7 @@ fn equations_of_motion<R, const N: usize>(
     assert!(least_pivot(mass) > 0.0, "M is positive definite: {mass:?}");
 }
 
-/// ½ q̇ᵗ M q̇ is the kinetic energy, and what it gains is what the torques put in: Ṁ − 2C is skew.
+/// ½ q̇ᵗ M q̇ is the kinetic energy; its rate is the power of the torques, so Ṁ − 2C is skew.
 fn energies<R, const N: usize, const F: usize>(
     robot: &R,
     chain: &Chain<N, F>,
@@ -124,8 +123,8 @@ fn energies<R, const N: usize, const F: usize>(
     let rate = robot.mass_matrix(&Dual::pairs(q, qd));
     let gained = 0.5 * dot(qd, &rate.map(|row| dot(&slopes(row), qd)));
     let (bias, gravity) = (robot.bias(q, qd), robot.gravity(q));
-    let put_in = dot(qd, &bias) - dot(qd, &gravity);
-    found.note("½ q̇ᵗ Ṁ q̇ = q̇ᵗ (bias − gravity)", [gained], [put_in]);
+    let power = dot(qd, &bias) - dot(qd, &gravity);
+    found.note("½ q̇ᵗ Ṁ q̇ = q̇ᵗ (bias − gravity)", [gained], [power]);
 }
 
 /// The columns of the Jacobians are derivatives of the pose: Lᵢ = ∂M/∂qᵢ M⁻¹.
@@ -173,8 +172,7 @@ fn motion_of_the_tip<R, const N: usize>(
     found.note("H = Ẇ + W²", entries(h), entries(expected));
 }
 
-/// The rates of the Jacobians are their derivatives in time, and with q̈ they make accelerations:
-/// Ẇ = Σ L q̈ + L̇ q̇; what velocities make of H is H without q̈.
+/// The rates of the Jacobians are their derivatives in time; Ẇ = Σ L q̈ + L̇ q̇; the acceleration bias is H at q̈ = 0.
 fn rates_of_columns<R, const N: usize>(
     robot: &R,
     State { q, qd, qdd }: &State<f64, N>,
@@ -227,8 +225,8 @@ fn rates_of_columns<R, const N: usize>(
     );
 }
 
-/// The centre of mass moves by its Jacobian, and carries the momentum; the momentum about it is what its matrix
-/// makes of q̇, and what changes that is its matrix' rate.
+/// The velocity of the centre of mass is the derivative of its position, and its Jacobian times q̇. The momentum about
+/// it is its matrix times q̇, and the rate of that at q̈ = 0 is the rate of the matrix times q̇.
 fn centroids<R, const N: usize>(
     robot: &R,
     State { q, qd, .. }: &State<f64, N>,
@@ -272,7 +270,7 @@ fn centroids<R, const N: usize>(
     found.note("Φ = Ȧ q̇", [bias.c(), bias.f()].concat(), sum(rates));
 }
 
-/// Gravity torques are what the potential energy rises by.
+/// Gravity torques are the gradient of the potential energy.
 fn gravity_is_a_gradient<R, const N: usize, const F: usize>(
     robot: &R,
     chain: &Chain<N, F>,
@@ -298,18 +296,18 @@ fn gravity_is_a_gradient<R, const N: usize, const F: usize>(
 /// A pose and its derivative.
 struct Moved {
     pose: Pose<f64>,
-    /// ω and the velocity of the origin, in axes of frame 0.
+    /// ω and the velocity of the origin, in the axes of frame 0.
     omega: [f64; 3],
     v: [f64; 3],
 }
 
 impl Moved {
-    /// The pose of the tip that moves at some rates.
+    /// The pose of the end effector and its derivative at some rates.
     fn of<R: Differentiable<N>, const N: usize>(robot: &R, q: &[f64; N], qd: &[f64; N]) -> Self {
         let m: Pose<Dual> = robot.forward_kinematics(&Dual::pairs(q, qd));
         let rotation = m.rotation().map(|row| row.map(|entry| entry.value));
         let rate = m.rotation().map(slopes);
-        // Ṙ Rᵗ is skew; both of its triangles are taken.
+        // Ṙ Rᵗ is skew; the mean of both triangles is taken.
         let w: [[f64; 3]; 3] = from_fn(|i| from_fn(|j| dot(&rate[i], &rotation[j])));
         Self {
             pose: Pose::new(rotation, m.translation().map(|entry| entry.value)),
@@ -322,25 +320,25 @@ impl Moved {
         }
     }
 
-    /// With the tip as pole.
+    /// With the reference point at the end effector.
     fn at_tip(&self) -> Vec<f64> {
         [self.omega, self.v].concat()
     }
 
-    /// With the origin of frame 0 as pole: v − ω × t.
+    /// With the reference point at the origin of frame 0: v − ω × t.
     fn in_0(&self) -> Vec<f64> {
         let ([x, y, z], [p, q, r]) = (self.omega, self.pose.translation());
-        let turned = [y * r - z * q, z * p - x * r, x * q - y * p];
-        [self.omega, from_fn(|i| self.v[i] - turned[i])].concat()
+        let lever = [y * r - z * q, z * p - x * r, x * q - y * p];
+        [self.omega, from_fn(|i| self.v[i] - lever[i])].concat()
     }
 
-    /// In the axes of the tip.
+    /// In the axes of the end effector.
     fn in_tip(&self) -> Vec<f64> {
         let rotation = self.pose.rotation();
-        let seen = |vector: [f64; 3]| -> [f64; 3] {
+        let rotated = |vector: [f64; 3]| -> [f64; 3] {
             from_fn(|i| dot(&rotation.map(|row| row[i]), &vector))
         };
-        [seen(self.omega), seen(self.v)].concat()
+        [rotated(self.omega), rotated(self.v)].concat()
     }
 }
 
@@ -366,10 +364,10 @@ macro_rules! identities {
 }
 for_every_robot!(identities);
 
-/// The form of the matrices of the paper, by dense products: W and Γ and Φ are skew where they should
-/// be, J is symmetric in every frame, Γ = W J − J Wᵗ and Φ = H J − J Hᵗ.
+/// The structure of the paper's matrices, by dense products: W, Γ and Φ are skew where they should be, J is symmetric
+/// in every frame, Γ = W J − J Wᵗ and Φ = H J − J Hᵗ.
 #[test]
-fn matrices_have_the_form_of_the_paper() {
+fn matrices_have_the_structure_of_the_paper() {
     let mut random = Random::new(3);
     let mut found = Identities(Worst::in_units_of(DOUBLE));
     let chain = PandaClass::chain();
@@ -401,7 +399,7 @@ fn matrices_have_the_form_of_the_paper() {
     found.0.assert_within(LIMIT);
 }
 
-/// X J − J Xᵗ, row by row, of a symmetric J.
+/// X J − J Xᵗ, row by row, for a symmetric J.
 fn skew(x: &[[f64; 4]; 4], j: &[[f64; 4]; 4]) -> Vec<f64> {
     let product = |i: usize, k: usize| dot(&x[i], &j[k]);
     let entries = (0..4).flat_map(|i| (0..4).map(move |k| (i, k)));

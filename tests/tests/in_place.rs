@@ -1,7 +1,7 @@
-//! Robots written in place, each for something that the files in robots/ have not: screws, sliding
-//! chains, oblique axes, branches in the middle, tables, settings and their combinations.
+//! Inline descriptions of what the files in robots/ do not have: screws, chains of prismatic joints, oblique axes,
+//! branches in the middle, tables, settings and their combinations.
 //!
-//! Generated code against the generic recursions, in units of rounding as in `agreement`.
+//! Generated code is compared with the generic recursions, in units of rounding as in `agreement`.
 
 use homogen::{Chain, chain, generic};
 use homogen_tests::functions::{Block, EveryFunction, evaluate};
@@ -13,7 +13,7 @@ const STATES: usize = 100;
 /// The worst is 35 u.
 const LIMIT: f64 = 64.0;
 
-/// Of what cancels in the recursions in frame 0, most of it in every state: the worst is 620 u, or 1.3e-14.
+/// For results that cancel in the recursions in frame 0: the worst is 620 u, or 1.3e-14.
 const LIMIT_OF_DIFFERENCES: f64 = 1024.0;
 
 fn limit(block: &str) -> f64 {
@@ -27,7 +27,7 @@ fn limit(block: &str) -> f64 {
     }
 }
 
-/// Writes a robot with all functions.
+/// Declares a robot with all functions.
 macro_rules! robot {
     ($(#[$about:meta])* $name:ident { $($settings:tt)* } $($parts:tt)*) => {
         chain! {
@@ -59,7 +59,7 @@ fn names<const N: usize, const F: usize>(chain: &Chain<N, F>) -> [&'static str; 
 }
 
 robot! {
-    /// A pillar drill: its quill goes down by 5 mm a turn.
+    /// A pillar drill, whose quill goes down by 5 mm per turn.
     Drill { gravity: [0.5, 0.0, -9.5] }
     link base;
     joint pillar: revolute(z) { at: xyz(0.0, 0.0, 1.2) }
@@ -71,7 +71,7 @@ robot! {
 }
 
 robot! {
-    /// Three slides and a wrist, on a wall.
+    /// Three prismatic joints and a wrist, on a wall.
     Gantry { gravity: [-9.81, 0.0, 0.0] }
     link base;
     joint x: prismatic(x);
@@ -85,7 +85,7 @@ robot! {
 }
 
 robot! {
-    /// A boring mill: its spindle turns and is fed along an oblique axis, and carries a facing slide.
+    /// A boring mill with two cylindrical joints, the first with an oblique axis.
     Mill { gravity: [0.2, -9.7, 1.0] }
     link base;
     joint table: prismatic(x) { at: xyz(0.0, 0.0, 0.4) }
@@ -97,7 +97,7 @@ robot! {
 }
 
 robot! {
-    /// No two axes meet at a right angle, and nothing pulls.
+    /// No two axes at a right angle, and no gravity.
     Oblique { gravity: none, tip: c }
     link base;
     joint one: revolute([0.6, 0.0, 0.8]) { at: xyz(0.1, 0.2, 0.3) rpy(0.4, 0.5, 0.6) }
@@ -109,7 +109,7 @@ robot! {
 }
 
 robot! {
-    /// A trunk with a head and two arms that branch in the middle; the eye is a frame of its own.
+    /// A trunk with a head and two arms that branch in the middle; the eye is a further frame.
     Torso { tip: left_hand, frames(eye, pelvis) }
     link pelvis;
     joint waist: revolute(z) { from: pelvis, to: trunk, at: xyz(0.0, 0.0, 0.2) }
@@ -129,7 +129,7 @@ robot! {
 }
 
 robot! {
-    /// The same from the trunk up, without its right arm and with its head held.
+    /// The same from the trunk up, without its right arm and with a locked neck.
     Bust { base: trunk, tip: left_hand, drop(right_arm), lock(neck = 0.3), frames(head) }
     link pelvis;
     joint waist: revolute(z) { from: pelvis, to: trunk }
@@ -145,7 +145,7 @@ robot! {
 }
 
 robot! {
-    /// An arm whose second branch keeps its mass and loses its coordinate.
+    /// An arm whose second branch has a mass and no coordinate.
     OnePath { tip: hand, path_only, exact }
     link base;
     joint shoulder: revolute(z) { from: base, to: upper, at: rx(-4.7124) }
@@ -157,7 +157,7 @@ robot! {
 }
 
 robot! {
-    /// Modified Denavit-Hartenberg.
+    /// Modified Denavit–Hartenberg parameters.
     Table { }
     denavit_hartenberg(modified) {
         one: revolute { a: 0.0, alpha: 0.0, d: 0.3, mass: 3.0, com: [0.0, 0.02, 0.1], inertia: [0.02, 0.02, 0.01] }
@@ -167,12 +167,12 @@ robot! {
 }
 
 #[test]
-fn screws() {
+fn screws_agree_with_the_recursions() {
     agree(&Drill, &Drill::chain());
 }
 
 #[test]
-fn joints_with_two_coordinates() {
+fn cylindrical_joints_have_two_coordinates() {
     let chain = Mill::chain();
     agree(&Mill, &chain);
     assert_eq!(
@@ -188,19 +188,19 @@ fn joints_with_two_coordinates() {
 }
 
 #[test]
-fn sliding_chains() {
+fn chains_of_prismatic_joints_agree_with_the_recursions() {
     agree(&Gantry, &Gantry::chain());
 }
 
 #[test]
-fn oblique_axes_without_gravity() {
+fn oblique_axes_without_gravity_agree_with_the_recursions() {
     agree(&Oblique, &Oblique::chain());
     assert_eq!(Oblique::chain().gravity, [0.0; 3]);
     assert_eq!(Oblique.gravity(&[1.0, 2.0, 3.0]), [0.0; 3]);
 }
 
 #[test]
-fn branches_in_the_middle_and_frames() {
+fn branches_and_further_frames_agree_with_the_recursions() {
     let chain = Torso::chain();
     agree(&Torso, &chain);
     let order = "waist neck left_shoulder left_elbow right_shoulder right_wrist";
@@ -208,7 +208,7 @@ fn branches_in_the_middle_and_frames() {
 
     let mut random = Random::new(5);
     let mut worst = Worst::in_units_of(DOUBLE);
-    let eye = chain.frame("eye").expect("it is asked for");
+    let eye = chain.frame("eye").expect("a frame of the request");
     for _ in 0..STATES {
         let State { q, qd, qdd } = &State::<f64, 6>::random(&mut random);
         let m = [
@@ -236,18 +236,18 @@ fn branches_in_the_middle_and_frames() {
             ]
         });
         worst.note(&result, &expected);
-        // Nothing moves the frame of the base.
+        // The frame of the base does not move.
         assert_eq!(Torso.velocity_of_pelvis(q, qd).v(), [0.0; 3]);
     }
     worst.assert_within(LIMIT);
 }
 
 #[test]
-fn a_part_of_a_robot() {
+fn a_part_of_a_robot_agrees_with_the_recursions() {
     let chain = Bust::chain();
     agree(&Bust, &chain);
     assert_eq!(names(&chain), ["left_shoulder", "left_elbow"]);
-    let head = chain.frame("head").expect("it is asked for");
+    let head = chain.frame("head").expect("a frame of the request");
     assert_eq!(head.body, None);
     let m = Bust.forward_kinematics_of_head(&[0.0_f64; 2]);
     assert_eq!(
@@ -257,13 +257,13 @@ fn a_part_of_a_robot() {
 }
 
 #[test]
-fn the_way_to_the_tip_alone() {
+fn the_path_to_the_end_effector_alone_has_coordinates() {
     let chain = OnePath::chain();
     agree(&OnePath, &chain);
     assert_eq!(names(&chain), ["shoulder", "elbow"]);
     let carried: f64 = chain.joints.iter().map(|joint| joint.inertia.mass()).sum();
     assert_eq!(carried, 3.5);
-    // `exact`: a right angle of five digits is not one.
+    // With `exact`, a rounded right angle is an ordinary angle.
     assert_eq!(
         chain.joints[0].placement.rotation()[2][2],
         (-4.7124_f64).cos()
@@ -271,6 +271,6 @@ fn the_way_to_the_tip_alone() {
 }
 
 #[test]
-fn a_table() {
+fn a_table_agrees_with_the_recursions() {
     agree(&Table, &Table::chain());
 }

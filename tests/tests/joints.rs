@@ -1,9 +1,8 @@
-//! Robots whose joints have several velocities, or follow others: against the generic recursions, and laws
-//! of mechanics between the results of one robot.
+//! Robots whose joints have several velocities or mimic others: compared with the generic recursions, and laws of
+//! mechanics between the results of one robot.
 //!
-//! Derivatives are taken by running generated code on dual numbers along a motion: coordinates are
-//! integrated, because velocities are no derivatives of theirs. Errors are in units of rounding times the
-//! largest value of any state.
+//! Derivatives come from generated code on dual numbers along an integrated motion, since velocities are not
+//! derivatives of coordinates. Errors are in units of rounding times the largest value of any state.
 
 use std::array::from_fn;
 
@@ -19,17 +18,17 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 100;
 
-/// The dense products of the recursions in frame 0 round more than what they judge: the worst is 82 u, or
-/// 9e-15; of derivatives, whose terms followers multiply twice, 589 u.
+/// The dense products of the recursions in frame 0 have larger errors than generated code: the worst is 82 u, or 9e-15;
+/// of derivatives, which have the factors of mimic joints twice, 589 u.
 const DOUBLE_LIMIT: f64 = 1024.0;
 
-/// In single precision quaternions are rounded before a function sees them: the worst is 62 u.
+/// In single precision the arguments' quaternions are rounded: the worst is 62 u.
 const SINGLE_LIMIT: f64 = 192.0;
 
-/// Of laws of mechanics: the worst is 13 u.
+/// For laws of mechanics: the worst is 13 u.
 const LAW_LIMIT: f64 = 64.0;
 
-/// All that is asked of a robot here.
+/// All functions that are tested here.
 trait Robot<const N: usize, const Q: usize>:
     EveryFunction<N, f64, Q>
     + EveryFunction<N, f32, Q>
@@ -48,7 +47,7 @@ impl<R, const N: usize, const Q: usize> Robot<N, Q> for R where
 {
 }
 
-/// Every function in a type of number, with its entries widened.
+/// Results of every function in a type, as `f64`.
 fn widened<R, T: Real, const N: usize, const Q: usize>(
     robot: &R,
     state: &State<f64, N, Q>,
@@ -102,19 +101,19 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Ṁ M⁻¹ of a pose: ω, and the velocity of the point in the origin.
+/// Ṁ M⁻¹ of a pose: ω, and the velocity of the point at the origin.
 fn rate(pose: &Pose<Dual>) -> [[f64; 3]; 2] {
     let rotation = pose.rotation().map(|row| row.map(|entry| entry.value));
-    let turned = pose.rotation().map(slopes);
-    let w: [[f64; 3]; 3] = from_fn(|i| from_fn(|j| dot(&turned[i], &rotation[j])));
+    let derivative = pose.rotation().map(slopes);
+    let w: [[f64; 3]; 3] = from_fn(|i| from_fn(|j| dot(&derivative[i], &rotation[j])));
     let omega = [
         (w[2][1] - w[1][2]) / 2.0,
         (w[0][2] - w[2][0]) / 2.0,
         (w[1][0] - w[0][1]) / 2.0,
     ];
     let t = pose.translation();
-    let gone = vector::cross(omega, t.map(|entry| entry.value));
-    [omega, vector::sub(slopes(t), gone)]
+    let lever = vector::cross(omega, t.map(|entry| entry.value));
+    [omega, vector::sub(slopes(t), lever)]
 }
 
 fn obey_the_laws<R, const N: usize, const F: usize, const Q: usize, const B: usize>(
@@ -140,7 +139,7 @@ fn obey_the_laws<R, const N: usize, const F: usize, const Q: usize, const B: usi
         assert_eq!(mass, transposed, "M is symmetric");
         assert!(least_pivot(mass) > 0.0, "M is positive definite: {mass:?}");
 
-        // Energy: what the torques put in is what it gains.
+        // The power of the torques is the rate of the energy.
         let kinetic: f64 = robot.kinetic_energy(&q, &qd);
         let product: [f64; N] = from_fn(|i| dot(&mass[i], &qd));
         note("½ q̇ᵗ M q̇", &[0.5 * dot(&product, &qd)], &[kinetic]);
@@ -174,7 +173,7 @@ fn obey_the_laws<R, const N: usize, const F: usize, const Q: usize, const B: usi
         let entries = |h: Acceleration<f64>| [h.g().as_flattened(), &h.a()].concat();
         note("H = Ẇ + W²", &entries(h), &entries(expected));
 
-        // Of the torques that a state needs, its accelerations come back.
+        // Forward dynamics inverts inverse dynamics.
         let again: [f64; N] = robot.forward_dynamics(&q, &qd, &tau);
         let needed: [f64; N] = robot.inverse_dynamics(&q, &qd, &again);
         note("τ(q̈(τ)) = τ", &needed, &tau);
@@ -221,19 +220,19 @@ macro_rules! joints {
 }
 for_every_jointed_robot!(joints);
 
-/// (γ, ρ) in frame 0 of a vector over the velocities of a free base: M q̇, or τ.
+/// (γ, ρ) in frame 0 of a vector over the velocities of a floating base: M q̇, or τ.
 fn in_0<T: Scalar, const N: usize>(q: &[T], list: &[T; N]) -> [T; 6] {
     let quaternion = [q[6], q[3], q[4], q[5]];
-    let turn = homogen::rotation::from_quaternion(quaternion);
-    let rho = vector::product(&turn, [list[0], list[1], list[2]]);
-    let about_base = vector::product(&turn, [list[3], list[4], list[5]]);
+    let rotation = homogen::rotation::from_quaternion(quaternion);
+    let rho = vector::product(&rotation, [list[0], list[1], list[2]]);
+    let about_base = vector::product(&rotation, [list[3], list[4], list[5]]);
     let gamma = vector::add(about_base, vector::cross([q[0], q[1], q[2]], rho));
     [gamma[0], gamma[1], gamma[2], rho[0], rho[1], rho[2]]
 }
 
-/// What acts on a free base changes the momentum of the whole, and what acts between its bodies does not.
+/// The wrench on a floating base changes the total momentum; torques between bodies do not.
 #[test]
-fn the_rate_of_momentum_is_the_action_on_the_base() {
+fn the_rate_of_momentum_is_the_wrench_on_the_base() {
     let chain = FreeQuadruped::chain();
     let mut random = Random::new(3);
     let mut found = Worst::in_units_of(DOUBLE);
@@ -249,17 +248,17 @@ fn the_rate_of_momentum_is_the_action_on_the_base() {
         let gained = slopes(in_0(&along, &momenta));
         let tau = FreeQuadruped.inverse_dynamics(&q, &qd, &qdd);
         let gravity = FreeQuadruped.gravity(&q);
-        let acting = in_0(&q, &from_fn::<f64, 18, _>(|k| tau[k] - gravity[k]));
+        let wrench = in_0(&q, &from_fn::<f64, 18, _>(|k| tau[k] - gravity[k]));
         let block = |entries: [f64; 6]| [Block::new("momentum", entries)];
-        found.note(&block(gained), &block(acting));
+        found.note(&block(gained), &block(wrench));
     }
     println!("{found}");
     found.assert_within(LAW_LIMIT);
 }
 
-/// Where a base is changes nothing of what its joints need, to the last bit.
+/// The position of the base changes no bit of the torques.
 #[test]
-fn a_base_a_thousand_kilometres_away_loses_nothing() {
+fn a_base_a_thousand_kilometres_away_loses_no_accuracy() {
     let chain = FreeQuadruped::chain();
     let mut random = Random::new(4);
     for _ in 0..STATES {
@@ -296,7 +295,7 @@ fn a_base_a_thousand_kilometres_away_loses_nothing() {
             FreeQuadruped.centroidal_momentum_bias(&far, &qd),
             FreeQuadruped.centroidal_momentum_bias(&q, &qd)
         );
-        // Seen from frame 0 it is far, and as right as a number of that size can be.
+        // Poses in frame 0 are rounded to the distance.
         let here: Pose<f64> = FreeQuadruped.forward_kinematics(&q);
         let there: Pose<f64> = FreeQuadruped.forward_kinematics(&far);
         assert_eq!(there.rotation(), here.rotation());
@@ -309,8 +308,8 @@ fn a_base_a_thousand_kilometres_away_loses_nothing() {
     }
 }
 
-/// One step of the fourth order: classical for velocities, which do not depend on where a free body is; and
-/// of the velocities within the step the screw that leads where they lead (Magnus).
+/// A step of fourth order: classical Runge–Kutta for velocities, which do not depend on a free body's position; for the
+/// position, the screw of the velocities within the step (Magnus expansion).
 fn step(q: &[f64; 7], qd: &[f64; 6], h: f64) -> ([f64; 7], [f64; 6]) {
     let rate = |qd: &[f64; 6]| Brick.forward_dynamics(q, qd, &[0.0; 6]);
     let plus = |rate: &[f64; 6], by: f64| -> [f64; 6] { from_fn(|k| qd[k] + by * rate[k]) };
@@ -320,22 +319,22 @@ fn step(q: &[f64; 7], qd: &[f64; 6], h: f64) -> ([f64; 7], [f64; 6]) {
     let fourth = rate(&plus(&third, h));
     let change: [f64; 6] = from_fn(|k| (first[k] + 2.0 * (second[k] + third[k]) + fourth[k]) / 6.0);
     let end = plus(&change, h);
-    // In the middle by Hermite's cubic, which is right to the same order.
+    // The middle by Hermite's cubic, of the same order.
     let last = rate(&end);
     let middle: [f64; 6] = from_fn(|k| qd[k].midpoint(end[k]) + h / 8.0 * (first[k] - last[k]));
     let split = |x: &[f64; 6]| ([x[3], x[4], x[5]], [x[0], x[1], x[2]]);
     let ((w, v), (w_end, v_end)) = (split(qd), split(&end));
-    let turned = vector::cross(w, w_end);
-    let moved = vector::add(vector::cross(w, v_end), vector::cross(v, w_end));
+    let angular = vector::cross(w, w_end);
+    let linear = vector::add(vector::cross(w, v_end), vector::cross(v, w_end));
     let bracket = [
-        moved[0], moved[1], moved[2], turned[0], turned[1], turned[2],
+        linear[0], linear[1], linear[2], angular[0], angular[1], angular[2],
     ];
     let screw: [f64; 6] =
         from_fn(|k| h / 6.0 * (qd[k] + 4.0 * middle[k] + end[k]) + h * h / 12.0 * bracket[k]);
     (Brick.integrate(q, &screw), end)
 }
 
-/// The largest change of the momentum and of the energy, beside what they are, in steps of a total time.
+/// The largest relative change of momentum and of energy over a duration, in so many steps.
 fn drifts(steps: u32, time: f64) -> [f64; 2] {
     let mut q: [f64; 7] = Brick.neutral();
     let mut qd = [0.3, -0.2, 0.5, 1.0, 3.0, -0.5];
@@ -362,9 +361,9 @@ fn drifts(steps: u32, time: f64) -> [f64; 2] {
     worst
 }
 
-/// Of the order of the steps where they are long, of rounding where they are short.
+/// Long steps show the order of the method, short ones the rounding errors.
 #[test]
-fn a_body_that_tumbles_for_100_000_steps_keeps_its_momentum_and_energy() {
+fn a_tumbling_body_keeps_its_momentum_and_energy_for_100_000_steps() {
     let (long, half) = (drifts(400, 20.0), drifts(800, 20.0));
     for (long, half) in long.into_iter().zip(half) {
         let order = (long / half).log2();

@@ -1,5 +1,4 @@
-//! Functions of a robot with so many joints that they are printed in blocks: that they compile, and
-//! what they return against the generic recursions.
+//! Functions that are long enough to be printed in blocks: they compile, and agree with the generic recursions.
 #![deny(warnings, clippy::pedantic)]
 
 use homogen::{Robot, generic};
@@ -15,7 +14,7 @@ struct Humanoid;
 const STATES: usize = 20;
 
 #[test]
-fn what_is_evaluated_agrees() {
+fn long_functions_agree_with_the_recursions() {
     let chain = Humanoid::chain();
     let mut random = Random::new(21);
     let mut worst = Worst::in_units_of(DOUBLE);
@@ -27,9 +26,9 @@ fn what_is_evaluated_agrees() {
     worst.assert_within(64.0);
 }
 
-/// Torques come back from accelerations, and the mass matrix from its inverse.
+/// Backward: torques of the accelerations, and M M⁻¹.
 #[test]
-fn what_is_solved_agrees() {
+fn long_solutions_agree_with_the_recursions() {
     let chain = Humanoid::chain();
     let mut random = Random::new(22);
     let [mut torques, mut unit] = [0.0_f64; 2];

@@ -1,14 +1,15 @@
-//! Random mechanisms in any orientation through the whole generator, against equations of motion of 256 bits: see
-//! [`homogen_tests::mechanisms`]. `cargo run --release -p homogen-tests --bin mechanisms` runs a thousand.
+//! Random robots with closed loops, in any orientation, through the whole generator, compared with equations of motion
+//! in 256 bits: see [`homogen_tests::mechanisms`]. `cargo run --release -p homogen-tests --bin mechanisms` runs a
+//! thousand.
 
 use homogen_tests::mechanisms::draw::Kind;
 use homogen_tests::mechanisms::judge::Outcome;
 use homogen_tests::mechanisms::{Trial, examine};
 
-/// The run whose mechanisms are looked at.
+/// The run whose robots are tested.
 const RUN: u64 = 0;
 
-/// The mechanisms of some indices that are right; all others must be reported as singular or refused by name.
+/// The number of right robots of some indices; all others must be reported as singular or refused by name.
 fn right(indices: impl Iterator<Item = usize>) -> usize {
     let mut failures = Vec::new();
     let mut right = 0;
@@ -16,31 +17,31 @@ fn right(indices: impl Iterator<Item = usize>) -> usize {
         match examine(Trial::numbered(RUN, index)) {
             Ok(Outcome::Right(_)) => right += 1,
             Ok(Outcome::Singular | Outcome::Refused) => {}
-            Err(told) => failures.push(told),
+            Err(message) => failures.push(message),
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
     right
 }
 
-/// Stewart platforms take most of the time.
+/// True except for Stewart platforms, which take most of the time.
 fn is_short(index: usize) -> bool {
     Trial::numbered(RUN, index).kind != Kind::Stewart
 }
 
 #[test]
-fn mechanisms_of_all_digits_move_as_they_are_drawn() {
+fn robots_written_with_all_digits_move_as_drawn() {
     let indices: Vec<usize> = (0..20).filter(|&index| is_short(index)).collect();
     assert_eq!(right(indices.iter().copied()), indices.len());
 }
 
 #[test]
-fn mechanisms_of_few_digits_move_or_are_reported() {
+fn robots_written_with_few_digits_move_or_are_reported() {
     assert!(right((20..40).filter(|&index| is_short(index))) >= 8);
 }
 
 #[test]
-fn mechanisms_in_single_precision_move_or_are_reported() {
+fn robots_in_single_precision_move_or_are_reported() {
     let first =
         (0..200).find(|&index| Trial::numbered(RUN, index).scalar == homogen_codegen::Real::F32);
     let first = first.expect("a third of them");
@@ -48,7 +49,7 @@ fn mechanisms_in_single_precision_move_or_are_reported() {
 }
 
 #[test]
-fn a_stewart_platform_moves_as_it_is_drawn() {
+fn a_stewart_platform_moves_as_drawn() {
     let stewart = (0..20)
         .find(|&index| !is_short(index))
         .expect("every tenth");

@@ -1,9 +1,9 @@
-//! The two sources of the truth agree: dense matrices in frame 0 from the raw description, and what
-//! the generator makes of it in the frames of the links, both at 256 bits.
+//! The two sources of true values agree in 256 bits: dense matrices in frame 0 from the description, and the graph of
+//! the generator in link frames.
 //!
-//! Differences are beside the largest S of the result, in which forward dynamics has the condition of
-//! the mass matrix; of those that one of the two has by differences the worst is not told. 10⁻⁵⁰ leaves 27 digits for what rounding at 256 bits loses, and is 18 digits more than
-//! the 106 bits that the generator itself computes with.
+//! Differences are relative to the largest S of the result, which in forward dynamics includes the condition of the
+//! mass matrix. A tolerance of 10⁻⁵⁰ leaves 27 decimal digits for rounding in 256 bits, and is 18 digits below the 106
+//! bits of the generator. Derivatives have another tolerance, since one of the sources computes them by differences.
 
 use std::path::Path;
 
@@ -19,7 +19,7 @@ use homogen_codegen::request::Request;
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_tests::arguments;
 use homogen_tests::big::Big;
-use homogen_tests::drives::driven;
+use homogen_tests::drives::with_actuators;
 use homogen_tests::metrics;
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::oracle::state::exact;
@@ -29,12 +29,12 @@ use homogen_tests::tested::F64;
 
 const STATES: usize = 10;
 
-/// Of what differs from a robot that has been looked at by its drives or by what acts on it.
+/// States of a robot that was compared before without actuators or external wrenches.
 const FEW_STATES: usize = 4;
 
 const TOLERANCE: f64 = 1e-50;
 
-/// How many times as far off a derivative may be, which one of the two has by differences.
+/// Factor of the tolerance for derivatives, which one of the sources computes by differences.
 const BY_DIFFERENCES: f64 = 1e5;
 
 const DERIVATIVES: [Function; 3] = [
@@ -43,14 +43,14 @@ const DERIVATIVES: [Function; 3] = [
     Function::GravityDerivative,
 ];
 
-/// What is no solution, of robots with loops.
+/// Functions of loops that are not solutions.
 const OF_LOOPS: [Function; 3] = [
     Function::Constraint,
     Function::ConstraintJacobian,
     Function::ConstraintBias,
 ];
 
-/// As described, and with all that the generator can do about frames and parameters.
+/// The layout of the description, and one with all changes of frames and parameters.
 const LAYOUTS: [Layout; 2] = [
     Layout::DESCRIBED,
     Layout {
@@ -67,7 +67,7 @@ fn build(description: &Description, request: &Request) -> Chain {
         .identified()
 }
 
-/// The worst difference of a robot's functions, which must be tolerable.
+/// The worst difference of a robot's functions, which must be within the tolerance.
 fn agree(description: &Description, request: &Request) -> f64 {
     agree_within(TOLERANCE, STATES, description, request)
 }
@@ -84,7 +84,7 @@ fn agree_within(
     assert_eq!(robot.velocities(), spaces.velocities.len());
     assert!(robot.quaternions().eq(spaces.quaternions().map(Id::index)));
     assert_eq!(robot.frames.len(), chain.frames.len());
-    let functions: Vec<Function> = frame_0::told()
+    let functions: Vec<Function> = frame_0::functions()
         .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
         .chain(OF_LOOPS.into_iter().filter(|_| !chain.loops.is_empty()))
         .collect();
@@ -175,9 +175,9 @@ of_the_shipped! {
     quadruped, "hr_foot";
 }
 
-/// Joints held, a branch taken off, another base, gravity aslant.
+/// Locked joints, a dropped branch, another base, oblique gravity.
 #[test]
-fn what_a_request_can_ask_for() {
+fn requests_change_both_sources_alike() {
     let number = |value| Number {
         value,
         ..Number::default()
@@ -210,23 +210,23 @@ fn what_a_request_can_ask_for() {
     );
 }
 
-/// Of an angle of 1.5707963267948966 rad the sine is 1 − 1.9·10⁻³³, which the generator, whose numbers have
-/// 106 bits, takes for 1: as written, right angles agree to the 10⁻³² that these bits hold, and no further.
+/// The sine of 1.5707963267948966 rad is 1 − 1.9·10⁻³³, which the generator's 106 bits cannot distinguish from 1: with
+/// `exact`, right angles agree to 10⁻³² only.
 #[test]
-fn right_angles_as_written() {
+fn rounded_right_angles_agree_to_106_bits() {
     let request = Request {
         tip: Some("tool".into()),
         exact: true,
         ..Request::default()
     };
     let worst = agree_within(1e-31, STATES, &read("puma560_general.urdf"), &request);
-    assert!(worst > TOLERANCE, "{worst:e}: a sine is 1 after all");
+    assert!(worst > TOLERANCE, "{worst:e}: the sine is 1");
 }
 
-/// The tree of oblique axes of the engine's own tests, and on it more of every kind of joint, held and
-/// free, at right angles in few digits.
+/// The tree of oblique axes of the engine's tests, with more joints of every type, locked and movable, at right angles
+/// with few digits.
 #[test]
-fn a_tree_of_oblique_axes() {
+fn a_tree_of_oblique_axes_agrees() {
     let tree = include_str!("../../codegen/src/layout/oblique.txt");
     let held = "tip: tool, lock(seven = 0.7, eight = -0.4, ten)";
     let text = tree.replace("tip: tool", held)
@@ -247,10 +247,10 @@ fn a_tree_of_oblique_axes() {
     println!("tree: {worst:.1e}");
 }
 
-/// Joints with several velocities, in the middle of a chain, at its end and on a branch; joints that follow
-/// others, in front of them, through others, and held ones; on a base that is fixed, and on a free one.
+/// Joints with several velocities, in the middle of a chain, at its end and on a branch; mimic joints of joints
+/// outboard, of mimic joints and of locked ones; on a fixed and on a floating base.
 #[test]
-fn every_joint_on_every_base() {
+fn every_joint_agrees_on_a_fixed_and_on_a_floating_base() {
     let joints = "
         joint puck: planar([0.0, 0.6, 0.8]) { from: a, to: b, at: xyz(0.2, 0, 0.1) rpy(0.1, 0.2, 0.3) }
         joint ball: spherical { from: b, to: c, at: xyz(0.1, -0.2, 0.3) rx(1.5708) }
@@ -280,9 +280,9 @@ fn every_joint_on_every_base() {
     }
 }
 
-/// A loop of each kind between two arms, or to their base.
+/// A loop of each type between two arms, or to their base.
 #[test]
-fn loops_of_every_kind() {
+fn loops_of_every_type_agree() {
     let text = "struct Arms { frames(c, e) }
         joint trunk: revolute([0.6, 0.0, 0.8]) { from: base, to: a, at: xyz(0.1, 0.2, 0.3) rpy(0.1, -0.2, 0.3) }
         joint left_1: universal(x, [0.0, 0.8, 0.6]) { from: a, to: b, at: xyz(0.2, 0.1, 0.0) rpy(0.0, 0.5, 0.0) }
@@ -307,7 +307,7 @@ fn loops_of_every_kind() {
     println!("{worst:.1e}");
 }
 
-/// The worst difference of a robot in the tokens of `chain!`, as it is, with drives at all joints, and with actions on its tips, too.
+/// The worst difference of an inline robot: as it is, with actuators at all joints, and with external wrenches too.
 fn of_tokens(text: &str) -> f64 {
     let mut errors = Errors::new();
     let tokens = text.parse().expect("tokens");
@@ -316,22 +316,22 @@ fn of_tokens(text: &str) -> f64 {
     let item = item.expect("an item");
     let (description, request) = (item.description.expect("a description"), item.request);
     let plain = agree(&description, &request);
-    let driven = driven(&description, request);
+    let actuated = with_actuators(&description, request);
     let few = |request: &Request| agree_within(TOLERANCE, FEW_STATES, &description, request);
-    let mut worst = plain.max(few(&driven));
+    let mut worst = plain.max(few(&actuated));
     for external_in_frame_0 in [false, true] {
-        let pushed = Request {
-            external: driven
+        let with_wrenches = Request {
+            external: actuated
                 .tip
                 .iter()
-                .chain(&driven.frames)
+                .chain(&actuated.frames)
                 .take(1)
                 .cloned()
                 .collect(),
             external_in_frame_0,
-            ..driven.clone()
+            ..actuated.clone()
         };
-        worst = worst.max(few(&pushed));
+        worst = worst.max(few(&with_wrenches));
     }
     worst
 }

@@ -1,7 +1,7 @@
-//! Struct fields in the place of numbers of the description.
+//! Struct fields in place of numbers of the description.
 //!
-//! Set to the file's numbers they must give what the constants give; set to others, what the
-//! generic recursions make of `chain(&self)`. Fields may be of any type that fits into `f64`.
+//! With the file's numbers they give the results of constants; with others, those of the generic recursions on
+//! `chain(&self)`. Fields may be of any type that converts to `f64`.
 
 use homogen::{Chain, Payload, Robot};
 use homogen_codegen::description::{Description, Step, read_file};
@@ -32,12 +32,12 @@ struct Panda {
     base: [f64; 3],
     #[robot(gravity)]
     gravity: [f64; 3],
-    /// Of a link that weighs nothing in the file.
+    /// The mass of a link without mass in the file.
     #[robot(mass_of = "link8")]
     payload: f64,
     #[robot(payload_on = "link7")]
     tool: Payload,
-    /// The user's own.
+    /// A field of the user's own.
     calls: u32,
 }
 
@@ -56,7 +56,7 @@ fn translation(steps: &[Step]) -> [f64; 3] {
     offset.map(|entry| entry.value)
 }
 
-/// With the numbers of the file.
+/// The arm with the numbers of the file.
 fn as_described() -> Panda {
     let description = described();
     let inertial = |name: &str| {
@@ -106,7 +106,7 @@ fn the_numbers_of_the_file_give_the_constant_model() {
 }
 
 #[test]
-fn other_numbers_give_what_their_chain_gives() {
+fn other_numbers_give_the_results_of_their_chain() {
     let panda = Panda {
         mass: 2.75,
         center: [0.03, -0.07, 0.11],
@@ -135,7 +135,7 @@ fn gravity_is_linear_in_a_payload() {
         ..as_described()
     };
     let mut random = Random::new(3);
-    let mut felt = false;
+    let mut is_large = false;
     for _ in 0..STATES {
         let State { q, .. } = State::<f64, 7>::random(&mut random);
         let none: [f64; 7] = empty.gravity(&q);
@@ -143,13 +143,16 @@ fn gravity_is_linear_in_a_payload() {
         for k in 0..7 {
             let (once, thrice) = (one[k] - none[k], three[k] - none[k]);
             assert!((3.0 * once - thrice).abs() < 1e-13, "{once} {thrice}");
-            felt |= once.abs() > 1.0;
+            is_large |= once.abs() > 1.0;
         }
     }
-    assert!(felt, "a kilogram at the flange is felt");
+    assert!(
+        is_large,
+        "a kilogram at the flange changes torques by 1 N m"
+    );
 }
 
-/// The arm with a base and two joints that stand where fields say, turned as they say.
+/// The arm with fields for the placements of its base and of two joints.
 #[derive(Robot)]
 #[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate(all))]
 struct Placed {
@@ -162,7 +165,7 @@ struct Placed {
 }
 
 #[test]
-fn placements_of_the_file_give_the_constant_model_and_others_what_their_chain_gives() {
+fn placements_of_the_file_give_the_constant_model_and_others_their_chain() {
     let description = described();
     let placement = |name: &str| {
         let mut joints = description.joints.iter();
@@ -203,7 +206,7 @@ fn placements_of_the_file_give_the_constant_model_and_others_what_their_chain_gi
         base: [0.0; 6],
         ..placed
     };
-    // Gravity knows how the base is turned, but not about it nor where it is.
+    // Gravity torques depend on the tilt of the base, but not on its yaw or its position.
     let q = [0.4; 7];
     let [tilted, upright, flat] = [placed, upright, flat].map(|robot| robot.gravity(&q));
     for k in 0..7 {
@@ -213,7 +216,7 @@ fn placements_of_the_file_give_the_constant_model_and_others_what_their_chain_gi
     assert!((tilted[1] - flat[1]).abs() > 1.0, "{tilted:?} {flat:?}");
 }
 
-/// A field of a generic struct, in every type of number.
+/// A field of a generic struct, in several types.
 #[derive(Robot)]
 #[robot(urdf = "../robots/two_link.urdf", generate(gravity))]
 struct Loaded<T: Copy>
@@ -225,7 +228,7 @@ where
 }
 
 #[test]
-fn a_field_may_have_a_type_of_the_users() {
+fn a_field_may_have_any_type_that_converts_to_f64() {
     let q = [0.25_f32, -0.5];
     let single: [f32; 2] = Loaded { mass: 2.0_f32 }.gravity(&q);
     let whole: [f32; 2] = Loaded { mass: 2_i32 }.gravity(&q);

@@ -1,4 +1,4 @@
-//! What depends on fields alone, computed once: the same functions, bit for bit.
+//! Prepared robots: all that depends on fields alone is computed once, and functions give the same bits.
 
 use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives, MassMatrixInverse, Regressor};
 use homogen::{Payload, Robot, Scalar};
@@ -7,7 +7,7 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 50;
 
-/// An arm of which many numbers are free, with all functions.
+/// An arm with many fields, with all functions.
 #[derive(Robot)]
 #[robot(
     urdf = "../robots/panda_class.urdf",
@@ -49,7 +49,7 @@ const PANDA: Panda = Panda {
     gravity: [1.0, -2.0, 3.0],
 };
 
-/// Every function of a robot but that of base parameters, which a free gravity does not leave as they are; one number after the other.
+/// Results of every function but the base regressor, which cannot have a field for gravity, one number after the other.
 fn all<T: Scalar, R, const P: usize>(robot: &R, state: &State<T, 7>) -> Vec<T>
 where
     R: EveryFunction<7, T>
@@ -85,7 +85,7 @@ fn every_function_keeps_its_bits_in_both_precisions() {
 }
 
 #[test]
-fn what_is_prepared_stays_when_the_fields_change() {
+fn a_prepared_robot_keeps_the_values_of_its_fields() {
     let mut panda = PANDA;
     let before = panda.prepare();
     let q = [0.25; 7];
@@ -96,7 +96,7 @@ fn what_is_prepared_stays_when_the_fields_change() {
     assert_eq!(panda.prepare().gravity(&q), loaded);
 }
 
-/// A struct with a type of the user's, drives, functions that share their work, and a further frame, in single
+/// A struct with a type parameter, fields for actuators, functions generated together and a further frame, in single
 /// precision.
 #[derive(Robot)]
 #[robot(
@@ -124,7 +124,7 @@ where
 }
 
 #[test]
-fn functions_that_share_their_work_and_further_frames_are_prepared() {
+fn functions_generated_together_and_further_frames_are_prepared() {
     let arm = Loaded {
         mass: 1.75_f32,
         reach: [0.5, 0.1, -0.2],
@@ -145,7 +145,7 @@ fn functions_that_share_their_work_and_further_frames_are_prepared() {
     );
 }
 
-/// A robot whose coordinates are not its velocities, on which something acts.
+/// A floating base with an external wrench.
 #[derive(Robot)]
 #[robot(
     floating,
@@ -162,7 +162,7 @@ struct Drone {
 }
 
 #[test]
-fn a_free_robot_is_prepared_with_its_steps_and_its_actions() {
+fn a_floating_robot_is_prepared_with_its_integration_and_external_wrenches() {
     let drone = Drone {
         load: Payload::of_point(0.5, [0.0, 0.01, 0.6]),
     };

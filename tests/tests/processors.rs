@@ -1,4 +1,4 @@
-//! One robot for different processors: which operations are chosen, and what is said of their cost.
+//! One robot for different processors: the choice of operations, and the stated cost.
 
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
@@ -9,7 +9,7 @@ use quote::quote;
 
 const PANDA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/panda_class.urdf");
 
-/// Inverse and forward dynamics of seven joints, as a derive has them.
+/// Inverse and forward dynamics of seven joints, as in a derive.
 fn module(processor: Processor, scalar: Real) -> Result<Module, Errors> {
     let mut errors = Errors::new();
     let robot = description::read_file(PANDA.as_ref(), None, &mut errors).expect("it is a robot");
@@ -33,9 +33,9 @@ fn file(processor: Processor) -> String {
         .to_string()
 }
 
-/// Cycles of inverse and of forward dynamics, and how many sums take a product with them.
+/// Cycles of inverse and of forward dynamics, and the number of fused sums.
 #[test]
-fn prices_follow_the_processor() {
+fn costs_depend_on_the_processor() {
     let found = [
         (Processor::CortexM4, Real::F32),
         (Processor::CortexM7, Real::F32),
@@ -46,12 +46,12 @@ fn prices_follow_the_processor() {
     ]
     .map(|(processor, scalar)| {
         let module = module(processor, scalar).unwrap_or_else(|errors| panic!("{errors}"));
-        let prices = module.functions.iter().map(|generated| {
+        let counts = module.functions.iter().map(|generated| {
             let (of, cycles) = generated.price.cycles.expect("a processor was chosen");
             assert_eq!(of, processor);
             (cycles, generated.price.fused)
         });
-        prices.collect::<Vec<_>>()
+        counts.collect::<Vec<_>>()
     });
     let expected = [
         [(583, 0), (1222, 0)],
@@ -65,7 +65,7 @@ fn prices_follow_the_processor() {
 }
 
 #[test]
-fn without_a_processor_nothing_is_said_of_cycles() {
+fn without_a_processor_no_cycles_are_stated() {
     let portable = module(Processor::Portable, Real::Generic).expect("it has no mistakes");
     assert!(
         portable
@@ -77,7 +77,7 @@ fn without_a_processor_nothing_is_said_of_cycles() {
 }
 
 #[test]
-fn products_are_fused_where_the_processor_can() {
+fn products_are_fused_if_the_processor_can() {
     let fuses = |processor: &str| {
         let tokens = quote! {
             #[robot(urdf = #PANDA, tip = "link8", processor = #processor, generate(gravity))]
@@ -90,13 +90,13 @@ fn products_are_fused_where_the_processor_can() {
 }
 
 #[test]
-fn a_file_for_core_counts_on_no_fused_product() {
+fn a_file_for_core_assumes_no_fused_product() {
     let text = file(Processor::AArch64);
     assert!(
         text.contains(" --processor aarch64 ") && text.contains(" --scalar f32"),
         "{text}"
     );
-    // 305 products and 278 sums, each for itself, on two units.
+    // 305 products and 278 sums, unfused, on two units.
     assert!(
         text.contains("on aarch64 292 cycles of arithmetic"),
         "{text}"
@@ -105,7 +105,7 @@ fn a_file_for_core_counts_on_no_fused_product() {
 }
 
 #[test]
-fn f64_on_a_processor_without_is_refused() {
+fn f64_on_a_processor_without_it_is_refused() {
     let refusal = module(Processor::CortexM4, Real::F64).expect_err("refused");
     assert_eq!(
         refusal.to_string(),
@@ -115,7 +115,7 @@ fn f64_on_a_processor_without_is_refused() {
 }
 
 #[test]
-fn a_wrong_name_is_told_with_the_right_ones() {
+fn an_unknown_processor_is_reported_with_a_suggestion() {
     let refusal = door::derive(quote! {
         #[robot(urdf = #PANDA, processor = "cortexm4")]
         struct Panda;

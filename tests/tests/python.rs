@@ -1,20 +1,20 @@
-//! What a package for Python looks like: the class in Rust and the stub of a small robot.
+//! Text of a package for Python: the class in Rust and the stub of a small robot.
 //!
-//! Text is pinned so that a change of it is read by somebody. What packages compute, `python/run.sh` tells; but that
-//! their steps of postures are those of the runtime is held here, bit for bit.
+//! Text is pinned so that changes are reviewed. `python/run.sh` tests the results of packages; here their integration
+//! of quaternions is compared with the runtime's, bit for bit.
 
 #[path = "../../codegen/src/print/python/package/number.rs"]
-#[allow(dead_code, clippy::pedantic, reason = "it is a file of packages")]
+#[allow(dead_code, clippy::pedantic, reason = "a file of packages")]
 mod number;
 #[path = "../../codegen/src/print/python/package/pack.rs"]
-#[allow(dead_code, clippy::pedantic, reason = "it is a file of packages")]
+#[allow(dead_code, clippy::pedantic, reason = "a file of packages")]
 mod pack;
 #[path = "../../codegen/src/print/python/package/processor.rs"]
-#[allow(clippy::pedantic, reason = "it is a file of packages")]
+#[allow(clippy::pedantic, reason = "a file of packages")]
 mod processor;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[path = "../../codegen/src/print/python/package/turned_f64.rs"]
-#[allow(clippy::pedantic, reason = "it is a file of packages")]
+#[allow(clippy::pedantic, reason = "a file of packages")]
 mod turned;
 
 use std::array::from_fn;
@@ -58,7 +58,7 @@ fn the_functions_of_two_links() {
     insta::assert_snapshot!(file(&[InverseDynamics], "src/robot.rs"));
 }
 
-/// What a package says of its type of number.
+/// The constants of a package for its type of number.
 #[allow(dead_code, reason = "not every processor has registers of two lengths")]
 mod real {
     mod sines {
@@ -77,23 +77,23 @@ mod real {
     pub const WIDE: usize = 8;
 }
 
-/// The functions of a robot with every kind of joint.
+/// The functions of a robot with every type of joint.
 #[allow(
     dead_code,
     clippy::all,
     clippy::pedantic,
-    reason = "it is a file of packages"
+    reason = "a file of packages"
 )]
 mod robot {
     include!(concat!(env!("OUT_DIR"), "/joints_lanes.rs"));
 }
 
-/// The same, by the runtime.
+/// The same robot, by the runtime.
 #[derive(homogen::Robot)]
 #[robot(urdf = "robots/every_joint.urdf", generate(gravity))]
 struct OfRuntime;
 
-/// Configurations that are reached, a state a lane.
+/// Results of `integrate`, with one state in each lane.
 fn in_lanes<P: Vectors<L>, const L: usize>(
     processor: P,
     from: &[[f64; 25]],
@@ -112,7 +112,7 @@ fn in_lanes<P: Vectors<L>, const L: usize>(
     ahead
 }
 
-/// The same in each kind of registers that this processor has.
+/// The same in each length of registers that this processor has.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn in_registers(from: &[[f64; 25]], v: &[[f64; 23]]) -> Vec<Vec<[f64; 25]>> {
     use pulp::x86::{V3, V4};
@@ -121,14 +121,14 @@ fn in_registers(from: &[[f64; 25]], v: &[[f64; 23]]) -> Vec<Vec<[f64; 25]>> {
     narrow.into_iter().chain(wide).collect()
 }
 
-/// The same as arrays.
+/// The same as arrays, without registers.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 fn in_registers(from: &[[f64; 25]], v: &[[f64; 23]]) -> Vec<Vec<[f64; 25]>> {
     vec![in_lanes::<_, 4>((), from, v), in_lanes::<_, 8>((), from, v)]
 }
 
 #[test]
-fn steps_have_the_bits_of_the_runtime() {
+fn integration_in_packages_has_the_bits_of_the_runtime() {
     let mut random = Random::new(20);
     for size in [1e300, 1e200, 1e20, 1e-20, 1e-200, 1e-310, 5e-324, 0.0] {
         let q = from_fn(|k| size * [0.3, -1.0, 0.0, 0.7][k % 4]);
@@ -141,10 +141,10 @@ fn steps_have_the_bits_of_the_runtime() {
         );
     }
     let (mut starts, mut motions, mut ends) = (Vec::new(), Vec::new(), Vec::new());
-    // So many that registers are not filled at the end.
-    for round in 0..4003 {
-        // From no motion to several turns, and near half a turn.
-        let size = 10.0_f64.powi(round % 12 - 10);
+    // A number of states that does not fill the last register.
+    for state in 0..4003 {
+        // From no motion to several full turns, and near half turns.
+        let size = 10.0_f64.powi(state % 12 - 10);
         let mut number = || random.unit();
         let (from, to): ([f64; 25], [f64; 25]) = (from_fn(|_| number()), from_fn(|_| number()));
         let v: [f64; 23] = from_fn(|_| size * number());
@@ -163,7 +163,7 @@ fn steps_have_the_bits_of_the_runtime() {
             assert_eq!(robot::Joints.difference(&from, &to), (apart,));
         }
     }
-    for side_by_side in in_registers(&starts, &motions) {
-        assert_eq!(side_by_side, ends);
+    for found in in_registers(&starts, &motions) {
+        assert_eq!(found, ends);
     }
 }

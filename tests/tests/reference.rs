@@ -1,9 +1,9 @@
-//! Generated code and the generic recursions against numbers of Pinocchio (tests/reference/*.json,
-//! whose conventions stand in each file), at 16 random states a robot.
+//! Generated code and the generic recursions, compared with numbers of Pinocchio at 16 random states for each robot
+//! (tests/reference/*.json, with conventions in each file).
 //!
-//! Pinocchio speaks of the velocity and the acceleration of the frame's origin where W and H have
-//! the pole at the origin of frame 0: a point P moves by W P and is accelerated by H P. Its
-//! Jacobians have linear rows first; ours say which order is asked for.
+//! Pinocchio returns velocity and acceleration of the frame's origin, W and H have the reference point at the origin of
+//! frame 0: a point P has velocity W P and acceleration H P. Pinocchio's Jacobians have linear rows first; the methods
+//! here have the order in their names.
 
 use homogen::{Chain, Jacobian, Point, generic};
 use homogen_tests::for_every_robot;
@@ -20,14 +20,14 @@ use serde_json::Value;
 /// Relative to the largest entry of a result. The worst is 2e-15.
 const TOLERANCE: f64 = 1e-12;
 
-/// The same of the torques that Pinocchio's q̈ needs, which comes out of the inverse of M: the worst is 3e-13,
-/// and 2e-12 of the quadruped on a free base, whose feet weigh a hundredth of it.
+/// The same for torques at Pinocchio's q̈, which is computed with the inverse of M: the worst is 3e-13, and 2e-12 for
+/// the quadruped on a floating base, with feet of a hundredth of its mass.
 const TOLERANCE_OF_SOLUTIONS: f64 = 1e-11;
 
-/// A state and what Pinocchio returns for it.
-struct Listed<'j>(&'j Value);
+/// A state, and Pinocchio's results for it.
+struct Reference<'j>(&'j Value);
 
-impl Listed<'_> {
+impl Reference<'_> {
     /// All numbers of a field, row by row.
     fn all(&self, field: &str) -> Vec<f64> {
         fn flatten(value: &Value, into: &mut Vec<f64>) {
@@ -43,7 +43,7 @@ impl Listed<'_> {
 
     fn vector<const N: usize>(&self, field: &str) -> [f64; N] {
         let numbers = self.all(field);
-        numbers.try_into().expect("as many numbers as entries")
+        numbers.try_into().expect("a number for each entry")
     }
 
     fn state<const N: usize, const Q: usize>(&self) -> State<f64, N, Q> {
@@ -54,7 +54,7 @@ impl Listed<'_> {
         }
     }
 
-    /// Blocks named by the fields of the file.
+    /// Blocks with the names of the fields in the file.
     fn blocks(&self, fields: &[&'static str]) -> Vec<Block<f64>> {
         let blocks = fields.iter();
         blocks
@@ -63,7 +63,7 @@ impl Listed<'_> {
     }
 }
 
-/// The fields that functions of the frame and of the robot as a whole are compared with.
+/// The fields to compare with, for functions of the frame and of the whole robot.
 const FIELDS: [&str; 15] = [
     "frame_R",
     "frame_p",
@@ -77,18 +77,18 @@ const FIELDS: [&str; 15] = [
     "gravity_torque",
     "bias",
     "M_upper",
-    // M q̈ + bias, of the q̈ that these torques produce.
+    // M q̈ + bias, at the q̈ that these torques cause.
     "torque",
-    // J in the axes of the frame, turned back.
+    // The body Jacobian, rotated to the axes of frame 0.
     "J_local_world_aligned",
     "bias",
 ];
 
-/// What a robot returns, in the conventions of the file.
+/// Results of a robot in the conventions of the file.
 fn converted<R, const N: usize, const Q: usize>(
     robot: &R,
     state: &State<f64, N, Q>,
-    listed: &Listed,
+    reference: &Reference,
 ) -> Vec<Block<f64>>
 where
     R: EveryFunction<N, f64, Q>,
@@ -108,11 +108,11 @@ where
             .collect()
     };
     let plus = |a: Vec<f64>, b: [f64; N]| a.iter().zip(b).map(|(a, b)| a + b).collect();
-    // The body Jacobian is about the same pole, in the axes of the frame.
-    let turn = homogen::Pose::new(*m.rotation(), [0.0; 3]);
-    let turned = robot
+    // The body Jacobian has the same reference point, and the axes of the frame.
+    let rotation = homogen::Pose::new(*m.rotation(), [0.0; 3]);
+    let rotated = robot
         .body_jacobian(q)
-        .map(|column| turn.change_frame(&column));
+        .map(|column| rotation.change_frame(&column));
     let results: [Vec<f64>; FIELDS.len()] = [
         m.rotation().as_flattened().to_vec(),
         m.translation().to_vec(),
@@ -126,10 +126,10 @@ where
         robot.gravity(q).to_vec(),
         bias.to_vec(),
         upper,
-        plus(times(listed.vector("ddq")), bias),
-        rows(turned.to_matrix_linear_first()),
-        // The Christoffel symbols do not enter here, but their sum with q̇ does.
-        plus(coriolis(listed, qd), robot.gravity(q)),
+        plus(times(reference.vector("ddq")), bias),
+        rows(rotated.to_matrix_linear_first()),
+        // C q̇ + gravity = bias, with Pinocchio's Coriolis matrix.
+        plus(coriolis(reference, qd), robot.gravity(q)),
     ];
     let named = FIELDS.into_iter().zip(results);
     named
@@ -138,8 +138,8 @@ where
 }
 
 /// C q̇ with the matrix of the file.
-fn coriolis<const N: usize>(listed: &Listed, qd: &[f64; N]) -> Vec<f64> {
-    let matrix = listed.all("coriolis");
+fn coriolis<const N: usize>(reference: &Reference, qd: &[f64; N]) -> Vec<f64> {
+    let matrix = reference.all("coriolis");
     let rows = matrix.chunks(N);
     rows.map(|row| row.iter().zip(qd).map(|(c, rate)| c * rate).sum())
         .collect()
@@ -168,17 +168,17 @@ fn agree<R, const N: usize, const F: usize, const Q: usize, const B: usize>(
     let mut generated = Worst::in_units_of(1.0);
     let mut interpreted = Worst::in_units_of(1.0);
     let mut solved = Worst::in_units_of(1.0);
-    for listed in states.iter().map(Listed) {
-        let state = listed.state::<N, Q>();
-        let expected = listed.blocks(&FIELDS);
+    for reference in states.iter().map(Reference) {
+        let state = reference.state::<N, Q>();
+        let expected = reference.blocks(&FIELDS);
         let split = |blocks: Vec<Block<f64>>| -> [Vec<Block<f64>>; 2] {
             let (solved, evaluated) = blocks.into_iter().partition(|block| block.name == "torque");
             [solved, evaluated]
         };
         let [solutions, expected] = split(expected);
-        let [by_generated, found] = split(converted(robot, &state, &listed));
+        let [by_generated, found] = split(converted(robot, &state, &reference));
         generated.note(&found, &expected);
-        let [by_interpreted, found] = split(converted(chain, &state, &listed));
+        let [by_interpreted, found] = split(converted(chain, &state, &reference));
         interpreted.note(&found, &expected);
         solved.note(&by_generated, &solutions);
         solved.note(&by_interpreted, &solutions);
@@ -195,7 +195,7 @@ fn agree<R, const N: usize, const F: usize, const Q: usize, const B: usize>(
         let energies = energies.map(|(name, energy)| Block::new(name, [energy]));
         interpreted.note(
             &energies,
-            &listed.blocks(&["kinetic_energy", "potential_energy"]),
+            &reference.blocks(&["kinetic_energy", "potential_energy"]),
         );
     }
     println!("generated\n{generated}\ngeneric\n{interpreted}\nboth\n{solved}");

@@ -1,5 +1,5 @@
-//! The regressors of every robot that ships: generated against the generic recursions, and both by what they are for:
-//! torques are linear in the inertial parameters.
+//! Regressors of every robot that ships: generated code compared with the generic recursions, and both with torques,
+//! which are linear in the inertial parameters.
 //!
 //! Errors are in units of rounding times the largest entry in any state.
 
@@ -14,13 +14,13 @@ use homogen_tests::states::{Random, State};
 
 const STATES: usize = 200;
 
-/// As of the agreement of other functions.
+/// As for other functions.
 const LIMIT: f64 = 64.0;
 
-/// Of torques as sums of up to 120 terms that cancel.
+/// For torques as sums of up to 120 terms that cancel.
 const LIMIT_OF_TORQUES: f64 = 400.0;
 
-/// A robot with regressors and with what they are held against.
+/// A robot with regressors and inverse dynamics.
 trait Regressed<const N: usize, const P: usize, const B: usize>:
     robot::Regressor<N, P> + robot::BaseRegressor<N, B> + robot::InverseDynamics<N>
 {
@@ -31,8 +31,8 @@ impl<R, const N: usize, const P: usize, const B: usize> Regressed<N, P, B> for R
 {
 }
 
-/// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz of each body; then armature, damping and friction of each joint, where
-/// there is room for them.
+/// m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz of each body; then armature, damping and friction of each
+/// joint, for regressors that have columns for them.
 fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
     let bodies = chain.joints.iter().flat_map(|joint| {
         let [
@@ -43,7 +43,7 @@ fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
         ] = joint.inertia.to_matrix();
         [m, qx, qy, qz, xx, xy, xz, yy, yz, zz]
     });
-    let drives = chain.joints.iter().flat_map(|joint| {
+    let actuators = chain.joints.iter().flat_map(|joint| {
         let Drive {
             armature,
             damping,
@@ -51,7 +51,7 @@ fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
         } = joint.drives[0];
         [armature, damping, friction]
     });
-    bodies.chain(drives).collect()
+    bodies.chain(actuators).collect()
 }
 
 fn times<const P: usize>(rows: &[[f64; P]], parameters: &[f64]) -> Vec<f64> {
@@ -96,7 +96,7 @@ fn hold<R, const N: usize, const P: usize, const B: usize, const F: usize>(
     torques.assert_within(LIMIT_OF_TORQUES);
 }
 
-/// Columns of drives stand behind those of links: armatures of joints 1 and 2 are told with moments of their links.
+/// Columns of actuators are behind those of links; armatures of joints 1 and 2 are grouped with moments of their links.
 #[derive(Robot)]
 #[robot(urdf = "../robots/puma560_general.urdf")]
 #[robot(armature(
@@ -112,7 +112,7 @@ fn hold<R, const N: usize, const P: usize, const B: usize, const F: usize>(
     friction(joint_2 = 6.5, joint_4 = 0.8)
 )]
 #[robot(generate(inverse_dynamics, regressor, base_regressor))]
-struct Driven;
+struct WithActuators;
 
 macro_rules! regressors {
     ($($name:ident: $robot:ident, $joints:literal, $parameters:literal, $base:literal;)*) => {$(
@@ -138,5 +138,5 @@ regressors! {
     ur5_class: Ur5Class, 6, 10, 36;
     panda_class: PandaClass, 7, 10, 43;
     quadruped: Quadruped, 12, 10, 68;
-    driven: Driven, 6, 13, 52;
+    with_actuators: WithActuators, 6, 13, 52;
 }

@@ -1,9 +1,8 @@
-//! What exporters leave of a zero, robot by robot: each of these once gave wrong numbers, or none, or
-//! was refused as a fault of the engine.
+//! Robots with residues in place of zeros, as exporters write them. Each of them once gave wrong numbers or NaN, or was
+//! refused as a fault of the engine.
 //!
-//! Every function of each, by the engine's choice and its own check, against the dense matrices of
-//! [`frame_0`] at 256 bits; with the numbers as they stand (`exact`), so that no rule takes a residue
-//! for zero, in every layout, and without.
+//! Every function, by the engine's choice and with its own check, is compared with the dense matrices of [`frame_0`] in
+//! 256 bits; with and without `exact`, by which no residue counts as zero, then in every layout.
 
 use std::fmt::Write;
 
@@ -26,31 +25,31 @@ use homogen_tests::oracle::robot::Robot;
 use homogen_tests::programs::program;
 use homogen_tests::states::Random;
 
-/// What is smaller in any unit is a residue of residues, and zero will do.
+/// Size, in any unit, below which a result may be zero.
 const LEAST: f64 = 1e-40;
 
-/// Of the largest entry of a result; a residue that was taken for zero is below it.
+/// Relative to the largest entry of a result; larger than the effect of residues that count as zero.
 const TOLERANCE: f64 = 1e-12;
 
 const STATES: usize = 2;
 
-/// Aslant, so that every joint feels it.
+/// Oblique, so that every joint has gravity torques.
 const GRAVITY: [f64; 3] = [1.1, -2.3, 8.7];
 
-/// What is computed in every layout: the poses of frames, and the first and second moments of bodies.
+/// Functions that are computed in every layout: they contain poses of frames, and first and second moments of bodies.
 const IN_EVERY_LAYOUT: [Function; 3] = [
     Function::SpatialJacobian,
     Function::InverseDynamics,
     Function::MassMatrix,
 ];
 
-/// Joints from link to link, `(type and axis, origin)`, and the inertials of the links they carry.
+/// Joints from link to link, as `(type and axis, origin)`, and the inertials of the links that they carry.
 struct Arm<'t> {
     joints: &'t [(&'t str, &'t str)],
     inertials: &'t [&'t str],
 }
 
-/// A body like others.
+/// An ordinary body.
 const BODY: &str = r#"<origin xyz="0.02 -0.03 0.1" rpy="0.1 0.2 0.3"/><mass value="1.7"/>
     <inertia ixx="0.021" ixy="0.003" ixz="0.001" iyy="0.033" iyz="-0.002" izz="0.042"/>"#;
 
@@ -78,7 +77,7 @@ impl Arm<'_> {
         description.expect("no mistakes, so a description")
     }
 
-    /// Holds every function to the truth.
+    /// Compares every function with its true value.
     fn holds(&self) {
         let description = self.description();
         for exact in [false, true] {
@@ -103,7 +102,7 @@ fn hold(description: &Description, request: &Request) {
     let check = Check::of(&chain);
     let check = check.unwrap_or_else(|errors| panic!("{errors}"));
     let robot = Robot::of(description, request);
-    for function in frame_0::told() {
+    for function in frame_0::functions() {
         let functions = [function];
         let chosen = program(&chain, &functions, FrameId::FIRST, Real::F64)
             .and_then(|chosen| {
@@ -144,7 +143,7 @@ fn compare(robot: &Robot, function: Function, program: &Program) {
             .iter()
             .fold(LEAST, |size: f64, x| size.max(x.abs()));
         for (x, y) in found.iter().zip(&expected) {
-            // What is not a number is not near one.
+            // False for NaN.
             let near = (x - y).abs() <= TOLERANCE * size;
             assert!(near, "{function:?}: {found:?} instead of {expected:?}");
         }
@@ -152,7 +151,7 @@ fn compare(robot: &Robot, function: Function, program: &Program) {
 }
 
 #[test]
-fn residues_in_roll_pitch_and_yaw_of_joints() {
+fn residues_in_roll_pitch_and_yaw_of_joints_are_computed() {
     Arm {
         joints: &[
             (ABOUT_Z, r#"xyz="0.1 0.2 0.3""#),
@@ -172,12 +171,12 @@ fn residues_in_roll_pitch_and_yaw_of_joints() {
 }
 
 #[test]
-fn a_residue_in_the_inertial_rpy() {
+fn a_residue_in_the_inertial_rpy_is_computed() {
     let tilted = r#"<origin rpy="0 0 2e-16"/><mass value="0.3"/>
         <inertia ixx="0.06" ixy="0" ixz="-7e-13" iyy="0.05" iyz="0" izz="0.04"/>"#;
-    let turned = r#"<origin rpy="-3.4e-9 1e-17 1e-13"/><mass value="0.3"/>
+    let rotated = r#"<origin rpy="-3.4e-9 1e-17 1e-13"/><mass value="0.3"/>
         <inertia ixx="0.06" ixy="0" ixz="0" iyy="0.05" iyz="0" izz="0.04"/>"#;
-    for inertial in [tilted, turned] {
+    for inertial in [tilted, rotated] {
         Arm {
             joints: &[
                 (ABOUT_Z, r#"xyz="0.1 0 0" rpy="1.1 0 0""#),
@@ -190,7 +189,7 @@ fn a_residue_in_the_inertial_rpy() {
 }
 
 #[test]
-fn a_last_link_whose_centre_of_mass_lies_on_its_axis() {
+fn a_last_link_with_its_centre_of_mass_on_its_axis_is_computed() {
     for product in ["1e-9", "-3e-13", "1e-18"] {
         let inertial = format!(
             r#"<origin xyz="0 0 0.05"/><mass value="0.4"/><inertia ixx="1e-3" ixy="{product}"
@@ -208,7 +207,7 @@ fn a_last_link_whose_centre_of_mass_lies_on_its_axis() {
 }
 
 #[test]
-fn a_last_link_whose_centre_of_mass_lies_nearly_on_its_axis() {
+fn a_last_link_with_its_centre_of_mass_nearly_on_its_axis_is_computed() {
     let inertial = r#"<origin xyz="1e-9 -3e-17 0.05"/><mass value="0.4"/>
         <inertia ixx="1e-3" ixy="1e-9" ixz="0" iyy="2e-3" iyz="1e-12" izz="5e-4"/>"#;
     Arm {
@@ -222,8 +221,8 @@ fn a_last_link_whose_centre_of_mass_lies_nearly_on_its_axis() {
 }
 
 #[test]
-fn coaxial_joints_whose_offsets_cancel_but_for_rounding() {
-    // 0.1 + 0.2 − 0.30000000000000004, and a turn about the axis that is no right angle.
+fn coaxial_joints_with_offsets_that_cancel_but_for_rounding_are_computed() {
+    // 0.1 + 0.2 − 0.30000000000000004, and an oblique angle between axes.
     for [first, second, third] in [
         ["0.1 0.1 0", "0.2 0.2 0", "-0.30000000000000004 -0.3 0.2"],
         ["0.1 0.3 0.4", "0.2 -0.1 0", "-0.3 -0.2 0"],
@@ -245,7 +244,7 @@ fn coaxial_joints_whose_offsets_cancel_but_for_rounding() {
 }
 
 #[test]
-fn coaxial_joints_behind_a_rotation_that_is_taken_back() {
+fn coaxial_joints_behind_a_rotation_and_its_inverse_are_computed() {
     Arm {
         joints: &[
             (ABOUT_Z, r#"xyz="0.5 0 0" rpy="0.4 0 0""#),
@@ -263,7 +262,7 @@ fn coaxial_joints_behind_a_rotation_that_is_taken_back() {
 }
 
 #[test]
-fn a_right_angle_in_two_and_three_parts() {
+fn a_right_angle_in_two_and_three_parts_is_computed() {
     for (angle, parts) in [
         ("0.7853981633974483", 2),
         ("0.5235987755982988", 3),
@@ -283,7 +282,7 @@ fn a_right_angle_in_two_and_three_parts() {
 }
 
 #[test]
-fn an_axis_that_lies_nearly_along_a_coordinate_axis() {
+fn an_axis_nearly_along_a_coordinate_axis_is_computed() {
     for axis in ["1e-16 0 1", "-3.1e-9 1e-17 1", "0 1 -8.26e-16"] {
         let about = format!(r#"continuous"><axis xyz="{axis}"/>"#);
         Arm {
@@ -298,9 +297,9 @@ fn an_axis_that_lies_nearly_along_a_coordinate_axis() {
     }
 }
 
-/// The angles of both are summed, and once the second one with the wrong sign.
+/// The angles of both joints are summed; once the second one had the wrong sign.
 #[test]
-fn parallel_axes_of_nearly_unit_length_turn_the_same_way() {
+fn parallel_axes_of_nearly_unit_length_rotate_the_same_way() {
     let about = r#"continuous"><axis xyz="1 -8.26e-16 0"/>"#;
     let point = r#"<origin xyz="0 0.3 0"/><mass value="0.002"/>
         <inertia ixx="1e-5" ixy="0" ixz="0" iyy="1e-5" iyz="0" izz="1e-5"/>"#;
@@ -311,7 +310,7 @@ fn parallel_axes_of_nearly_unit_length_turn_the_same_way() {
     .holds();
 }
 
-/// What is 1e-27 beside 1 has no digits where frames were turned and turned back, and needs none.
+/// A residue of 1e-27 beside 1 is lost when a frame is rotated and rotated back, which is no error.
 #[test]
 fn residues_of_residues_pass_the_engines_own_check() {
     let skew = "-0.7101073486962786 0.5405173861892916 -0.45120783299344247";
@@ -337,8 +336,8 @@ fn residues_of_residues_pass_the_engines_own_check() {
 }
 
 #[test]
-fn links_without_mass_and_thin_rods_between_others() {
-    let nothing = r#"<mass value="0"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>"#;
+fn massless_links_and_thin_rods_between_others_are_computed() {
+    let massless = r#"<mass value="0"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>"#;
     let rod = r#"<origin xyz="1e-16 0 0.2" rpy="0 1e-12 0"/><mass value="0.5"/>
         <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0"/>"#;
     Arm {
@@ -348,13 +347,13 @@ fn links_without_mass_and_thin_rods_between_others() {
             (ABOUT_Z, r#"xyz="0 1e-17 0" rpy="-1.5707963 0 0""#),
             (ABOUT_Z, r#"xyz="0.2 0 0" rpy="1.57079 0 0""#),
         ],
-        inertials: &[BODY, nothing, rod, BODY],
+        inertials: &[BODY, massless, rod, BODY],
     }
     .holds();
 }
 
 #[test]
-fn angles_of_thousands_of_turns() {
+fn angles_of_thousands_of_full_turns_are_computed() {
     Arm {
         joints: &[
             (ABOUT_Z, r#"xyz="0.1 0.2 0.3" rpy="12345.678 0 -1000.1""#),

@@ -1,5 +1,5 @@
-//! Generated code on numbers that are neither `f32` nor `f64`: dual numbers, whose slopes can be
-//! checked against other generated functions, and packs of four numbers.
+//! Generated code on scalars other than `f32` and `f64`: dual numbers, with slopes that other generated functions give
+//! too, and packs of four numbers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -15,7 +15,7 @@ const Q: [f64; 7] = [0.3, -0.7, 0.2, -1.9, 0.4, 1.6, -0.5];
 const QD: [f64; 7] = [0.6, -0.2, 0.9, 0.1, -0.8, 0.5, 1.1];
 const QDD: [f64; 7] = [-1.0, 0.4, 0.3, 2.0, -0.6, 0.7, 0.2];
 
-/// A value and its derivative by something.
+/// A value and its derivative.
 #[derive(Clone, Copy)]
 struct Dual {
     value: f64,
@@ -26,7 +26,7 @@ fn dual(value: f64, slope: f64) -> Dual {
     Dual { value, slope }
 }
 
-/// The same numbers with slopes.
+/// Values with slopes.
 fn duals(values: [f64; 7], slopes: [f64; 7]) -> [Dual; 7] {
     std::array::from_fn(|i| dual(values[i], slopes[i]))
 }
@@ -82,8 +82,8 @@ impl Scalar for Dual {
         dual(root, self.slope / (2.0 * root))
     }
 
-    fn sgn(self) -> Self {
-        dual(Scalar::sgn(self.value), 0.0)
+    fn sign(self) -> Self {
+        dual(Scalar::sign(self.value), 0.0)
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -95,7 +95,7 @@ impl Scalar for Dual {
     }
 }
 
-/// Four numbers at once, as a SIMD register holds them.
+/// Four numbers, as in a SIMD register.
 #[derive(Clone, Copy)]
 struct Pack([f64; 4]);
 
@@ -176,13 +176,13 @@ fn the_slope_of_the_pose_is_the_velocity() {
     let pose = Panda.forward_kinematics(&duals(Q, QD));
     let rate = Panda.velocity(&Q, &QD);
     let ([wx, wy, wz], v) = (rate.omega(), rate.v());
-    let turn = |[x, y, z]: [f64; 3]| [wy * z - wz * y, wz * x - wx * z, wx * y - wy * x];
-    let at = turn(pose.translation().map(|entry| entry.value));
+    let omega_cross = |[x, y, z]: [f64; 3]| [wy * z - wz * y, wz * x - wx * z, wx * y - wy * x];
+    let at = omega_cross(pose.translation().map(|entry| entry.value));
     for i in 0..3 {
         close(pose.translation()[i].slope, at[i] + v[i]);
         for column in 0..3 {
             let axis = pose.rotation().map(|row| row[column].value);
-            close(pose.rotation()[i][column].slope, turn(axis)[i]);
+            close(pose.rotation()[i][column].slope, omega_cross(axis)[i]);
         }
     }
 }
@@ -196,7 +196,7 @@ fn the_slope_of_the_torques_is_the_mass_matrix() {
         let still = [0.0; 7];
         let torques =
             Panda.inverse_dynamics(&duals(Q, still), &duals(QD, still), &duals(QDD, unit));
-        // The matrix is symmetric: a row is a column.
+        // Rows are columns, since the matrix is symmetric.
         for (torque, entry) in torques.into_iter().zip(entries) {
             close(torque.slope, entry);
         }
@@ -204,7 +204,7 @@ fn the_slope_of_the_torques_is_the_mass_matrix() {
 }
 
 #[test]
-fn every_lane_of_a_pack_is_the_number_alone() {
+fn every_lane_of_a_pack_has_the_bits_of_a_single_number() {
     let lanes = [1.0, -0.5, 0.1, 2.0];
     let pack = |values: [f64; 7]| values.map(|value| Pack(lanes.map(|lane| lane * value)));
     let together = Panda.inverse_dynamics(&pack(Q), &pack(QD), &pack(QDD));

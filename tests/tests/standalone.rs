@@ -1,8 +1,7 @@
-//! The file for `core` alone against the derive, both in single precision: the same bits, whatever
-//! the arguments.
+//! The file for `core` alone compared with the derive, both in single precision: the same bits for all arguments.
 //!
-//! Where the processor fuses a product with a sum the derive rounds once what the file rounds
-//! twice, so that there is nothing to compare.
+//! On processors that fuse a product with a sum, the derive rounds once where the file rounds twice, so there is
+//! nothing to compare.
 #![cfg(not(any(target_feature = "fma", target_arch = "aarch64")))]
 
 use homogen::Chain;
@@ -32,7 +31,7 @@ impl<const N: usize> Arguments<N> {
         Self { state, tau }
     }
 
-    /// The same with about a third of the numbers replaced by one or another of `NASTY`.
+    /// The same with about a third of the numbers replaced by adverse ones.
     fn spoilt(mut self, random: &mut Random) -> Self {
         let State { q, qd, qdd } = &mut self.state;
         for number in [q, qd, qdd, &mut self.tau].into_iter().flatten() {
@@ -43,7 +42,7 @@ impl<const N: usize> Arguments<N> {
         self
     }
 
-    /// The same with every angle where the straight sines are those for any angle.
+    /// The same with angles limited to the range of the sines without branches.
     fn moderate(mut self) -> Self {
         self.state.q = self.state.q.map(|angle| {
             let huge = angle.is_finite() && angle.abs() > single::LIMIT;
@@ -53,7 +52,7 @@ impl<const N: usize> Arguments<N> {
     }
 }
 
-/// Every function of a derived robot but regressors, in the order of [`standalone`].
+/// Results of every function of a derived robot except regressors, in the order of [`standalone`].
 fn derived<R, const N: usize>(robot: &R, arguments: &Arguments<N>) -> Vec<f32>
 where
     R: EveryFunction<N, f32>
@@ -72,13 +71,13 @@ where
     numbers
 }
 
-/// The squares of the rows of an upper 3×4 block, and the column.
+/// The 3×3 blocks of 3×4 rows, then the last column.
 fn square_and_column(rows: [[f32; 4]; 3]) -> Vec<f32> {
     let square = rows.iter().flat_map(|row| row[..3].to_vec());
     square.chain(rows.iter().map(|row| row[3])).collect()
 }
 
-/// The first halves of all screws, and the second ones.
+/// The first halves of all screws, then the second halves.
 fn halves(screws: &[[f32; 6]]) -> Vec<f32> {
     let [first, second] = [0..3, 3..6].map(|half| {
         let halves = screws.iter().map(|screw| screw[half.clone()].to_vec());
@@ -87,7 +86,7 @@ fn halves(screws: &[[f32; 6]]) -> Vec<f32> {
     [first, second].concat()
 }
 
-/// Every function of a robot written for `core` alone but regressors.
+/// Results of every function of a robot in a file for `core` alone, except regressors.
 macro_rules! standalone {
     ($robot:expr, $arguments:expr) => {{
         let Arguments {
@@ -136,7 +135,7 @@ macro_rules! standalone {
     }};
 }
 
-/// The regressors of any robot, whose lengths no trait knows without the robot.
+/// The regressors of a robot; a macro, since their lengths depend on the robot.
 macro_rules! regressors {
     ($robot:expr, $arguments:expr) => {{
         let State { q, qd, qdd } = &$arguments.state;
@@ -148,7 +147,7 @@ macro_rules! regressors {
     }};
 }
 
-/// The bits, but for those of NaN, which the language leaves open.
+/// Bits, the same for every NaN, since the language leaves those open.
 fn bits(numbers: &[f32]) -> Vec<u32> {
     let one = |number: &f32| {
         if number.is_nan() {
@@ -160,7 +159,7 @@ fn bits(numbers: &[f32]) -> Vec<u32> {
     numbers.iter().map(one).collect()
 }
 
-/// Compares a robot with its two files; the chain tells the number of joints.
+/// Compares a robot with its two files. The chain's type states the number of joints.
 fn agree<R, const N: usize, const F: usize>(
     robot: &R,
     _: &Chain<N, F>,
@@ -228,7 +227,7 @@ macro_rules! standalone_files {
 }
 for_every_robot!(standalone_files);
 
-/// With drives, whose friction has a sign.
+/// A robot with armature, damping and friction.
 #[derive(homogen::Robot)]
 #[robot(
     urdf = "../robots/scara.urdf",
@@ -238,18 +237,18 @@ for_every_robot!(standalone_files);
     generate(all)
 )]
 #[robot(damping(elbow = 0.75), friction(elbow = 0.5, lift = 3))]
-struct Driven;
-standalone_files!(driven, Driven);
+struct WithActuators;
+standalone_files!(with_actuators, WithActuators);
 
-/// The sines that a file brings along are the straight half of the runtime's.
+/// The sines of a file are the runtime's without branches.
 mod single_sines {
     use super::{bits, single};
 
     include!("../../codegen/src/print/rust/sines/single.rs");
 
     #[test]
-    fn are_the_runtime_s() {
-        // Every 997th of all numbers, NaN and infinities among them.
+    fn have_the_bits_of_the_runtime() {
+        // Every 997th bit pattern, NaN and infinities among them.
         for word in (0..=u32::MAX).step_by(997) {
             let angle = f32::from_bits(word);
             let (s, c) = single::sin_cos_moderate(angle);
@@ -267,11 +266,11 @@ mod double_sines {
     include!("../../codegen/src/print/rust/sines/double.rs");
 
     #[test]
-    fn are_the_runtime_s() {
+    fn have_the_bits_of_the_runtime() {
         let one = |number: f64| (!number.is_nan()).then(|| number.to_bits());
         let mut random = Random::new(6);
         for _ in 0..1_000_000 {
-            // Any number, and one that is an angle.
+            // Any number, and an ordinary angle.
             for angle in [f64::from_bits(random.bits()), 1000.0 * random.unit()] {
                 let (s, c) = double::sin_cos_moderate(angle);
                 let (sine, cosine) = sin_cos(angle);

@@ -1,6 +1,5 @@
-//! Random trees through the whole generator, against dense matrices of 256 bits: see
-//! [`homogen_tests::trees`]. `cargo run --release -p homogen-tests --bin trees -- --long` runs tens of
-//! thousands.
+//! Random robots through the whole generator, compared with dense matrices of 256 bits: see [`homogen_tests::trees`].
+//! `cargo run --release -p homogen-tests --bin trees -- --long` runs twenty thousand.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +11,7 @@ use homogen_tests::trees::prepared::TOLERANCE;
 use homogen_tests::trees::ranks::Ranked;
 use homogen_tests::trees::{numbered, of_seed, try_ranks, try_seed};
 
-/// So many robots in the time that the tests have.
+/// Robots in the time that tests have.
 const ROBOTS: u64 = 150;
 
 const RUN: u64 = 0;
@@ -23,7 +22,7 @@ const EFFORT: Effort = Effort {
 };
 
 #[test]
-fn every_function_of_150_robots() {
+fn every_function_of_150_robots_is_right() {
     let mut worst: BTreeMap<&str, f64> = BTreeMap::new();
     let mut failures = Vec::new();
     let mut programs = 0;
@@ -36,7 +35,7 @@ fn every_function_of_150_robots() {
                     *entry = entry.max(error);
                 }
             }
-            Err(told) => failures.push(told),
+            Err(message) => failures.push(message),
         }
     }
     for (function, error) in worst {
@@ -56,7 +55,7 @@ fn base_parameters_of_30_robots_are_as_many_as_the_rank() {
 }
 
 #[test]
-fn functions_made_together_are_those_made_alone() {
+fn functions_generated_together_are_right() {
     let functions = [
         Function::MassMatrix,
         Function::InverseDynamics,
@@ -72,7 +71,7 @@ fn functions_made_together_are_those_made_alone() {
     }
 }
 
-/// So that nothing of what makes robots nasty can vanish unseen.
+/// No feature can disappear from random robots unnoticed.
 #[test]
 fn every_feature_occurs() {
     let robots: Vec<_> = (0..ROBOTS)

@@ -1,8 +1,7 @@
-//! Holds the runtime's sines and cosines, fused and not, against 256 bits.
+//! Sines and cosines of the runtime, fused and unfused, compared with 256 bits.
 //!
-//! In: angles at random, next to the multiples of π/2, tiny and huge. Out: nothing but a failed
-//! assertion. The 256 bits themselves are held against a table of another library's values, which
-//! `reference/trigonometry.py` prints; nothing here measures time.
+//! In: random angles, angles next to multiples of π/2, tiny and huge ones. Out: failed assertions. The 256 bits
+//! themselves are compared with a table of another library, by `reference/trigonometry.py`.
 
 use core::array::from_fn;
 use core::f64::consts::FRAC_PI_2;
@@ -18,10 +17,10 @@ use homogen_tests::states::Random;
 /// A number of 256 bits.
 type Big = FBig<HalfEven>;
 
-/// Units in the last place: the worst of 4·10⁷ angles was 0.806, fused or not.
+/// Limit in ulp; the worst of 4·10⁷ angles is 0.806, fused or not.
 const DOUBLE_LIMIT: f64 = 0.85;
 
-/// Units in the last place: the worst of all finite angles is 0.917, fused or not.
+/// Limit in ulp; the worst of all finite angles is 0.917, fused or not.
 const SINGLE_LIMIT: f64 = 0.92;
 
 #[test]
@@ -37,7 +36,7 @@ fn the_256_bits_agree_with_a_second_source() {
 }
 
 #[test]
-fn double_precision_meets_the_table() {
+fn double_precision_agrees_with_the_table() {
     for (angle, sine, cosine) in table() {
         let found = double::sin_cos(angle);
         assert_within(angle, found, (&sine, &cosine), DOUBLE_LIMIT);
@@ -45,7 +44,7 @@ fn double_precision_meets_the_table() {
 }
 
 #[test]
-fn double_precision_at_random() {
+fn double_precision_is_within_its_limit_at_random_angles() {
     let mut random = Random::new(1);
     for _ in 0..1_000 {
         check(in_range(&mut random, -FRAC_PI_2..=FRAC_PI_2));
@@ -56,10 +55,10 @@ fn double_precision_at_random() {
     }
 }
 
-/// Where sine or cosine nearly vanish, and where an angle could fall into the wrong quadrant.
+/// Angles at which sine or cosine nearly vanish, or which are near the border of a quadrant.
 #[test]
-fn big_angles() {
-    // The angles of f64 nearest to a multiple of π/2, of all and of those within the limit.
+fn large_angles_are_within_the_limit() {
+    // The angles of f64 nearest to a multiple of π/2, of all and of those up to `double::LIMIT`.
     check(6_381_956_970_095_103.0 * 797_f64.exp2());
     for quadrant in [29.0, 58_285.0, 116_570.0, 87_981.0, 58_654.0, 117_308.0] {
         check(quadrant * FRAC_PI_2);
@@ -79,7 +78,7 @@ fn big_angles() {
 }
 
 #[test]
-fn double_precision_where_it_was_worst() {
+fn double_precision_is_within_its_limit_at_the_worst_known_angles() {
     for bits in [
         0x3fe9_ef7d_cd5f_4a90_u64,
         0xbfe9_6410_d4d8_e122,
@@ -95,16 +94,16 @@ fn double_precision_where_it_was_worst() {
     }
 }
 
-/// `cargo bench --bench sincos -- --exhaustive` takes all of them.
+/// `cargo bench --bench sincos -- --exhaustive` tests all of them.
 #[test]
-fn single_precision_at_every_997th_angle() {
+fn single_precision_is_within_its_limit_at_every_997th_angle() {
     for bits in (0..f32::INFINITY.to_bits()).step_by(997) {
         check_single(f32::from_bits(bits));
     }
 }
 
 #[test]
-fn single_precision_where_it_is_worst() {
+fn single_precision_is_within_its_limit_at_the_worst_known_angles() {
     for bits in [
         0x452d_eaa7,
         0x4543_38a9,
@@ -166,7 +165,7 @@ fn tiny_angles_are_their_own_sine() {
 }
 
 #[test]
-fn what_is_not_finite_gives_nan() {
+fn infinities_and_nan_give_nan() {
     let angles = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     let (sines, cosines) = sin_cos_all_f64(angles);
     assert!(sines.iter().chain(&cosines).all(|x| x.is_nan()));
@@ -176,7 +175,7 @@ fn what_is_not_finite_gives_nan() {
     assert!(single::sin_cos_moderate(f32::NAN).1.is_nan());
 }
 
-/// No angle changes what its neighbours get: neither their number nor a huge one among them.
+/// The result of an angle depends neither on the number of angles nor on a huge one among them.
 #[test]
 fn all_together_equal_one_by_one() {
     check_together::<0>();
@@ -188,7 +187,7 @@ fn all_together_equal_one_by_one() {
     check_together::<29>();
 }
 
-/// The alternative is the platform's pair, bit for bit.
+/// The alternative gives the bits of the platform's function.
 #[test]
 fn each_is_the_platforms() {
     let angles = [0.3, -2.0, 1e6];
@@ -198,9 +197,9 @@ fn each_is_the_platforms() {
     }
 }
 
-/// What the documentation of `sin_cos_moderate` promises beyond the limit.
+/// The errors that the documentation of `sin_cos_moderate` states beyond the limit.
 #[test]
-fn beyond_the_limit_the_straight_code_loses_as_it_says() {
+fn errors_beyond_the_limit_are_as_documented() {
     let mut random = Random::new(4);
     for _ in 0..200 {
         let exponent = in_range(&mut random, double::LIMIT.log2()..=1e14_f64.log2());
@@ -223,10 +222,10 @@ fn beyond_the_limit_the_straight_code_loses_as_it_says() {
 
 fn check_together<const N: usize>() {
     let mut random = Random::new(5);
-    for round in 0..50 {
+    for repetition in 0..50 {
         let mut angles: [f64; N] = from_fn(|_| in_range(&mut random, -4.0..=4.0));
-        if round % 2 == 1 {
-            for angle in angles.iter_mut().skip(round % 5).step_by(4) {
+        if repetition % 2 == 1 {
+            for angle in angles.iter_mut().skip(repetition % 5).step_by(4) {
                 *angle = in_range(&mut random, -1e9..=1e9);
             }
         }
@@ -256,7 +255,7 @@ fn assert_within(angle: f64, found: (f64, f64), expected: (&Big, &Big), limit: f
     }
 }
 
-/// The standard library's double precision is exact enough for single precision.
+/// The standard library's double precision is accurate enough to measure single precision.
 fn check_single(angle: f32) {
     let (sine, cosine) = single::sin_cos(angle);
     let (fused_sine, fused_cosine) = fused_sines::single::sin_cos(angle);
@@ -276,22 +275,22 @@ fn check_single(angle: f32) {
     }
 }
 
-/// The unit in the last place of `x`.
+/// The ulp of `x`.
 fn last_place(x: f64) -> f64 {
     (f64::EPSILON * power_of_two(x)).max(5e-324)
 }
 
-/// The largest power of two that is no larger than `x`, or 0.
+/// The largest power of two up to `x`, or 0.
 fn power_of_two(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & f64::INFINITY.to_bits())
 }
 
-/// Sine and cosine of the exact value of `angle`, to 256 bits.
+/// Sine and cosine of the exact value of `angle`, in 256 bits.
 fn sin_cos(angle: f64) -> (Big, Big) {
     big(angle).sin_cos()
 }
 
-/// The number, carried on with 256 bits.
+/// The number in 256 bits.
 fn big(x: f64) -> Big {
     let exact = Big::try_from(x).expect("the number is finite");
     exact.with_precision(256).value()
@@ -302,7 +301,7 @@ fn relative(found: &Big, expected: &Big) -> Big {
     if error < Big::ZERO { -error } else { error }
 }
 
-/// Angle, sine and cosine, from a library of another family.
+/// Angle, sine and cosine, from an independent library.
 fn table() -> impl Iterator<Item = (f64, Big, Big)> {
     let lines = include_str!("../reference/trigonometry.txt").lines();
     lines.map(|line| {
@@ -332,7 +331,7 @@ fn in_range(random: &mut Random, range: RangeInclusive<f64>) -> f64 {
     range.start() + (range.end() - range.start()) * fraction
 }
 
-/// Any finite number, all exponents alike.
+/// A random finite number with uniformly distributed bits.
 fn finite(random: &mut Random) -> f64 {
     loop {
         let number = f64::from_bits(random.bits());

@@ -1,19 +1,19 @@
-"""How far two sets of values are from each other.
+"""Relative differences between two sets of values.
 
-In: ours and those of the peer, for each state. Out: one number a function, which is a few units of
-rounding where both are right. Every entry is measured on the scale of its own joint, so that a finger
-is not lost beside a shoulder; solutions are measured by what they leave of the equation, since a
-nearly singular robot has no others.
+In: values of homogen and of the peer, for each state. Out: one number for each function, a few units of rounding if
+both are correct. Every entry is relative to the scale of its own joint, so that a finger is not hidden by a shoulder.
+Solutions are measured by the residual of their equation, because those of a nearly singular robot are not unique to
+rounding.
 """
 
 import numpy as np
 
-# Joints whose torques are smaller than that, in units of the largest, are not compared any finer.
+# Lower limit of a joint's scale, relative to that of the joint with the largest torques.
 FINEST = 1e-3
 
 
 def dynamics(function, ours, theirs):
-    """The functions of the whole robot; `theirs` has all of them for each state."""
+    """Difference of a function of the whole robot; `theirs` has all functions for each state."""
     ours = [np.array(values, dtype=float) for values in ours]
     if function == "forward_dynamics":
         return worst(residual_of_accelerations(x, state) for x, state in zip(ours, theirs))
@@ -30,7 +30,7 @@ def dynamics(function, ours, theirs):
 
 
 def kinematics(function, ours, theirs):
-    """The functions of a frame: what turns and what slides, each on its own scale."""
+    """Difference of a function of a frame: rotations and translations, each on its own scale."""
     ours = np.array(ours, dtype=float)
     theirs = np.array([state[function] for state in theirs])
     if "jacobian" in function:
@@ -43,7 +43,7 @@ def kinematics(function, ours, theirs):
 
 
 def residual_of_accelerations(qdd, state):
-    """|M q̈ + h − τ|, each joint in units of what it is summed of."""
+    """|M q̈ + h − τ|, each joint relative to the sum of its absolute terms."""
     mass, bias, tau = (state[name] for name in ("mass_matrix", "bias", "tau"))
     root = np.sqrt(np.abs(np.diag(mass)))
     scale = root * (root @ np.abs(qdd)) + np.abs(bias) + np.abs(tau)
@@ -51,7 +51,7 @@ def residual_of_accelerations(qdd, state):
 
 
 def residual_of_inverse(inverse, mass):
-    """|M X − 1|, each entry in units of what it is summed of."""
+    """|M X − 1|, each entry relative to the sum of its absolute terms."""
     root = np.sqrt(np.abs(np.diag(mass)))
     scale = np.outer(root, root @ np.abs(inverse))
     return np.abs(mass @ inverse - np.eye(len(mass))) / scale
@@ -62,6 +62,6 @@ def floored(sizes, part):
 
 
 def worst(errors):
-    """The largest; something that is no number is the worst of all."""
+    """The largest error; infinite if one is NaN or infinite."""
     errors = [np.max(error, initial=0.0) for error in errors]
     return float("inf") if any(not np.isfinite(error) for error in errors) else float(max(errors))

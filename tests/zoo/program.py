@@ -1,7 +1,6 @@
 """The command line of homogen.
 
-In: a file and what is asked of it. Out: what the program answers. It never takes an answer that came
-too late, or a crash, for a refusal.
+In: a file, and a function to evaluate. Out: the program's output. A timeout or a crash is never taken for a refusal.
 """
 
 import json
@@ -9,7 +8,7 @@ import os
 import resource
 import subprocess
 
-# Seconds of the processor; of the clock more, for the machine may have other work.
+# Limit of processor time \[s\]; the limit of elapsed time is longer, since the machine may be busy.
 MOST = 10
 
 
@@ -18,10 +17,10 @@ class Failed(Exception):
 
 
 class Refused(Exception):
-    """The program said what it does not want: one sentence a mistake."""
+    """The program rejected its input: one message for each mistake."""
 
-    def __init__(self, said):
-        mistakes = [line.removeprefix("error: ") for line in said.splitlines() if line.startswith("error: ")]
+    def __init__(self, output):
+        mistakes = [line.removeprefix("error: ") for line in output.splitlines() if line.startswith("error: ")]
         super().__init__("; ".join(mistakes))
         self.mistakes = mistakes
 
@@ -33,7 +32,7 @@ class Program:
         self.binary = str(binary)
 
     def run(self, *arguments):
-        """What it prints for these arguments."""
+        """Output for these arguments."""
         command = [self.binary, *map(str, arguments)]
 
         def limit():
@@ -58,11 +57,11 @@ class Program:
         raise Failed(f"{arguments[0]} {what}: {done.stderr.strip()[-200:]}")
 
     def check(self, file, how):
-        """What became of a description."""
+        """Output of `check` for a description."""
         return json.loads(self.run("check", file, "--format", "json", *how.options))
 
     def eval(self, file, how, function, states, link=None):
-        """A function's values at all states."""
+        """Values of a function at all states."""
         options = ["--function", function, "--states", states, "--format", "json"]
         options += ["--tip", link] if link else []
         return json.loads(self.run("eval", file, *options, *how.options))["results"]

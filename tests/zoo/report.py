@@ -1,6 +1,6 @@
-"""The words and the table of the report.
+"""Text and tables of the report.
 
-In: verdicts. Out: text. It never decides what is right.
+In: outcomes. Out: text. It never judges a result.
 """
 
 import os
@@ -43,7 +43,7 @@ Refused:
 
 
 def line(verdict):
-    """A file in one line."""
+    """One line for a file."""
     if any(verdict.errors.values()):
         reason = f" ({verdict.reason})" if verdict.reason else ""
         return f"{verdict.name}: {verdict.joints} joints{reason}: {', '.join(errors(verdict))}"
@@ -51,13 +51,13 @@ def line(verdict):
 
 
 def errors(verdict):
-    """The largest of a file, in each way."""
+    """Largest error of a file, for each set of options."""
     worst = [max(errors.values(), default=None) for errors in verdict.errors.values()]
     return ["not compared" if error is None else f"{error:.0e}" for error in worst]
 
 
 def summary(verdicts):
-    """All in a sentence or two."""
+    """Summary of all files in two sentences."""
     counted = Counter(verdict.outcome for verdict in verdicts)
     compared = [verdict for verdict in verdicts if any(verdict.errors.values())]
     worst = max((max(v.errors[k].values()) for v in compared for k in v.errors if v.errors[k]), default=0.0)
@@ -71,7 +71,7 @@ def summary(verdicts):
 
 
 def document(verdicts, states, ends, functions, limit):
-    """The report: a line a file, package by package."""
+    """The report: one line for each file, by package."""
     text = HEAD.format(
         pinocchio=version("pin"),
         machine=machine(),

@@ -1,7 +1,7 @@
-"""One description, from the file to a verdict.
+"""Compares one description with Pinocchio.
 
-In: a file. Out: whether both read it, and how far every function is from the peer's: with right angles
-and zeros taken for what they are, as written, and with a free base. It never lets one file's failure end the run.
+In: a file. Out: which programs read it, and the error of every function: with right angles and zeros snapped, as
+written, and with a floating base. A failure for one file never ends the run.
 """
 
 import json
@@ -16,12 +16,12 @@ import urdf
 from peer import Peer, Unreadable
 from program import Failed, Refused
 
-# The largest error that rounding explains.
+# Largest error due to rounding.
 LIMIT = 1e-11
-# A mass matrix that loses more than that at some posture inside the limits may be called singular.
+# Smallest relative eigenvalue, within the limits, below which homogen may call a mass matrix singular.
 SINGULAR = 1e-9
 STATES = 8
-# Poses of so many ends of a tree are compared, and the other functions of a frame at the first of them.
+# Number of leaf links whose poses are compared; the other functions of a frame are compared at the first one.
 ENDS = 6
 
 DYNAMICS = [
@@ -47,7 +47,7 @@ NOTHING_MOVES = re.compile(r"no joint of .* moves")
 
 @dataclass(frozen=True)
 class How:
-    """One of the ways in which a file is read."""
+    """A set of options to read a file with."""
 
     words: str
     options: tuple
@@ -57,31 +57,31 @@ class How:
 WAYS = [
     How("with right angles", ()),
     How("as written", ("--exact",)),
-    How("with a free base", ("--exact", "--floating"), True),
+    How("with a floating base", ("--exact", "--floating"), True),
 ]
 
 
 @dataclass
 class Verdict:
-    """What became of a file."""
+    """Outcome for a file."""
 
     name: str
     # "read", "nothing moves", "refused", "refused by both"
     outcome: str = "read"
-    # Why not, or what was left out.
+    # Reason of a refusal, or the parts that were not compared.
     reason: str = ""
     joints: int = 0
     warnings: int = 0
-    # The largest error of each function, in each way.
+    # Largest error of each function, for each set of options.
     errors: dict = field(default_factory=lambda: {how: {} for how in WAYS})
-    # Of a robot without forward dynamics, how near to singular its mass matrix comes.
+    # Smallest relative eigenvalue of the mass matrix, for a robot without forward dynamics.
     least: float = None
-    # What must not be.
+    # Failed checks.
     failures: list = field(default_factory=list)
 
 
 def judge(program, file, name):
-    """The verdict on a file."""
+    """Compares a file; never raises."""
     verdict = Verdict(name)
     try:
         with tempfile.TemporaryDirectory() as folder:
@@ -104,7 +104,7 @@ def examine(program, file, folder, verdict):
 
 
 def refuse(file, how, refused, verdict):
-    """A refusal is a failure where the peer reads the file."""
+    """Records a refusal; it is a failure if the peer reads the file."""
     if any(NOTHING_MOVES.search(mistake) for mistake in refused.mistakes):
         verdict.outcome = "nothing moves"
         return
@@ -136,14 +136,14 @@ def measure(program, file, folder, how, verdict):
         verdict.reason = "not read by Pinocchio"
         return
     peer.order(found["coordinates"], found["velocities"])
-    states = random_states(peer.slides(), peer.quaternions(), len(found["velocities"]))
-    listed = folder / "states.json"
-    listed.write_text(json.dumps({"states": states}))
+    states = random_states(peer.translations(), peer.quaternions(), len(found["velocities"]))
+    state_file = folder / "states.json"
+    state_file.write_text(json.dumps({"states": states}))
 
     theirs = [{**peer.dynamics(state), "tau": np.array(state["tau"])} for state in states]
     for function in DYNAMICS:
         try:
-            ours = program.eval(file, how, function, listed)
+            ours = program.eval(file, how, function, state_file)
         except Refused as refused:
             if function in SOLVED:
                 verdict.least = peer.least_conditioned() if verdict.least is None else verdict.least
@@ -155,7 +155,7 @@ def measure(program, file, folder, how, verdict):
         theirs = [peer.kinematics(state, link) for state in states]
         for function in KINEMATICS if end == 0 else KINEMATICS[:1]:
             try:
-                ours = program.eval(file, how, function, listed, link)
+                ours = program.eval(file, how, function, state_file, link)
             except Refused as refused:
                 verdict.failures.append(f"{function} of {link} {how.words}: {refused}")
                 continue
@@ -169,13 +169,13 @@ def record(verdict, how, function, error, whose):
         verdict.failures.append(f"{function}{whose} differs by {error:.1e} {how.words}")
 
 
-def random_states(slides, quaternions, velocities):
-    """The same for every robot with as many joints: q in ±π or ±0.5 m, quaternions of length 1, q̇ in ±2, q̈
+def random_states(translations, quaternions, velocities):
+    """Random states, the same for every robot with as many joints: q in ±π or ±0.5 m, quaternions of length 1, q̇ in ±2, q̈
     in ±5, τ in ±20."""
-    rng = np.random.default_rng(len(slides))
-    reach = np.where(slides, 0.5, np.pi)
+    rng = np.random.default_rng(len(translations))
+    reach = np.where(translations, 0.5, np.pi)
 
-    def posture():
+    def configuration():
         q = rng.uniform(-reach, reach)
         for first in quaternions:
             q[first : first + 4] /= np.linalg.norm(q[first : first + 4])
@@ -183,7 +183,7 @@ def random_states(slides, quaternions, velocities):
 
     return [
         {
-            "q": posture(),
+            "q": configuration(),
             "qd": list(rng.uniform(-2, 2, velocities)),
             "qdd": list(rng.uniform(-5, 5, velocities)),
             "tau": list(rng.uniform(-20, 20, velocities)),

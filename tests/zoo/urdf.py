@@ -1,7 +1,6 @@
-"""Changes to the text of a URDF file, so that two readers can be asked the same.
+"""Edits the text of a URDF file, so that homogen and Pinocchio read the same numbers.
 
-In: a file. Out: another text. It never parses XML: what is changed stands where the
-command line said that it stands.
+In: a file. Out: the edited text. It does not parse XML: the command line reports line and column of each edit.
 """
 
 import math
@@ -11,7 +10,7 @@ MARK = "\ufeff"
 
 
 def read(file):
-    """The text of a file; in Latin-1 where it is not UTF-8."""
+    """Text of a file, as Latin-1 if it is not UTF-8."""
     data = file.read_bytes()
     try:
         return data.decode("utf-8")
@@ -20,9 +19,9 @@ def read(file):
 
 
 def with_right_angles(text, snapped):
-    """The numbers that were taken for multiples of a right angle or for zero, written in full."""
+    """Writes in full the numbers that were snapped to multiples of a right angle or to zero."""
     lines = text.removeprefix(MARK).split("\n")
-    # From the end of a line to its start, so that columns stay what they are.
+    # From the end of a line to its start, so that the remaining columns stay valid.
     for angle in sorted(snapped, key=lambda angle: (angle["line"], -angle["column"])):
         line, column = angle["line"] - 1, angle["column"] - 1
         word = re.match(r"[-+.0-9eE]+", lines[line][column:]).group()

@@ -1,7 +1,7 @@
-"""All descriptions of some packages, and the report about them.
+"""Compares all descriptions of some packages with Pinocchio, and writes the report.
 
-In: the binary, a folder with a folder a package. Out: lines as it goes, report/ZOO.md, and an exit
-status that is not 0 where anything must not be as it is. The order of files is that of their names.
+In: the binary, and a folder with one folder for each package. Out: a line for each file, report/ZOO.md, and a nonzero
+exit status if a check fails. Files are in the order of their names.
 """
 
 import argparse
@@ -14,7 +14,7 @@ import report
 from program import Program
 from robot import DYNAMICS, ENDS, KINEMATICS, LIMIT, STATES, judge
 
-# A thousand bricks and bolts, each of one link.
+# A thousand bricks and bolts, each with one link: skipped.
 UNINTERESTING = "random_urdfs"
 
 
@@ -44,7 +44,7 @@ def main():
 
 
 def distinct(robots, only):
-    """Every file once, however many packages carry it."""
+    """Each distinct file once, even if several packages contain it."""
     seen, files = set(), []
     for file in sorted(robots.rglob("*")):
         if file.suffix.lower() != ".urdf" or UNINTERESTING in file.parts or only not in str(file):

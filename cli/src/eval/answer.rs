@@ -1,7 +1,5 @@
-//! What the results of a function are called, how they are laid out, and how they are told.
-//!
-//! In: a function of a chain, and the numbers of its program. Out: text, JSON, or the columns of a table; matrices of
-//! four rows are whole in each of them. It never computes a number.
+//! Names and shapes of results, as text, JSON, or columns of a table. Matrices of four rows are complete in each of
+//! them.
 
 use std::fmt::Write;
 
@@ -14,19 +12,19 @@ use homogen_codegen::function::Function;
 use homogen_codegen::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
 use homogen_codegen::wording::visible;
 
-/// How the results of a function are laid out.
+/// Layout of the results of a function.
 pub(super) struct Layout<'c> {
     chain: &'c Chain,
     function: Function,
-    /// The frame that the function is of, where it is of one.
+    /// The frame of the function, if it has one.
     frame: FrameId,
     pub(super) scalar: Scalar,
     pub(super) results: Vec<Shaped>,
 }
 
-/// One of the results of a function.
+/// One result of a function.
 pub(super) struct Shaped {
-    /// The lengths of the arrays within arrays that a state has of it, the outermost first.
+    /// The lengths of its nested arrays in a state, the outermost first.
     pub(super) lengths: Vec<usize>,
     quantity: Quantity,
 }
@@ -47,12 +45,12 @@ impl<'c> Layout<'c> {
         }
     }
 
-    /// How many numbers a program has for a state.
+    /// Number of numbers that a program computes for a state.
     fn each(&self) -> usize {
         self.function.result().size(self.chain.spaces())
     }
 
-    /// The numbers of each result at some states, whole, one state after the other.
+    /// The numbers of each result at some states, complete, one state after the other.
     pub(super) fn columns(&self, numbers: &[f64], states: usize) -> Vec<Vec<f64>> {
         let spaces = self.chain.spaces();
         let columns = self.results.iter();
@@ -129,15 +127,15 @@ impl<'c> Layout<'c> {
         text
     }
 
-    /// The numbers as the `f64`s that print as they do: 0.1 in f32 is to be printed as 0.1, and not as all the
-    /// digits that the same number has in f64.
+    /// The numbers as the `f64`s that print alike: 0.1 in `f32` prints as 0.1, and not with the digits of the same
+    /// number in `f64`.
     pub(super) fn shortest(&self, numbers: &[f64]) -> Vec<f64> {
         let numbers = numbers.iter();
         numbers
             .map(|&number| match self.scalar {
                 #[expect(
                     clippy::cast_possible_truncation,
-                    reason = "it has been of single precision"
+                    reason = "it was in single precision"
                 )]
                 Scalar::F32 => (number as f32).to_string().parse().unwrap_or(f64::NAN),
                 Scalar::F64 => number,
@@ -146,7 +144,7 @@ impl<'c> Layout<'c> {
     }
 }
 
-/// What the rows of a matrix are whose columns are of joints.
+/// Names of the rows of a matrix with a column for each joint.
 fn names_of_rows(quantity: &Quantity) -> Option<&'static [&'static str]> {
     const SIX: [&str; 6] = [
         "angular_x",
@@ -164,7 +162,7 @@ fn names_of_rows(quantity: &Quantity) -> Option<&'static [&'static str]> {
     }
 }
 
-/// A value of each quantity: an object where there are several, and the only one where there are not.
+/// A value for each quantity: an object if there are several, or the only one.
 fn by_name(result: Outcome, values: impl Iterator<Item = Value>) -> Value {
     let parts = result.parts().zip(values);
     parts.fold(Value::Null, |mut all, ((name, _), value)| match name {
@@ -176,7 +174,7 @@ fn by_name(result: Outcome, values: impl Iterator<Item = Value>) -> Value {
     })
 }
 
-/// The rows and columns of a result: matrices of four rows whole, what each joint has as columns.
+/// The rows and columns of a result: complete matrices of four rows, or columns for each joint.
 fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut lengths = quantity.lengths(spaces);
     let dimensions = quantity.entity.dimensions();
@@ -189,13 +187,13 @@ fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     lengths
 }
 
-/// The rows of a matrix, whole; none of a vector.
+/// The rows of a complete matrix; `None` for a vector.
 fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
     let under = |last: [f64; 4]| {
         let rows = numbers.chunks(4).map(<[f64]>::to_vec);
         rows.chain([last.to_vec()]).collect()
     };
-    // The vector of a skew block, the last column, and what stands under it.
+    // The vector of a skew-symmetric block, the last column, and the last row.
     let skew = |last: [f64; 3]| {
         let (w, v) = (&numbers[..3], &numbers[3..]);
         let [x, y, z] = last;

@@ -1,18 +1,17 @@
-//! States of a robot, read from JSON.
+//! Reads states from JSON: `{"states":[{"q":[…],"qd":[…],"qdd":[…],"tau":[…],"actions":[[…], …]}]}`.
 //!
-//! In: `{"states":[{"q":[…],"qd":[…],"qdd":[…],"tau":[…],"actions":[[…], …]}]}`, what a function is a function of,
-//! the lists that those are over. Out: the numbers it needs, all finite and as many as entries; or every
-//! mistake with the number of its state. It never looks at a key that the function does not need.
+//! Yields the finite numbers of the function's arguments. Each error names its state. Keys that the function does not
+//! need are ignored.
 
 use serde_json::{Map, Value};
 
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::space::{ACTION, Spaces, Variable};
 
-/// The values of a function's arguments, in the order of its parameters.
+/// The arguments of a function in the order of its parameters.
 pub(super) type State = Vec<Vec<f64>>;
 
-/// Reads states from a text that came from a file of that name.
+/// Reads states from the text of a file with this name.
 pub(super) fn read(
     text: &str,
     file: &str,
@@ -26,7 +25,7 @@ pub(super) fn read(
             errors.into_result(states)
         }
         Err(reason) => {
-            // Some programs write NaN as if it were JSON: that state and key can still be named.
+            // Some programs write NaN into JSON: its state and key can still be named.
             if let Ok(value) = serde_json::from_str(&without_nan(text)) {
                 states(&value, file, arguments, spaces, &mut errors);
             }
@@ -46,7 +45,7 @@ fn states(
     errors: &mut Errors,
 ) -> Vec<State> {
     let Some(states) = value.get("states").and_then(Value::as_array) else {
-        let message = format!("{file}: there is no list \"states\"");
+        let message = format!("{file}: the list \"states\" is missing");
         let hint = "write {\"states\":[{\"q\":[0.1, 0.2]}]}";
         errors.push_with_hint(Place::Unknown, message, hint);
         return Vec::new();
@@ -107,7 +106,7 @@ fn values_of(
     values.iter().enumerate().map(number).collect()
 }
 
-/// The entries of actions, one after the other.
+/// The entries of external wrenches, one after the other.
 fn actions(values: &[Value], length: usize) -> Result<Vec<Value>, String> {
     let (count, each) = (length / ACTION.len(), ACTION.len());
     if values.len() != count {
@@ -128,7 +127,7 @@ fn actions(values: &[Value], length: usize) -> Result<Vec<Value>, String> {
     Ok(entries)
 }
 
-/// The text with JSON's `null` where JSON has no word for the number; names keep what they contain.
+/// The text with `null` in place of NaN and infinity, which JSON does not have; names stay the same.
 fn without_nan(text: &str) -> String {
     let mut without = String::with_capacity(text.len());
     let mut is_name = false;
@@ -153,7 +152,7 @@ fn refuse_syntax(reason: &serde_json::Error, file: &str, errors: &mut Errors) {
     let place = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
     let (line, column) = (place(reason.line()), place(reason.column()));
     let text = reason.to_string();
-    // The place is said once, in front.
+    // The place is already in front of the message.
     let message = text.split(" at line ").next().unwrap_or_default();
     errors.set_file(file, None);
     errors.push(Place::File { line, column }, format!("not JSON: {message}"));

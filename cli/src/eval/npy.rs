@@ -1,9 +1,7 @@
-//! Arrays in NumPy's files, state by state.
+//! Arrays in NumPy's files, read and written state by state.
 //!
-//! In: a file, and how many numbers a state has in it. Out: the numbers of some states at a time, as `f64`s, which
-//! hold single precision as well; or a file with such numbers, whose head is written first. It reads what
-//! `numpy.save` writes of little-endian `float64` and `float32` in C's order, and refuses everything else by name; no
-//! file is ever in memory as a whole.
+//! Reads the files that `numpy.save` writes for little-endian `float64` and `float32` in C order, as `f64`s; other
+//! files are errors. No file is completely in memory.
 
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, ErrorKind, Read, Write};
@@ -13,23 +11,23 @@ use super::super::fresh::Fresh;
 use super::super::options::{Scalar, mistake, unreadable};
 use homogen_codegen::error::{Errors, Place};
 
-/// What every such file begins with.
+/// The first bytes of every such file.
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
 
-/// A head is shorter than this: NumPy's own reader trusts no longer one.
+/// Maximum length of a head; NumPy's own reader has the same limit.
 const LONGEST_HEAD: usize = 10_000;
 
-/// A file that states are read from.
+/// A file of states.
 pub(super) struct Reader {
     bytes: BufReader<File>,
-    /// What messages call it.
+    /// Its name in messages.
     name: String,
     scalar: Scalar,
-    /// How many numbers a state has.
+    /// Number of numbers in a state.
     width: usize,
-    /// How many states there are.
+    /// Number of states.
     pub(super) count: usize,
-    /// How many have been read.
+    /// Number of states read so far.
     read: usize,
 }
 
@@ -103,7 +101,7 @@ impl Reader {
     }
 }
 
-/// What a head says.
+/// The content of a head.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Head {
     descr: Option<String>,
@@ -111,27 +109,29 @@ struct Head {
     shape: Option<Vec<usize>>,
 }
 
-/// The head of a file and how many bytes it has, or the end of a sentence that begins with the file.
+/// The head of a file and its number of bytes, or the end of a sentence that begins with the file.
 fn head(bytes: &mut impl Read) -> Result<(Head, usize), String> {
     let mut take = |count: usize| {
         let mut taken = vec![0; count];
         bytes
             .read_exact(&mut taken)
             .map_err(|reason| match reason.kind() {
-                ErrorKind::UnexpectedEof => "is no .npy file: it ends within its head".to_owned(),
+                ErrorKind::UnexpectedEof => {
+                    "is not an .npy file: it ends within its head".to_owned()
+                }
                 _ => reason.to_string(),
             })?;
         Ok::<_, String>(taken)
     };
     let start = take(8)?;
     if !start.starts_with(MAGIC) {
-        return Err("is no .npy file: it begins with something else".to_owned());
+        return Err("is not an .npy file: its first bytes are wrong".to_owned());
     }
     let version = start[6];
     let size = match version {
         1 => 2,
         2 | 3 => 4,
-        _ => return Err(format!("is a .npy file of the unknown version {version}")),
+        _ => return Err(format!("is an .npy file of the unknown version {version}")),
     };
     let length = take(size)?;
     let length = length
@@ -150,7 +150,7 @@ fn head(bytes: &mut impl Read) -> Result<(Head, usize), String> {
     Ok((head, start.len() + size + length))
 }
 
-/// What is left of a head: the text of a dictionary in Python.
+/// The rest of a head: the text of a dictionary in Python.
 struct Words<'t>(&'t str);
 
 impl<'t> Words<'t> {
@@ -161,16 +161,16 @@ impl<'t> Words<'t> {
             let key = self.string()?;
             self.sign(":")?;
             match key {
-                // A list is a structure.
+                // A list is a structured type.
                 "descr" if self.0.starts_with('[') => {
                     let (whole, rest) = self.0.split_at(self.0.find(']')? + 1);
                     (head.descr, self.0) = (Some(whole.to_owned()), rest);
                 }
                 "descr" => head.descr = Some(self.string()?.to_owned()),
                 "fortran_order" => {
-                    let said = self.sign("True").map(|()| true);
-                    head.fortran_order = Some(match said {
-                        Some(said) => said,
+                    let is_fortran = self.sign("True").map(|()| true);
+                    head.fortran_order = Some(match is_fortran {
+                        Some(is_fortran) => is_fortran,
                         None => self.sign("False").map(|()| false)?,
                     });
                 }
@@ -184,7 +184,7 @@ impl<'t> Words<'t> {
         self.0.is_empty().then_some(head)
     }
 
-    /// Takes a sign and the spaces behind it.
+    /// Skips a sign and the spaces after it.
     fn sign(&mut self, sign: &str) -> Option<()> {
         self.0 = self.0.strip_prefix(sign)?.trim_start();
         Some(())
@@ -206,13 +206,13 @@ impl<'t> Words<'t> {
         let (numbers, rest) = self.0.split_once(')')?;
         self.0 = rest.trim_start();
         let numbers = numbers.split(',').map(str::trim);
-        // A comma may stand behind the last one.
+        // A comma is allowed after the last number.
         let numbers = numbers.filter(|number| !number.is_empty());
         numbers.map(|number| number.parse().ok()).collect()
     }
 }
 
-/// The type of number and the count of states, where the array is of states with numbers in arrays of these lengths.
+/// The type of number and the number of states, if the array has states with numbers in arrays of these lengths.
 fn checked(head: &Head, lengths: &[usize], name: &str) -> Result<(Scalar, usize), Errors> {
     let refuse = |message: &str, hint: &str| {
         let mut errors = Errors::new();
@@ -239,8 +239,8 @@ fn checked(head: &Head, lengths: &[usize], name: &str) -> Result<(Scalar, usize)
     };
     let [count, each @ ..] = shape.as_slice() else {
         return Err(refuse(
-            "has one number and no states",
-            "its shape is (states, numbers of each)",
+            "has a single number instead of states",
+            "the shape must be (states, numbers of each)",
         ));
     };
     if each != lengths {
@@ -250,16 +250,16 @@ fn checked(head: &Head, lengths: &[usize], name: &str) -> Result<(Scalar, usize)
                 .chain(lengths.iter().map(ToString::to_string)),
         );
         let found = shown(shape.iter().map(ToString::to_string));
-        let message = format!("has the shape {found}, and the argument {wanted}");
+        let message = format!("has the shape {found} instead of {wanted}");
         let hint = match each {
-            [] => "one state is a row: array[None]",
-            _ => "one row a state, in the order of `homogen check`",
+            [] => "write one state as a row: array[None]",
+            _ => "write one row for each state, in the order of `homogen check`",
         };
         return Err(refuse(&message, hint));
     }
     if fortran_order && *count > 1 {
-        let hint = "save it state by state: numpy.ascontiguousarray(array)";
-        return Err(refuse("is in Fortran's order", hint));
+        let hint = "save it in C order: numpy.ascontiguousarray(array)";
+        return Err(refuse("is in Fortran order", hint));
     }
     Ok((scalar, *count))
 }
@@ -273,14 +273,14 @@ fn shown(lengths: impl Iterator<Item = String>) -> String {
     }
 }
 
-/// A file that results are written to.
+/// A file of results.
 pub(super) struct Writer {
     bytes: BufWriter<Fresh>,
     scalar: Scalar,
 }
 
 impl Writer {
-    /// Begins a file of that many states with numbers in arrays of these lengths.
+    /// Begins a file of `states` states with numbers in arrays of these lengths.
     pub(super) fn create(
         path: &Path,
         scalar: Scalar,
@@ -304,14 +304,14 @@ impl Writer {
         numbers.iter().try_for_each(|&number| match self.scalar {
             #[expect(
                 clippy::cast_possible_truncation,
-                reason = "it has been of single precision"
+                reason = "it was in single precision"
             )]
             Scalar::F32 => self.bytes.write_all(&(number as f32).to_le_bytes()),
             Scalar::F64 => self.bytes.write_all(&number.to_le_bytes()),
         })
     }
 
-    /// The file, complete under its passing name.
+    /// The file, complete under its temporary name.
     pub(super) fn complete(self) -> Result<Fresh, Errors> {
         let file = self.bytes.into_inner();
         let file = file.map_err(|error| {

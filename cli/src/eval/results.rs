@@ -1,7 +1,6 @@
-//! Results in files, as many states at a time as wanted.
+//! Writes results to files or prepares them for standard output.
 //!
-//! In: where results are to go, then their numbers. Out: files of NumPy, which get their names together once all of
-//! them are whole. It never keeps a number.
+//! Files of NumPy are written state by state; they get their names together, once all of them are complete.
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -15,18 +14,18 @@ use super::states::{Kind, Named};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::function::Function;
 
-/// Where results are to go.
+/// Destination of results.
 pub(super) enum Wanted {
-    /// Onto standard output.
+    /// Standard output.
     Shown,
-    /// As JSON, all at once.
+    /// A JSON file, written at once.
     Text(PathBuf),
     /// An .npy file for each result.
     Arrays(Vec<PathBuf>),
 }
 
 impl Wanted {
-    /// What the files are for, the results of a function.
+    /// The destination of the results of a function, for the files of the command line.
     pub(super) fn of(files: &[OsString], function: Function) -> Result<Self, Errors> {
         let names: Vec<&'static str> = function
             .result()
@@ -44,7 +43,7 @@ impl Wanted {
                 Some(Kind::Npy) if names.is_empty() => Ok(Self::Arrays(vec![path.clone()])),
                 Some(Kind::Npy) => Err(several(&names)),
                 None => Err(mistake(format!(
-                    "nothing says how {} is to be written: results are .npy or .json",
+                    "the format of {} is unknown: name it .npy or .json",
                     path.display()
                 ))),
             },
@@ -72,7 +71,7 @@ fn each(files: &[Named], names: &[&str]) -> Result<Vec<PathBuf>, Errors> {
 
 fn several(names: &[&str]) -> Errors {
     let mut errors = Errors::new();
-    let message = "an .npy file holds one result, and each result is in one file";
+    let message = "write each result to an .npy file of its own";
     let names = names.iter();
     let each: Vec<String> = names.map(|name| format!("--output {name}=FILE")).collect();
     let hint = match &*each {
@@ -83,11 +82,11 @@ fn several(names: &[&str]) -> Errors {
     errors
 }
 
-/// Files of NumPy that results are written to, one for each.
+/// The open files of NumPy, one for each result.
 pub(super) struct Sink(Vec<npy::Writer>);
 
 impl Sink {
-    /// Begins the files, of that many states.
+    /// Begins the files, for `states` states.
     pub(super) fn begin(
         paths: &[PathBuf],
         layout: &Layout<'_>,
@@ -119,7 +118,7 @@ impl Sink {
     }
 }
 
-/// Writes a text under its name.
+/// Writes a text to a file.
 pub(super) fn write(path: &Path, text: &str) -> Result<(), Errors> {
     let mut file = Fresh::create(path)?;
     let written = file.write_all(text.as_bytes());

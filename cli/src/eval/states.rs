@@ -1,8 +1,7 @@
-//! States of a robot, as many at a time as wanted.
+//! Reads states from JSON or from files of NumPy.
 //!
-//! In: files in JSON or of NumPy, and the arguments of a function. Out: the numbers it needs. JSON is read at once, and
-//! refused where a number is not finite; files of NumPy are read piece by piece, and NaN there is a number to IEEE's
-//! arithmetic.
+//! JSON is read at once, and numbers that are not finite are errors. Files of NumPy are read in pieces; NaN in them is
+//! computed with as in IEEE arithmetic.
 
 use std::ffi::{OsStr, OsString};
 use std::io::Read;
@@ -35,14 +34,14 @@ impl States {
         &numbers[state * each..][..each]
     }
 
-    /// Whether a state has numbers alone.
+    /// True if all numbers of a state are finite.
     pub(super) fn are_finite(&self, state: usize) -> bool {
         let mut arguments = (0..self.numbers.len()).flat_map(|k| self.argument(k, state));
         arguments.all(|number| number.is_finite())
     }
 }
 
-/// A file that was named on the command line, with the argument or the result that it holds where that was said.
+/// A file of the command line, with the argument or the result that it is for, if named.
 #[derive(Clone, Debug)]
 pub(super) struct Named {
     pub(super) name: Option<String>,
@@ -50,11 +49,11 @@ pub(super) struct Named {
 }
 
 impl Named {
-    /// Reads `FILE` or `NAME=FILE`, where that is one of the names that there can be.
+    /// Reads `FILE`, or `NAME=FILE` if the name is one of `names`.
     pub(super) fn of(text: &OsStr, names: impl IntoIterator<Item = &'static str>) -> Self {
-        let said = text.to_str().and_then(|text| text.split_once('='));
-        let said = said.filter(|(name, _)| names.into_iter().any(|other| other == *name));
-        match said {
+        let named = text.to_str().and_then(|text| text.split_once('='));
+        let named = named.filter(|(name, _)| names.into_iter().any(|other| other == *name));
+        match named {
             Some((name, path)) => Self {
                 name: Some(name.to_owned()),
                 path: path.into(),
@@ -67,7 +66,7 @@ impl Named {
     }
 }
 
-/// What kind of file a path is of.
+/// Format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Json,
@@ -75,7 +74,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// The kind that a path ends in, if it is one of them.
+    /// The format by the extension of a path, if it is known.
     pub(super) fn of(path: &Path) -> Option<Self> {
         Some(match path.extension()?.to_str()? {
             "json" => Self::Json,
@@ -85,16 +84,16 @@ impl Kind {
     }
 }
 
-/// Where states come from.
+/// Source of states.
 pub(super) enum Source {
-    /// All that there are, and how many of them have been handed on.
+    /// All states, and the number of those already returned.
     Listed(Vec<listed::State>, usize),
-    /// A file for each argument, with as many states each.
+    /// A file for each argument, with the same number of states.
     Arrays(Vec<npy::Reader>),
 }
 
 impl Source {
-    /// Opens files of states for a function of these arguments.
+    /// Opens files of states for a function with these arguments.
     pub(super) fn open(
         files: &[OsString],
         arguments: &[Variable],
@@ -116,7 +115,7 @@ impl Source {
                         .map(|name| format!("--states {name}=FILE"))
                         .collect();
                     let message = format!(
-                        "an .npy file holds one argument, and the function has {}",
+                        "an .npy file has one argument, and the function has {}",
                         names.join(", ")
                     );
                     errors.push_with_hint(Place::Unknown, message, each.join(" "));
@@ -153,7 +152,7 @@ impl Source {
             for (argument, other) in others.iter().filter(|(_, other)| other.count != count) {
                 let (first, argument) = (first.name(), argument.name());
                 let message = format!(
-                    "there are {} states of {argument}, and {count} of {first}",
+                    "there are {} states of {argument}, but {count} of {first}",
                     other.count
                 );
                 errors.push(Place::Unknown, message);
@@ -163,7 +162,7 @@ impl Source {
         errors.into_result(Self::Arrays(readers.collect()))
     }
 
-    /// How many states there are.
+    /// Number of states.
     pub(super) fn count(&self) -> usize {
         match self {
             Self::Listed(states, _) => states.len(),
@@ -171,7 +170,7 @@ impl Source {
         }
     }
 
-    /// The next states, of which there must be that many.
+    /// The next states, of which there must be `count`.
     pub(super) fn next(&mut self, count: usize) -> Result<States, Errors> {
         let numbers = match self {
             Self::Listed(states, at) => {
@@ -200,10 +199,10 @@ fn each<'f>(
     for (k, Named { name, path }) in files.iter().enumerate() {
         let path = path.display();
         let Some(name) = name else {
-            let hint = "beside others, each file is of an argument: --states q=q.npy";
+            let hint = "name the argument of each file: --states q=q.npy";
             errors.push_with_hint(
                 Place::Unknown,
-                format!("nothing says what {path} holds"),
+                format!("the argument in {path} is unknown"),
                 hint,
             );
             continue;
@@ -212,11 +211,11 @@ fn each<'f>(
             .iter()
             .any(|other| other.name.as_ref() == Some(name))
         {
-            errors.push(Place::Unknown, format!("{name} is given twice"));
+            errors.push(Place::Unknown, format!("{name} occurs twice"));
         } else if !arguments.iter().any(|argument| argument.name() == name) {
             errors.push(
                 Place::Unknown,
-                format!("the function is none of {name}: {path} is not needed"),
+                format!("the function has no argument {name}: leave {path} out"),
             );
         }
     }
@@ -228,14 +227,14 @@ fn each<'f>(
             found.push((argument, file.path.as_path()));
         } else {
             let hint = format!("--states {name}=FILE");
-            let message = format!("there is no {name} among the states");
+            let message = format!("the states of {name} are missing");
             errors.push_with_hint(Place::Unknown, message, hint);
         }
     }
     errors.into_result(found)
 }
 
-/// The text of a file of JSON and what messages call it.
+/// The text of a JSON file, with its name in messages.
 fn text(path: &Path, input: &mut dyn Read) -> Result<(String, String), Errors> {
     let (bytes, name) = if is_standard_input(path) {
         (read(input)?, STANDARD_INPUT.to_owned())
@@ -244,15 +243,15 @@ fn text(path: &Path, input: &mut dyn Read) -> Result<(String, String), Errors> {
         let bytes = std::fs::read(path).map_err(|reason| unreadable(path, &reason))?;
         (bytes, name.display().to_string())
     };
-    // Programs of Windows put a mark before the text.
+    // Programs for Windows put a byte order mark before the text.
     let unmarked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     match std::str::from_utf8(unmarked) {
         Ok(text) if !is_utf_16(unmarked) => Ok((text.to_owned(), name)),
         _ => {
             let encoding = if is_utf_16(unmarked) {
-                "is written in UTF-16"
+                "is UTF-16"
             } else {
-                "is not written in UTF-8"
+                "is not UTF-8"
             };
             let mut errors = Errors::new();
             let message = format!("{name} {encoding}");

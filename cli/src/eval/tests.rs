@@ -1,5 +1,5 @@
-//! Files of states and of results, as a user of the command has them: what comes out is held against what the
-//! same states make of JSON, and NumPy's format against bytes that `numpy.save` wrote.
+//! Files of states and results, as users see them: results are compared with those of the same states in JSON, and
+//! NumPy's format with bytes of `numpy.save`.
 
 mod refused;
 
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::{Answer, answer};
 
-/// A turn and a shift.
+/// An arm with a rotation and a translation.
 const ARM: &str = r#"<robot name="arm"><link name="base"/>
 <link name="upper"><inertial><origin xyz="0.2 0.1 0"/><mass value="2"/>
 <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.15"/></inertial></link>
@@ -21,7 +21,7 @@ const ARM: &str = r#"<robot name="arm"><link name="base"/>
 <joint name="slide" type="prismatic"><parent link="upper"/><child link="hand"/><axis xyz="1 0 0"/>
 <origin xyz="0 0.3 0.1"/><limit lower="0" upper="1" effort="4" velocity="1"/></joint></robot>"#;
 
-/// A folder of a test's own, which is gone afterwards.
+/// A folder of a test, which is removed at the end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -44,7 +44,7 @@ impl Folder {
         self.path(name)
     }
 
-    /// What is in it, in the order of names.
+    /// Its entries, sorted by name.
     fn names(&self) -> Vec<String> {
         let names = fs::read_dir(&self.0).expect("it is there");
         let names = names.map(|entry| entry.expect("it is there").file_name());
@@ -62,13 +62,13 @@ impl Drop for Folder {
     }
 }
 
-/// `homogen eval - …` for the arm.
+/// Runs `homogen eval - …` for the arm.
 fn eval(words: &[&str]) -> Answer {
     let words = ["homogen", "eval", "-"].iter().chain(words);
     answer(words.map(OsString::from), &mut ARM.as_bytes())
 }
 
-/// The only line of a mistake, and its hint if there is one, without the folder.
+/// The single line of an error, and its hint if there is one, without the folder.
 fn refused(folder: &Folder, words: &[&str]) -> String {
     let before = folder.names();
     let answer = eval(words);
@@ -84,7 +84,7 @@ fn refused(folder: &Folder, words: &[&str]) -> String {
         .replace(&format!("{}/", folder.0.display()), "")
 }
 
-/// The same of the torques of gravity at the states of a file.
+/// The error of the torques of gravity at the states of a file.
 fn refused_states(folder: &Folder, path: &str) -> String {
     let words = ["--function", "gravity", "--states", path, "-o", "never.npy"];
     refused(folder, &words)
@@ -107,7 +107,7 @@ fn bytes(numbers: &[f64]) -> Vec<u8> {
         .collect()
 }
 
-/// The numbers of an array behind a head of 128 bytes.
+/// The numbers of an array after a head of 128 bytes.
 fn numbers(path: &str) -> Vec<f64> {
     let bytes = fs::read(path).expect("it was written");
     let (numbers, rest) = bytes[128..].as_chunks();
@@ -126,7 +126,7 @@ fn flat(value: &Value) -> Vec<f64> {
     }
 }
 
-/// All digits count, and the sign of a zero.
+/// True if all bits are equal, including the sign of 0.
 fn same(found: &[f64], expected: &[f64]) -> bool {
     let bits = |numbers: &[f64]| {
         numbers
@@ -137,7 +137,7 @@ fn same(found: &[f64], expected: &[f64]) -> bool {
     bits(found) == bits(expected)
 }
 
-/// States with 1300 turns and shifts, more than one thread takes: for two arguments.
+/// States with 1300 rotations and translations for two arguments, more than one thread computes.
 fn many() -> (Vec<f64>, Vec<f64>, String) {
     let q: Vec<f64> = (0..2600).map(|k| 0.37 * f64::from(k) - 400.0).collect();
     let qd: Vec<f64> = (0..2600).map(|k| 3.0 - 0.011 * f64::from(k)).collect();
@@ -166,7 +166,7 @@ fn arrays_give_the_bits_of_json() {
         ("coriolis_matrix", "(1300, 2, 2)"),
         ("kinetic_energy", "(1300,)"),
     ] {
-        let said = eval(&[
+        let answer = eval(&[
             "--function",
             function,
             "--states",
@@ -174,7 +174,7 @@ fn arrays_give_the_bits_of_json() {
             "--format",
             "json",
         ]);
-        let said: Value = serde_json::from_str(&said.output).expect("JSON");
+        let json: Value = serde_json::from_str(&answer.output).expect("JSON");
         let answer = eval(&[
             "--function",
             function,
@@ -193,14 +193,14 @@ fn arrays_give_the_bits_of_json() {
             String::from_utf8_lossy(&expected)
         );
         let found = numbers(&out);
-        assert!(same(&found, &flat(&said["results"])), "{function}");
-        // Beside others a state is what it is alone.
+        assert!(same(&found, &flat(&json["results"])), "{function}");
+        // A state alone has the same result as among others.
         let all: Value =
             serde_json::from_str(&fs::read_to_string(&states).expect("it is there")).expect("JSON");
         for k in [0, 7, 650, 655, 1299] {
             let alone = json!({ "states": [all["states"][k]] }).to_string();
             let alone = folder.write("alone.json", alone);
-            let said = eval(&[
+            let answer = eval(&[
                 "--function",
                 function,
                 "--states",
@@ -208,10 +208,10 @@ fn arrays_give_the_bits_of_json() {
                 "--format",
                 "json",
             ]);
-            let said: Value = serde_json::from_str(&said.output).expect("JSON");
+            let json: Value = serde_json::from_str(&answer.output).expect("JSON");
             let each = found.len() / 1300;
             assert!(
-                same(&found[k * each..][..each], &flat(&said["results"])),
+                same(&found[k * each..][..each], &flat(&json["results"])),
                 "{function}, state {k}"
             );
         }
@@ -233,8 +233,8 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
         "--states",
         &states,
     ];
-    let said = eval(&[&words[..], &["--format", "json"]].concat());
-    let kept: Value = serde_json::from_str(&said.output).expect("JSON");
+    let shown = eval(&[&words[..], &["--format", "json"]].concat());
+    let kept: Value = serde_json::from_str(&shown.output).expect("JSON");
     let [dq, dqd, all] = ["dq.npy", "dqd.npy", "all.json"].map(|name| folder.path(name));
     let files = [format!("dqd={dqd}"), format!("dq={dq}")];
     let answer = eval(&[&words[..], &["-o", &files[0], "--output", &files[1]]].concat());
@@ -249,12 +249,11 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
     assert_eq!(answer, Answer::default());
     assert_eq!(
         fs::read_to_string(&all).expect("it was written"),
-        said.output
+        shown.output
     );
 
     let hint = "  hint: --output dq=FILE --output dqd=FILE\n";
-    let expected =
-        format!("error: an .npy file holds one result, and each result is in one file\n{hint}");
+    let expected = format!("error: write each result to an .npy file of its own\n{hint}");
     for files in [
         vec!["x.npy"],
         vec!["dq=x.npy"],
@@ -267,7 +266,7 @@ fn results_of_several_parts_are_files_by_name_and_states_of_any_kind() {
     }
     assert_eq!(
         refused(&folder, &[&words[..], &["-o", "tau.csv"]].concat()),
-        "error: nothing says how tau.csv is to be written: results are .npy or .json\n"
+        "error: the format of tau.csv is unknown: name it .npy or .json\n"
     );
 }
 
@@ -287,7 +286,7 @@ fn single_precision_stays_single() {
         assert_eq!(eval(&[&gravity[..], words].concat()), Answer::default());
         fs::read(&out).expect("it was written")
     };
-    // A single is a double as it stands, and computed with as such where nothing else is asked for.
+    // Single precision numbers are exact doubles, and are computed in double precision by default.
     assert_eq!(of(&["--states", &q]), of(&["--states", &wide]));
     let found = of(&["--states", &wide, "--scalar", "f32"]);
     assert_eq!(found, of(&["--states", &q, "--scalar", "f32"]));
@@ -299,7 +298,7 @@ fn single_precision_stays_single() {
         .0
         .iter()
         .map(|&number| f32::from_le_bytes(number));
-    let said = eval(&[
+    let answer = eval(&[
         "--function",
         "gravity",
         "--states",
@@ -309,15 +308,15 @@ fn single_precision_stays_single() {
         "--format",
         "json",
     ]);
-    let said: Value = serde_json::from_str(&said.output).expect("JSON");
-    let said = flat(&said["results"])
+    let json: Value = serde_json::from_str(&answer.output).expect("JSON");
+    let answer = flat(&json["results"])
         .into_iter()
         .map(|number| number.to_string());
-    assert!(found.map(|number| number.to_string()).eq(said));
+    assert!(found.map(|number| number.to_string()).eq(answer));
 }
 
 #[test]
-fn what_is_no_number_is_ieees_in_a_file_and_a_mistake_in_words() {
+fn nan_is_computed_with_in_files_and_an_error_in_json() {
     let folder = Folder::new("nan");
     let states = [
         0.1,
@@ -342,10 +341,10 @@ fn what_is_no_number_is_ieees_in_a_file_and_a_mistake_in_words() {
     assert!(found[6].is_finite());
     assert!(same(&found[..2], &found[8..]));
     let expected = "\
-error: state 1: an argument is no finite number
-  hint: a file holds what becomes of it: --output FILE
-error: state 2: an argument is no finite number
-  hint: a file holds what becomes of it: --output FILE
+error: state 1: an argument is not a finite number
+  hint: write to a file, which can have such results: --output FILE
+error: state 2: an argument is not a finite number
+  hint: write to a file, which can have such results: --output FILE
 ";
     assert_eq!(
         refused(&folder, &["--function", "gravity", "--states", &q]),

@@ -1,8 +1,7 @@
-//! The values of a scheduled program at many states.
+//! Runs a scheduled program at many states.
 //!
-//! In: a program, what its function is a function of, states. Out: its results at each of them, computed operation by
-//! operation for several states at a time and on all cores; neither changes a bit of any. It never looks at what the
-//! results mean.
+//! Each operation is done for several states at a time, and states are distributed over all cores; neither changes a
+//! bit of the results.
 
 use std::array::from_fn;
 use std::num::NonZero;
@@ -17,7 +16,7 @@ use homogen_codegen::formulation::Sines;
 use homogen_codegen::schedule::{Arithmetic, Program, run};
 use homogen_codegen::space::Variable;
 
-/// How many states each operation is done for before the next one.
+/// Number of states for which each operation is done before the next one.
 const LANES: usize = 8;
 
 /// A function, ready to be computed.
@@ -29,7 +28,7 @@ pub(super) struct Values<'p> {
 }
 
 impl Values<'_> {
-    /// The results at each state, one state after the other; `f64`s that hold single precision as well.
+    /// The results at each state, one state after the other; `f64`s, also for single precision.
     pub(super) fn at(&self, states: &States) -> Vec<f64> {
         let mut results = vec![0.0; states.count * self.program.results.len()];
         if results.is_empty() {
@@ -46,7 +45,7 @@ impl Values<'_> {
 
     fn on_all_cores<T: Arithmetic + Copy + Into<f64>>(&self, states: &States, results: &mut [f64]) {
         let cores = thread::available_parallelism().map_or(1, NonZero::get);
-        // A share that is worth a thread, in whole packs.
+        // A share that is large enough for a thread, in whole packs.
         let share = states
             .count
             .div_ceil(cores)
@@ -84,7 +83,7 @@ impl Values<'_> {
                         .iter()
                         .position(|&argument| argument == wanted);
                     let index = index.expect("a program reads the arguments of its function");
-                    // Where states are fewer than lanes the others get the last one.
+                    // If there are fewer states than lanes, the others repeat the last one.
                     Lanes(from_fn(|lane| {
                         let state = states.argument(index, (first + lane).min(last));
                         T::literal(state[usize::from(k)])

@@ -1,14 +1,11 @@
-//! The files of a crate to begin with.
-//!
-//! In: what stands for the words of a template. Out: texts, and a folder of them, whole or not at all. It never looks
-//! at a robot.
+//! The files of a new crate: replaces the words of a template, and writes a folder completely or not at all.
 
 use std::path::Path;
 use std::{fs, io, process};
 
 use homogen_codegen::template::filled;
 
-/// The files, with words between `@` for what differs.
+/// The files, with words between `@` to be replaced.
 const TEMPLATE: [(&str, &str); 6] = [
     ("Cargo.toml", include_str!("firmware/manifest.toml")),
     (".cargo/config.toml", include_str!("firmware/config.toml")),
@@ -28,7 +25,7 @@ pub(super) fn firmware(words: &[(&str, String)]) -> Vec<(&'static str, String)> 
         .collect()
 }
 
-/// Writes a folder that is not there, whole or not at all.
+/// Writes a new folder completely or not at all.
 pub(super) fn write_fresh(
     folder: &Path,
     files: &[(&str, String)],
@@ -48,7 +45,7 @@ pub(super) fn write_fresh(
         fs::rename(&fresh, folder)
     };
     written().inspect_err(|_| {
-        // What is left of it is of no use, and the first reason is the one to tell.
+        // The rest is useless, and the first error is the one to report.
         let _ = fs::remove_dir_all(&fresh);
     })
 }

@@ -1,6 +1,4 @@
-// The eye: from where the robot is looked at.
-//
-// In: what is done with pointers and keys. Out: where a point of frame 0 is on the picture. z is up.
+// The camera: viewpoint of the picture, moved by pointers and keys.
 
 const camera = {
   azimuth: -0.9,
@@ -11,7 +9,7 @@ const camera = {
   height: 1,
 };
 
-// How far the picture is from the eye, in its own height or width, whichever is less.
+// Distance of the picture from the camera, in units of its smaller side.
 const FOCUS = 1.9;
 
 const minus = (a, b) => a.map((entry, k) => entry - b[k]);
@@ -22,7 +20,7 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const unit = (a) => times(a, 1 / (Math.hypot(...a) || 1));
 const between = (a, b, share) => a.map((entry, k) => entry + (b[k] - entry) * share);
 
-// Its axes in frame 0: to the right, upwards, and towards whoever looks; and where it is.
+// Axes of the camera in frame 0: to the right, upwards, towards the viewer; and its position.
 function eye() {
   const { azimuth, elevation, distance, target } = camera;
   const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
@@ -31,7 +29,7 @@ function eye() {
   return { right, up: cross(towards, right), towards, at: plus(target, times(towards, distance)) };
 }
 
-// Where a point is on the picture \[px\], how far from the eye \[m\], and how many pixels a metre has there.
+// Position of a point in the picture \[px\], its distance from the camera \[m\], and pixels per metre there.
 function project(from, p) {
   const seen = minus(p, from.at);
   const depth = Math.max(-dot(seen, from.towards), camera.distance * 0.02);
@@ -44,7 +42,7 @@ function project(from, p) {
   };
 }
 
-// Puts a ball into the picture.
+// Fits a sphere into the picture.
 function frame(center, radius) {
   camera.target = center;
   camera.distance = radius * FOCUS * 2.4;
@@ -65,7 +63,7 @@ function shift(dx, dy) {
   camera.target = plus(camera.target, plus(times(from.right, -dx * metres), times(from.up, dy * metres)));
 }
 
-// Lets pointers, the wheel and keys move the eye; `changed` is called after each step, `whole` shows all.
+// Connects pointers, the wheel and keys to the camera; `changed` is called after each step, `whole` shows all.
 function moveByHand(canvas, changed, whole) {
   const pointers = new Map();
   const spread = () => {
@@ -97,7 +95,7 @@ function moveByHand(canvas, changed, whole) {
   canvas.addEventListener("pointerup", released);
   canvas.addEventListener("pointercancel", released);
   canvas.addEventListener("wheel", (event) => {
-    // The page is to scroll past the picture: only who has chosen it, or pinches, comes nearer.
+    // The wheel scrolls the page unless the picture is focused or pinched.
     if (!event.ctrlKey && document.activeElement !== canvas) return;
     event.preventDefault();
     zoom(Math.exp(event.deltaY * 0.0015));

@@ -1,7 +1,7 @@
-// Code as it is read: which name is defined where, by what, and what reads it; and what it is worth.
+// Structure of generated code: definitions and uses of names, and their values.
 //
-// In: the text of a function, as it is printed, and what its names stand for. Out: its parts, its names, their values. Only what the engine prints
-// is understood: `let`, blocks, loops, operations, entries that are stored. It never changes a letter of the text.
+// Parses the text of a function: only the constructs that the engine prints (`let`, blocks, loops, operations, stored
+// entries). The text is not changed.
 
 const TOKEN = /\/\/[^\n]*|[\p{L}_][\p{L}\p{N}_]*|\d[\d._]*(?:e[-+]?\d+)?(?:_?f(?:32|64))?|\s+|::|->|./gu;
 
@@ -13,15 +13,15 @@ function parted(text) {
   return { said, code: lines.slice(end).join("\n").replace(/\n+$/, "") };
 }
 
-// The packed text of a function.
+// The unpacked text of a function.
 async function unpacked(packed) {
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Response(stream).text();
 }
 
-// The tokens of a text, with the line of each, and its names: of each the token that defines it, the tokens
-// of its value, the names in whose values it is read, and whether a loop gives it another value each time round.
+// The tokens of a text, with their lines, and its names: for each the token that defines it, the tokens of its value,
+// the names whose values read it, and true if a loop changes it in each iteration.
 function analysed(code, meanings) {
   const tokens = code.match(TOKEN) || [];
   const names = new Map();
@@ -74,7 +74,7 @@ function analysed(code, meanings) {
         k = skip(close + 1);
         continue;
       }
-      // A block that leaves nothing but what it stores.
+      // A block without a value, which only stores entries.
       if (tokens[k] === "{") {
         const close = find(k + 1, "}", to);
         statements(k + 1, close);
@@ -91,7 +91,7 @@ function analysed(code, meanings) {
       const equal = find(k, "=", to);
       const end = find(equal + 1, ";", to);
       const value = skip(equal + 1);
-      // Names that leave a block are defined within.
+      // Names returned by a block are defined in it.
       if (tokens[value] === "{") {
         statements(value + 1, find(value + 1, "}", to));
       } else {
@@ -99,7 +99,7 @@ function analysed(code, meanings) {
       }
       k = skip(end + 1);
     }
-    // What is left of them.
+    // The names that remain.
     return k;
   };
   const result = statements(find(0, "{", tokens.length) + 1, tokens.length - 1);
@@ -108,7 +108,7 @@ function analysed(code, meanings) {
       read.readers.add(own.name);
       own.reads.add(read.name);
     };
-    // Sines and cosines are found together, and each is of its own angle.
+    // Sines and cosines are defined in pairs; each is that of its own angle.
     const said = meanings.get(own.name);
     const of = said?.kind === "angle" && names.get(said.of);
     if (of) {
@@ -157,9 +157,9 @@ function tree(tokens, from, to, helpers) {
     }
     if (token === "[") return { call: "list", of: list() };
     at += 1;
-    // A range counts by its beginning.
+    // The value of a range is its first number.
     if (/^\d/.test(token)) return { number: Number(token.replace(/\.\..*$|_?f(32|64)$/, "").replace(/_/g, "")) };
-    // A path counts by its last word.
+    // The value of a path is its last word.
     let word = token;
     if (token === "::" || token === "<") {
       at -= 1;
@@ -211,7 +211,7 @@ function tree(tokens, from, to, helpers) {
   return at === own.length ? value : null;
 }
 
-// The names that stand for a function of the runtime: `k` for `constant`, `mul_add`.
+// The names of functions of the runtime: `k` for `constant`, `mul_add`.
 function helpersOf(analysis) {
   const helpers = new Map();
   for (const own of analysis.names.values()) {
@@ -222,8 +222,8 @@ function helpersOf(analysis) {
   return helpers;
 }
 
-// What names of an open function are worth at some arguments, each a list of numbers by its name, and in a loop the
-// first time round; NaN where that is not known.
+// The values of names of an open function, for arguments given as lists of numbers by name; in a loop those of the
+// first iteration. NaN if unknown.
 function worth({ analysis, helpers, names }, given) {
   const known = new Map();
   const calls = {
@@ -254,7 +254,7 @@ function worth({ analysis, helpers, names }, given) {
   const found = (name, said) => {
     switch (said?.kind) {
       case "argument": return given[said.argument][said.index - 1];
-      // Nothing acts from outside.
+      // No external wrenches.
       case "action": return 0;
       case "angle": return said.sine ? Math.sin(of(said.of)) : Math.cos(of(said.of));
       default: {
@@ -263,7 +263,7 @@ function worth({ analysis, helpers, names }, given) {
       }
     }
   };
-  // Those before it first: a function of many thousand operations would go too deep.
+  // Earlier names first, because recursion through thousands of operations would be too deep.
   return (name) => {
     const waiting = [name];
     while (waiting.length) {

@@ -1,13 +1,10 @@
-// Elements of the page.
-//
-// In: names of elements, properties, and what is inside. Out: elements. Whatever comes from the robot
-// becomes text and nothing else: no string is ever read as HTML.
+// Elements of the page. Texts of the robot become text nodes: no string is parsed as HTML.
 
-// The element of that id.
+// The element with an id.
 const by = (id) => document.getElementById(id);
 
-// An element with properties (`class`, `data-…`, `aria-…`, handlers such as `onclick`) and children,
-// which are elements or texts; nothing for what is null.
+// An element with properties (`class`, `data-…`, `aria-…`, handlers such as `onclick`) and children, which are elements
+// or texts; null is skipped.
 function el(name, properties = {}, ...children) {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(properties)) {
@@ -20,8 +17,7 @@ function el(name, properties = {}, ...children) {
   return element;
 }
 
-// A table: what stands above the columns, and rows of cells. Cells of the columns in `numbers` are set
-// flush right.
+// A table: heads of columns, and rows of cells. The columns in `numbers` are aligned right.
 function table(caption, heads, rows, numbers = []) {
   const cell = (kind) => (content, column) =>
     el(kind, { class: numbers.includes(column) ? "number" : null, scope: kind === "th" ? "col" : null }, content);
@@ -31,10 +27,10 @@ function table(caption, heads, rows, numbers = []) {
       el("tbody", {}, rows.map((row) => el("tr", {}, row.map(cell("td")))))));
 }
 
-// A name of the robot's.
+// A name of the robot.
 const named = (text) => el("span", { class: "name" }, text);
 
-// A number as people read it: no more digits than tell anything.
+// A number with few digits.
 function short(value, digits = 4) {
   if (value === null || value === undefined) return "—";
   if (value === 0) return "0";

@@ -1,12 +1,10 @@
-// What is said of the name that is pointed at.
-//
-// In: a name, the function that it is of. Out: a panel: the matrix and its entry, the links and frames, the
-// paper's equation, where the name is defined and by what, what it is worth now, what reads it.
+// The panel about the selected name: its matrix and entry, links and frames, the equation of the paper, its definition,
+// its present value, and the names that read it.
 
-// How many operations a value may have before a part of it stays a name.
+// Maximum number of operations of a value that is written out.
 const LONG = 14;
 
-// A value in mathematics; parts without a name of their own are written out while they are short.
+// A value as a formula; short parts without a name of their own are written out.
 function mathematics(robot, open, own) {
   const { analysis, helpers } = open;
   let left = LONG;
@@ -51,7 +49,7 @@ function mathematics(robot, open, own) {
 const nameButton = (robot, open, name) =>
   el("button", { type: "button", class: "reference", "data-name": name, title: name }, written(robot, open, name));
 
-// The entries of a matrix, of which one is meant.
+// The entries of a matrix, with one marked.
 function grid(matrix, entry) {
   const isMeant = (cell) => cell.split(" ").some((part) => part.replace("−", "") === entry);
   const text = (cell) => {
@@ -62,7 +60,7 @@ function grid(matrix, entry) {
     matrix.cells.map((cell) => el("span", { class: isMeant(cell) ? "meant" : null }, text(cell))));
 }
 
-// What a name is, in a sentence or two, and the matrix that it is an entry of.
+// The meaning of a name in a sentence or two, and the matrix that it is an entry of.
 function saying(robot, open, said, owner) {
   const coordinates = (numbers) => numbers.map((k) => robot.skeleton.coordinates[k - 1]?.name || k).join(", ");
   switch (said.kind) {
@@ -77,7 +75,7 @@ function saying(robot, open, said, owner) {
       return [`${noun} ${letter} of `, named(said.entry.name), `, number ${said.index}${unit === "1" ? "" : `, in ${unit}`}: an argument.`];
     }
     case "action":
-      return [`Entry ${said.entry} of action ${said.index} from outside: an argument.`];
+      return [`Entry ${said.entry} of external wrench ${said.index}: an argument.`];
     case "sum":
       return ["The sum of the coordinates ", named(coordinates(said.coordinates)), ", whose axes are parallel."];
     case "angle": {
@@ -88,13 +86,13 @@ function saying(robot, open, said, owner) {
     case "part":
       return ["A part of a sum that has no name of its own."];
     case "table":
-      return ["A table, of which the loop below takes a column each time round, and puts results in its place."];
+      return ["A table: each iteration of the loop below reads a column and replaces it by results."];
     case "round":
       return ["Counts the columns, from 0."];
     default:
       if (owner === "constant") return ["Makes a number of the description one of the type T."];
       if (owner === "mul_add") return ["a · b + c, rounded once where the processor can."];
-      return ["A list that is taken apart below."];
+      return ["A list whose entries are named below."];
   }
 }
 
@@ -112,7 +110,7 @@ function explanation(robot, open, name, given) {
   const list = shown.slice(0, 24).map((reader) => [nameButton(robot, open, reader), " "]);
   if (shown.length > 24) list.push(`and ${shown.length - 24} more`);
   if (readers.includes("")) list.push(shown.length ? "and the result" : "the result");
-  // What is known of a posture is not found again for the next name.
+  // Values of a configuration are kept for the next name.
   if (open.given !== given) Object.assign(open, { given, worth: worth(open, given) });
   const value = !helper && isNumber(name) ? open.worth(name) : NaN;
   return [
@@ -133,7 +131,7 @@ function explanation(robot, open, name, given) {
   ];
 }
 
-// What stands there before a name is pointed at.
+// The text before a name is selected.
 const invitation = () => [
-  el("p", { class: "hint" }, "Open a function and point at a name in its code: here stands which matrix of the paper it is an entry of, in which frame, what it is worth, and what reads it."),
+  el("p", { class: "hint" }, "Open a function and point at a name in its code: this panel shows its matrix of the paper, its frame, its value, and the names that read it."),
 ];

@@ -1,8 +1,5 @@
-//! Functions as a page tells them.
-//!
-//! In: a module and the layouts that its functions have. Out: of each function its name, what it
-//! costs, how exact it is, in which layout its frames stand, its code as it is printed, and what the names
-//! in it stand for, both packed. It never prints an operation itself.
+//! Functions of a page: name, operation count, error bound, layout of frames, packed code, and packed meanings of the
+//! names in it.
 
 use serde_json::{Value, json};
 
@@ -40,7 +37,7 @@ pub(super) fn functions(module: &Module, layouts: &Layouts) -> Value {
     functions.collect()
 }
 
-/// What a function computes; of several together, what each of them does.
+/// The sentence of a function; of several together, that of each.
 fn sentence(module: &Module, generated: &GeneratedFunction) -> String {
     let about = &module.about;
     let frame = generated.frame.as_deref().unwrap_or(&about.tip);

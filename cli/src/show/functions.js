@@ -1,15 +1,13 @@
-// Every function: what it computes, what it costs, how exact it is, its code.
-//
-// In: the functions of the page's data. Out: a section; code is unpacked when a function is opened, and
-// put on the page some lines at a time. What is pointed at is told to whoever explains it.
+// The section of functions: sentence, operation count, error bound, code. Code is unpacked when a function is opened,
+// and put on the page in portions of lines.
 
-// How many lines of code are put on the page at once.
+// Number of lines that are put on the page at once.
 const PAGE = 160;
 
 // A bound with two digits.
 const bound = (value) => (value === null || value === undefined ? "—" : value === 0 ? "0" : value.toExponential(1).replace("e-", "e−").replace("e+", "e"));
 
-// The worst of a function's bounds in a type, with units.
+// The largest bound of a function in a type, with units.
 function worst(errors, type) {
   const parts = errors.filter((error) => error[type]).flatMap((error) =>
     Object.entries(error[type]).filter(([, value]) => value !== null).map(([unit, value]) => `${bound(value)}${unit === "1" ? "" : ` ${unit}`}`));
@@ -18,11 +16,11 @@ function worst(errors, type) {
 
 const OF = { results: "", tau: "as if τ were off by at most", M: "each column exact for an M of its own, off by at most" };
 
-// How exact a function is, joint by joint.
+// The bounds of a function for each joint.
 function errorsOf(errors) {
   return errors.map((error) => {
     if (error.unknown) return el("p", { class: "small" }, `Error: no bound: ${error.unknown}.`);
-    const about = [error.range ? `For ${error.range}.` : null, error.lacks ? `Where none is told: ${error.lacks}.` : null].filter(Boolean).join(" ");
+    const about = [error.range ? `For ${error.range}.` : null, error.lacks ? `No bound: ${error.lacks}.` : null].filter(Boolean).join(" ");
     const rows = error.joints.map((one) => [one.joint === null ? "the result" : named(one.joint), one.unit, bound(one.f64), bound(one.f32)]);
     return [
       el("h4", {}, "Error, proved: ", OF[error.of] || "at most"),
@@ -43,7 +41,7 @@ function priceOf(price) {
     dense ? [" With dense 4×4 products: ", el("b", {}, grouped(price.naive.mul)), " products, ", el("b", {}, grouped(price.naive.add)), " sums."] : null);
 }
 
-// The lines of a function's code, put on the page as they are needed.
+// The lines of a function's code, put on the page when needed.
 class Listing {
   constructor(robot, open, element) {
     Object.assign(this, { robot, open, element, next: 0, spots: new Map(), order: [] });
@@ -56,7 +54,7 @@ class Listing {
     this.more();
   }
 
-  // Puts the next lines on the page, up to a line where one is wanted.
+  // Puts the next lines on the page, at least up to `line`.
   more(wanted = 0) {
     const { analysis } = this.open;
     while (this.next < this.total && this.next <= wanted + PAGE) {
@@ -86,7 +84,7 @@ class Listing {
     return document.createTextNode(token);
   }
 
-  // Marks a name wherever it stands, and the names that read it where they are defined.
+  // Marks a name at each occurrence, and the names that read it at their definitions.
   mark(name) {
     for (const spot of this.marked || []) spot.classList.remove("same", "reader", "read");
     this.marked = [];
@@ -104,7 +102,7 @@ class Listing {
     for (const read of own.reads) add(read, "read", true);
   }
 
-  // Brings the definition of a name into view.
+  // Scrolls to the definition of a name.
   go(name) {
     const own = this.open.analysis.names.get(name);
     if (!own) return null;
@@ -115,7 +113,7 @@ class Listing {
   }
 }
 
-// The section. `point` is told the open function and the name that is pointed at, and whether it stays.
+// The section. `point` is called with the open function, the selected name, and true if it stays selected.
 function functionSection(robot, data, point) {
   const all = data.functions;
   const most = Math.max(...all.map(({ price }) => price.mul + price.add), 1);
@@ -125,11 +123,11 @@ function functionSection(robot, data, point) {
     el("li", {}, functions.map((name, k) => [k ? ", " : "", el("code", {}, name)]), ": ", reason, hint ? el("small", {}, ` — ${hint}`) : null));
   return [
     el("h2", { id: "functions-title" }, "Functions ", el("small", {}, String(all.length))),
-    el("p", {}, "Prices are counted on the code that is shown, beside those of dense 4×4 products. ",
-      processed ? "Cycles are those of the processor's model, sines and cosines apart; nothing was timed." : "No time is told: that takes a compiler and your machine. Where a processor is named, cycles by its model stand beside."),
+    el("p", {}, "Operations are counted in the code shown, beside those of dense 4×4 products. ",
+      processed ? "Cycles are those of the processor's model, without sines and cosines; nothing was timed." : "No times are shown: they need a compiler and your machine. Where a processor is named, cycles by its model stand beside."),
     el("div", { class: "heads", "aria-hidden": "true" }, el("span", {}, "function"), el("span", {}, "mul"), el("span", {}, "add"), el("span", {}, "of dense")),
     el("div", { class: "cards-of-functions" }, cards),
-    lacking.length ? [el("h3", {}, "Not to be had"), el("ul", {}, lacking)] : null,
+    lacking.length ? [el("h3", {}, "Not available"), el("ul", {}, lacking)] : null,
   ];
 }
 
@@ -157,8 +155,7 @@ function functionCard(robot, own, most, point) {
   return card;
 }
 
-// A function as it is read: its text, the doc comment, the parts of its code, what its names stand for, the frame
-// that it is of.
+// A function on the page: its text, doc comment, parts of the code, meanings of names, and its frame.
 async function opened(robot, own) {
   const [text, names] = await Promise.all([unpacked(own.code), unpacked(own.names)]);
   const { said, code } = parted(text);
@@ -173,7 +170,7 @@ async function openCode(robot, own, inside, point) {
   const { text, said } = open;
   const box = el("pre", { class: "code", tabindex: "0", role: "group", "aria-label": `The code of ${own.name}. Left and right go from name to name, up and down from line to line, Enter to where a name is defined.` });
   const copy = el("button", { type: "button", onclick: async () => {
-    // A browser may have no clipboard for a file, or be told to lend none.
+    // A browser may refuse the clipboard to a file.
     const copied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
     copy.textContent = copied ? "Copied" : "No clipboard";
     setTimeout(() => { copy.textContent = "Copy"; }, 1500);
@@ -198,7 +195,7 @@ async function openCode(robot, own, inside, point) {
   walkByKeys(box, open, point);
 }
 
-// Lets keys go from name to name.
+// Connects keys to the names.
 function walkByKeys(box, open, point) {
   let current = null;
   const { listing } = open;

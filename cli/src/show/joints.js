@@ -1,17 +1,15 @@
-// Sliders for the coordinates.
-//
-// In: the skeleton and its limits. Out: sliders, and q. A quaternion has three: a turn about each axis, of
-// which its four entries are made. What follows another joint is shown, and has none.
+// Sliders for the coordinates. A quaternion has three sliders: a rotation about each axis. Mimic joints are shown
+// without sliders.
 
 const TURN = Math.PI;
 
-// Where the robot stands at first: all zero, or as near as limits allow; no turn where there is a quaternion.
+// The first configuration: zero, or as near as limits allow; the identity for a quaternion.
 function rest(skeleton) {
   let quaternion = 0;
   return skeleton.coordinates.map((entry) => {
     if (entry.kind === "quaternion") {
       quaternion += 1;
-      // The last of its four entries is its scalar.
+      // The last entry of a quaternion is its scalar.
       return quaternion % 4 === 0 ? 1 : 0;
     }
     const [low, high] = entry.range || [0, 0];
@@ -19,7 +17,7 @@ function rest(skeleton) {
   });
 }
 
-// The sliders of a robot, in the order of q: what each moves, and between what.
+// The sliders of a robot, in the order of q, with joints and limits.
 function slidersOf(skeleton, reach) {
   const sliders = [];
   const { coordinates } = skeleton;
@@ -39,12 +37,12 @@ function slidersOf(skeleton, reach) {
   return sliders;
 }
 
-// With one digit behind the point, and no sign before a zero.
+// With one decimal, and without the sign of a zero.
 const tenth = (value) => value.toFixed(1).replace(/^-(0\.0)$/, "$1").replace("-", "−");
 const degrees = (angle) => `${tenth((angle * 180) / Math.PI)}°`;
 const metres = (length) => `${tenth(length * 1000)} mm`;
 
-// The section: `changed` is called with every new q, and with the rate of all joints.
+// The section; `changed` is called with every new q, and with the velocities of all joints.
 function jointSection(data, reach, changed) {
   const { skeleton, report } = data;
   const q = rest(skeleton);
@@ -82,7 +80,7 @@ function jointSection(data, reach, changed) {
     quaternionOf(turned).forEach((entry, k) => { q[slider.quaternion + k] = entry; });
   };
   const nearest = ({ low, high }) => Math.min(Math.max(0, low), high);
-  // Moves some sliders; where loops are to stay closed the other joints go along, or nothing moves.
+  // Moves some sliders; if loops are kept closed the other joints move along, or nothing moves.
   const move = (moved, value) => {
     const before = [...q];
     for (const slider of moved) set(slider, value(slider));
@@ -94,7 +92,7 @@ function jointSection(data, reach, changed) {
     }
     tell();
   };
-  // Coordinates as they are given; sliders of a quaternion that is held stay where they were dragged to.
+  // Coordinates as given; the sliders of a held quaternion keep their positions.
   const take = (values, held = []) => {
     values.forEach((entry, k) => { q[k] = entry; });
     for (const { quaternion } of sliders) {
@@ -131,13 +129,13 @@ function jointSection(data, reach, changed) {
       el("div", { class: "buttons" },
         button("Zero", "All coordinates zero, or as near as their limits allow", nearest),
         button("Middle", "All coordinates in the middle of their range", ({ low, high }) => (low + high) / 2),
-        button("Random", "A posture drawn by chance", random))),
+        button("Random", "A random configuration", random))),
     el("div", { class: "sliders" }, rows.map(({ row }) => row), followers.map(({ row }) => row)),
-    skeleton.loops.length ? el("p", { class: "note" }, el("label", {}, close, ` Keep ${counted(skeleton.loops.length, "loop")} closed: the other joints go along.`),
+    skeleton.loops.length ? el("p", { class: "note" }, el("label", {}, close, ` Keep ${counted(skeleton.loops.length, "loop")} closed: the other joints move along.`),
       " Functions are of the tree of joints, but for those of loops.") : null,
     el("p", { class: "note" }, el("label", {}, moving, " Tell what names are worth with every rate at 1 (rad/s, m/s), and not at rest.")),
     el("details", { class: "small" },
-      el("summary", {}, "This posture as a state file"),
+      el("summary", {}, "This configuration as a state file"),
       el("p", {}, "For ", el("code", {}, "homogen eval"), ": ", state)),
     el("div", { id: "pose" }),
   ];
@@ -149,7 +147,7 @@ function jointSection(data, reach, changed) {
   return { section, start, put };
 }
 
-// The pose of the frame that functions are of, as the matrix that it is.
+// The pose of the frame of the functions, as a matrix.
 function poseTable(name, pose) {
   const rows = [0, 4, 8].map((row) => [0, 1, 2, 3].map((column) => pose[row + column]));
   return [el("p", {}, el("var", {}, el("b", {}, "M"), el("sub", {}, "0,n")), " of ", named(name)),

@@ -1,8 +1,6 @@
-// Where everything is.
-//
-// In: the skeleton and coordinates q. Out: poses in frame 0, each rows 1 to 3 of a 4×4 matrix as twelve
-// numbers. Bodies are moved as the chain has them: by an angle about and a shift along an axis, or by the
-// coordinates of a posture, after a placement. It shares no code with what it is shown beside.
+// Poses in frame 0 from the skeleton and coordinates q, as rows 1 to 3 of 4×4 matrices (twelve numbers). Each body is
+// moved after its placement: by a rotation about and a translation along an axis, or by the coordinates of a planar,
+// spherical or floating joint. Shares no code with the engine.
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
@@ -18,16 +16,16 @@ function compose(a, b) {
   return m;
 }
 
-// A point of the frame that stands at m, in the frame that m is seen from.
+// A point of the frame with pose m, in the frame that m is relative to.
 const pointAt = (m, [x, y, z]) => [0, 4, 8].map((row) => m[row] * x + m[row + 1] * y + m[row + 2] * z + m[row + 3]);
 
-// The same of a direction.
+// A direction, likewise.
 const directionAt = (m, [x, y, z]) => [0, 4, 8].map((row) => m[row] * x + m[row + 1] * y + m[row + 2] * z);
 
-// Its origin.
+// The origin of the frame.
 const originOf = (m) => [m[3], m[7], m[11]];
 
-// Q: a turn about an axis of length 1 through the origin, and a shift along it.
+// Q: a rotation about a unit axis through the origin, and a translation along it.
 function alongAxis([x, y, z], angle, shift) {
   const sine = Math.sin(angle);
   const cosine = Math.cos(angle);
@@ -40,7 +38,7 @@ function alongAxis([x, y, z], angle, shift) {
   ];
 }
 
-// Q of a quaternion (x, y, z, w) and a shift; the quaternion is brought to length 1.
+// Q of a quaternion (x, y, z, w) and a translation; the quaternion is normalised.
 function ofQuaternion(quaternion, [tx, ty, tz]) {
   const length = Math.hypot(...quaternion) || 1;
   const [x, y, z, w] = quaternion.map((entry) => entry / length);
@@ -51,14 +49,14 @@ function ofQuaternion(quaternion, [tx, ty, tz]) {
   ];
 }
 
-// The quaternion of a turn about a direction, by its length \[rad\].
+// The quaternion of a rotation vector \[rad\].
 function quaternionOf(turn) {
   const angle = Math.hypot(...turn);
   const scale = angle > 1e-9 ? Math.sin(angle / 2) / angle : 0.5;
   return [...turn.map((entry) => entry * scale), Math.cos(angle / 2)];
 }
 
-// And back: the turn of a quaternion, half a turn at most.
+// The rotation vector of a quaternion, at most half a revolution.
 function turnOf(quaternion) {
   const sign = quaternion[3] < 0 ? -1 : 1;
   const half = Math.hypot(...quaternion.slice(0, 3));
@@ -66,7 +64,7 @@ function turnOf(quaternion) {
   return quaternion.slice(0, 3).map((entry) => (half > 1e-12 ? (sign * entry * angle) / half : 0));
 }
 
-// What q has made of a body's joint.
+// The displacement of a body's joint at q.
 function displacement(body, q) {
   const { by: moved, axis } = body;
   if (moved === null) return IDENTITY;
@@ -89,7 +87,7 @@ function displacement(body, q) {
   }
 }
 
-// M₀ of all bodies, of where each would be undisplaced, and of all links.
+// M₀ of all bodies, of each before its displacement, and of all links.
 function poses(skeleton, q) {
   const bodies = [];
   const seats = [];

@@ -1,13 +1,10 @@
-// Loops that stay closed while joints are moved.
-//
-// In: the skeleton with what its loops close, and coordinates of which some are held. Out: the others, moved
-// as little as closes the loops, by Newton's steps of least length; nothing where that is not to be had. It
-// shares no code with the functions of loops.
+// Closes loops while joints are moved: Newton's method with steps of minimum length. Some coordinates are held. Shares
+// no code with the functions of loops.
 
-// How far a residual may be from zero [m, or the cosine of an angle].
+// Tolerance of residuals [m, or the cosine of an angle].
 const CLOSED = 1e-11;
 
-// The residuals of all loops: entries of M of frame B as seen from frame A, which are zero where they are closed.
+// The residuals of all loops: entries of M of frame B in frame A that are zero if the loop is closed.
 function residuals(skeleton, q) {
   const at = poses(skeleton, q).loops;
   return skeleton.loops.flatMap(({ rows, size }, number) => {
@@ -45,7 +42,7 @@ function solved(matrix, right) {
   return x;
 }
 
-// The coordinates at which all loops are closed, near some of which those in `held` stay; null where there are none.
+// Coordinates near the present ones that close all loops, with those in `held` unchanged; null if there are none.
 function closed(skeleton, start, held) {
   const q = [...start];
   const free = q.map((_, k) => k).filter((k) => !held.includes(k));
@@ -53,16 +50,16 @@ function closed(skeleton, start, held) {
   for (let round = 0; round < 60; round += 1) {
     const now = residuals(skeleton, q);
     if (worst(now) < CLOSED) return q;
-    // Differences to both sides: what they are off by is far less than one step is.
+    // Central differences: their error is far below one step.
     const step = 1e-5;
     const columns = free.map((k) => {
       const [before, after] = [-step, step].map((by) => residuals(skeleton, q.map((entry, at) => (at === k ? entry + by : entry))));
       return after.map((entry, row) => (entry - before[row]) / (2 * step));
     });
-    // The shortest step: A Aᵗ y = residuals, and Aᵗ y back. What is added lets loops be closed more than once.
+    // The shortest step: A Aᵗ y = residuals, then Aᵗ y. The added diagonal allows redundant constraints.
     const square = now.map((_, i) => now.map((__, j) => columns.reduce((sum, column) => sum + column[i] * column[j], i === j ? 1e-10 : 0)));
     const y = solved(square, now);
-    // No step is larger than half a radian or half a metre.
+    // Limits a step to half a radian or half a metre.
     const steps = columns.map((column) => column.reduce((sum, entry, row) => sum + entry * y[row], 0));
     const scale = Math.min(1, 0.5 / (worst(steps) || 1));
     free.forEach((k, at) => { q[k] -= scale * steps[at]; });
@@ -71,7 +68,7 @@ function closed(skeleton, start, held) {
   return worst(residuals(skeleton, q)) < 1e-8 ? q : null;
 }
 
-// Brings quaternions to length 1.
+// Normalises quaternions.
 function straighten(skeleton, q) {
   for (let k = 0; k < q.length; k += 1) {
     if (skeleton.coordinates[k].kind !== "quaternion") continue;

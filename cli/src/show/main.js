@@ -1,7 +1,5 @@
-// Puts the page together.
-//
-// In: the data of the page. Out: its sections, and what holds them together: one posture, one name that is
-// pointed at. `window.homogen` is for whoever wants to ask the page by a script.
+// Assembles the page from its data: sections with a common configuration and a common selected name. `window.homogen`
+// is an interface for scripts.
 
 const data = JSON.parse(by("data").textContent);
 const { skeleton, report } = data;
@@ -15,11 +13,11 @@ const robot = {
   tip: report.tip,
 };
 
-// What is drawn, and what is pointed at.
+// Shown layers, and the selected name.
 const shown = { frames: null, masses: true, names: false };
 let pointed = { open: null, name: null, pinned: false, bodies: new Set() };
 let now = poses(skeleton, data.neutral);
-// The arguments of functions: q as the joints are, with all rates 0 or all 1; no second rates, forces or actions.
+// Arguments of functions: q of the joints, all velocities 0 or all 1; accelerations, torques and external wrenches 0.
 const rates = (rate) => skeleton.velocities.map(() => rate);
 let given = { q: data.neutral, qd: rates(0), qdd: rates(0), tau: rates(0) };
 const canvas = by("picture");
@@ -46,9 +44,9 @@ by("origin").append(
   ...[report.file ? [named(report.file), ` (FNV-1a ${report.details.hash}), `] : [],
     `${counted(report.joints.length, "joint")}, ${counted(skeleton.velocities.length, "velocity", "velocities")}, ${counted(skeleton.links.length, "link")}; from `,
     named(report.base), report.tip ? [" to ", named(report.tip)] : []].flat(Infinity));
-by("foot").append("Written by ", el("code", {}, `homogen show ${data.version}`), ". One file: it asks no network for anything.");
+by("foot").append("Written by ", el("code", {}, `homogen show ${data.version}`), ". One file, without network requests.");
 
-// The posture.
+// The configuration.
 const joints = jointSection(data, robot.reach, (moved, rate) => {
   given = { ...given, q: [...moved], qd: rates(rate) };
   now = poses(skeleton, moved);
@@ -59,7 +57,7 @@ const joints = jointSection(data, robot.reach, (moved, rate) => {
 });
 by("joints").append(...joints.section.filter(Boolean));
 
-// The name that is pointed at.
+// The selected name.
 function explain() {
   const panel = by("explain");
   const { open, name, pinned } = pointed;
@@ -101,7 +99,7 @@ by("explain").addEventListener("click", (event) => {
 });
 document.addEventListener("keydown", (event) => { if (event.key === "Escape") unpoint(); });
 
-// What is drawn.
+// The layers.
 const choices = [["", "no frames"], ["described", "frames as described"],
   ...data.layouts.map((_, k) => {
     const users = data.functions.filter((own) => own.layout === k).map((own) => own.name);
@@ -123,13 +121,13 @@ const layer = (name, text) => {
 };
 by("layers").append(choice, layer("masses", "centres of mass"), layer("names", "names"));
 
-// The sections that stay as they are.
+// The constant sections.
 by("functions").append(...functionSection(robot, data, point).flat(Infinity).filter(Boolean));
 by("read").append(...readSection(data).filter(Boolean));
 by("letters").append(...letterSection(data.letters));
 explain();
 
-// The eye.
+// The camera.
 moveByHand(canvas, redraw, whole);
 by("nearer").addEventListener("click", () => { zoom(0.8); redraw(); });
 by("farther").addEventListener("click", () => { zoom(1.25); redraw(); });
@@ -163,13 +161,13 @@ window.homogen = {
   robot: report.robot,
   functions: () => data.functions.map((own) => own.name),
   q: () => [...given.q],
-  // Moves the joints; quaternions are brought to length 1 where they are used.
+  // Moves the joints; quaternions are normalised where they are used.
   move: (values) => joints.put(values),
-  // M₀ of every link, by its name: rows 1 to 3.
+  // M₀ of every link, by name: rows 1 to 3.
   poses: () => Object.fromEntries(skeleton.links.map((link, k) => [link.name, now.links[k]])),
-  // The code of a function, as it is printed.
+  // The code of a function, as printed.
   code: (name) => unpacked(functionOf(name).code),
-  // Its names: of each what kind it is, and what it is worth now.
+  // Its names: the kind and the present value of each.
   names: async (name) => {
     const open = await opened(robot, functionOf(name));
     const { analysis, helpers } = open;

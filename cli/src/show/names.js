@@ -1,7 +1,5 @@
-// Meaning of a name in generated code.
-//
-// In: a name, the open function with the data that the engine gives of its names, the robot. Out: the matrix that it
-// is an entry of, with its subscripts; or the argument, the angle or the sum that it is.
+// Meaning of a name in generated code: the matrix that it is an entry of, with its subscripts; or the argument, the
+// angle or the sum.
 
 const ARGUMENTS = {
   q: { letter: "q", space: "coordinates", noun: "Coordinate" },
@@ -20,7 +18,7 @@ const UNITS = {
 // Kinds of names that are numbers.
 const NUMBERS = ["entry", "argument", "action", "sum", "angle", "part"];
 
-// What a name of an open function is: `kind` says which of the following there is.
+// The meaning of a name of an open function; `kind` decides which of the following fields exist.
 function meaning(robot, { names, of }, name) {
   const said = names.get(name);
   switch (said?.kind) {
@@ -31,7 +29,7 @@ function meaning(robot, { names, of }, name) {
   }
 }
 
-// A name as the paper would write it, with subscripts.
+// A name as in the paper, with subscripts.
 function written(robot, open, name) {
   const said = meaning(robot, open, name);
   const sub = (text) => el("sub", {}, text);
@@ -60,7 +58,7 @@ function written(robot, open, name) {
 // The subscripts of an entry's matrix: 0,2(2).
 const subscript = ({ form, i, k }) => form.subscript.replace("{i}", i).replace("{i}", i).replace("{k}", k);
 
-// Which body a number stands for.
+// The body of a number.
 function bodyName(robot, number) {
   if (number === 0) return `frame 0 (${robot.skeleton.base})`;
   const body = robot.skeleton.bodies[number - 1];
@@ -74,7 +72,7 @@ function told(robot, { form, i, k, frame }) {
   return form.tells.replace(/\{(\w+)\}/g, (_, which) => words[which]);
 }
 
-// The bodies that a name is about, by their indices.
+// The indices of the bodies of a name.
 function bodiesOf(robot, said) {
   if (said.kind === "entry") return new Set([said.i, said.k].filter((number) => number > 0).map((number) => number - 1));
   const of = (coordinate) => robot.skeleton.bodies.flatMap((body, k) => (body.by && carries(robot, body, coordinate - 1) ? [k] : []));
@@ -86,7 +84,7 @@ function bodiesOf(robot, said) {
   return new Set();
 }
 
-// Whether a coordinate moves a body by itself.
+// True if a coordinate moves a body directly.
 function carries(robot, body, coordinate) {
   const count = { planar: 3, spherical: 4, floating: 7 }[body.by.posture] || 1;
   return coordinate >= body.by.coordinate && coordinate < body.by.coordinate + count;

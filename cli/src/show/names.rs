@@ -1,7 +1,5 @@
-//! Meanings of names in generated code: the matrix of the paper, its bodies, its frame, and the entry.
-//!
-//! In: what a name stands for, as the engine gives it. Out: the same as data of the page; the matrices with their
-//! equations, and a sentence for each quantity.
+//! Meanings of names in generated code, as data of the page: the matrix of the paper, its bodies, its frame, and the
+//! entry; the matrices with their equations, and a sentence for each quantity.
 
 use serde_json::{Map, Value, json};
 
@@ -13,25 +11,25 @@ use homogen_codegen::space::{Variable, action_entry};
 struct Matrix {
     letter: &'static str,
     noun: &'static str,
-    /// Its entries, row by row.
+    /// Its entries, by rows.
     cells: [&'static str; 16],
-    /// What it is, with the equation's number.
+    /// Its definition, with the number of the equation.
     is: &'static str,
-    /// How it gets from link to link and from frame to frame.
+    /// Its change from link to link and of frames.
     moves: &'static str,
 }
 
 /// A kind of quantity: `{i}` and `{k}` stand for its two numbers.
-struct Form {
-    /// True of a quantity of this kind.
+struct QuantityKind {
+    /// True for a quantity of this kind.
     fits: fn(Quantity) -> bool,
-    /// The letter of its matrix; empty where the paper has none.
+    /// The letter of its matrix; empty if the paper has none.
     letter: &'static str,
-    /// Its subscripts, as the paper writes them.
+    /// Its subscripts, as in the paper.
     subscript: &'static str,
-    /// Its sentence; `{i}` is the body of the first number, `{k}` the frame of the second, `{0}` and `{n}` those at the
-    /// ends; `{row}` and `{column}` are the numbers themselves.
-    tells: &'static str,
+    /// Its sentence; `{i}` is the body of the first number, `{k}` the frame of the second, `{0}` and `{n}` the base and
+    /// the end effector; `{row}` and `{column}` are the numbers themselves.
+    sentence: &'static str,
 }
 
 const MATRICES: [Matrix; 6] = [
@@ -111,25 +109,25 @@ const MATRICES: [Matrix; 6] = [
     },
 ];
 
-/// All forms; a quantity has the first one that it fits.
+/// All kinds; a quantity has the first one that fits.
 #[rustfmt::skip]
-const FORMS: [Form; 16] = [
-    Form { fits: |of| is(of, Block::AngularVelocity) && from_base(of), letter: "W", subscript: "0,{i}({k})", tells: "Angular velocity of {i} as seen from {0}, in the axes of {k}." },
-    Form { fits: |of| is(of, Block::LinearVelocity) && from_base(of), letter: "W", subscript: "0,{i}({k})", tells: "Velocity, as seen from {0}, of the point of {i} that is just passing through the origin of {k}." },
-    Form { fits: |of| is(of, Block::AngularVelocity) && of_tip(of), letter: "W", subscript: "{i},n({k})", tells: "Angular velocity of frame n ({n}) as seen from {i}, in the axes of {k}." },
-    Form { fits: |of| is(of, Block::LinearVelocity) && of_tip(of), letter: "W", subscript: "{i},n({k})", tells: "Velocity, as seen from {i}, of the point of n ({n}) that is just passing through the origin of {k}." },
-    Form { fits: |of| is(of, Block::AngularAcceleration) && from_base(of), letter: "H", subscript: "0,{i}({k})", tells: "Angular acceleration of {i}, in the axes of {k}." },
-    Form { fits: |of| is(of, Block::LinearAcceleration) && from_base(of), letter: "H", subscript: "0,{i}({k})", tells: "Acceleration of the origin of {k}, taken with {i}; in dynamics the base is accelerated against gravity, so that this is less g." },
-    Form { fits: |of| is_pose(of) && of_tip(of), letter: "M", subscript: "{i},n", tells: "Pose of frame n ({n}) as seen from {i}: its axes x, y, z and its origin t." },
-    Form { fits: |of| is_pose(of) && from_base(of), letter: "M", subscript: "0,{i}", tells: "Pose of {i} as seen from {0}: its axes x, y, z and its origin t." },
-    Form { fits: |of| (is(of, Block::Direction) || is(of, Block::Moment)) && in_base(of), letter: "L", subscript: "{i}(0)", tells: "Screw of the joint of {i}, in {0}." },
-    Form { fits: |of| is(of, Block::Inertia) && in_base(of), letter: "J", subscript: "{i}(0)", tells: "Inertia of {i} in {0}, or of it with all that it carries." },
-    Form { fits: |of| is(of, Block::Inertia), letter: "J", subscript: "{i}({k})", tells: "Inertia of {i} with all that it carries, in {k}; mass that no joint can feel there may be counted further in." },
-    Form { fits: |of| is(of, Block::MassCenter), letter: "J", subscript: "{i}({k})", tells: "First moment of {i} with all that it carries, by the mass of the robot, in {k}." },
-    Form { fits: |of| is_action(of) && in_its_own(of), letter: "Φ", subscript: "{i}({i})", tells: "What the joint of {i} exerts on all that it carries, in {i}; where a mass matrix is made, at a unit acceleration of that joint." },
-    Form { fits: |of| is_action(of), letter: "Φ", subscript: "{i}({k})", tells: "What the joint of {i} exerts on all that it carries, in {k}; where a mass matrix is made, at a unit acceleration of that joint." },
-    Form { fits: |of| is(of, Block::Pivot), letter: "", subscript: "{i}", tells: "What the joint of {i} itself opposes to its acceleration: D of the mass matrix Lᵗ D L, or of articulated bodies (Featherstone). No matrix of the paper." },
-    Form { fits: |of| is(of, Block::Factor), letter: "", subscript: "{i},{k}", tells: "Row {row}, column {column} of L of the mass matrix Lᵗ D L (Featherstone). No matrix of the paper." },
+const QUANTITY_KINDS: [QuantityKind; 16] = [
+    QuantityKind { fits: |of| is(of, Block::AngularVelocity) && from_base(of), letter: "W", subscript: "0,{i}({k})", sentence: "Angular velocity of {i} as seen from {0}, in the axes of {k}." },
+    QuantityKind { fits: |of| is(of, Block::LinearVelocity) && from_base(of), letter: "W", subscript: "0,{i}({k})", sentence: "Velocity, as seen from {0}, of the point of {i} that is just passing through the origin of {k}." },
+    QuantityKind { fits: |of| is(of, Block::AngularVelocity) && of_tip(of), letter: "W", subscript: "{i},n({k})", sentence: "Angular velocity of frame n ({n}) as seen from {i}, in the axes of {k}." },
+    QuantityKind { fits: |of| is(of, Block::LinearVelocity) && of_tip(of), letter: "W", subscript: "{i},n({k})", sentence: "Velocity, as seen from {i}, of the point of n ({n}) that is just passing through the origin of {k}." },
+    QuantityKind { fits: |of| is(of, Block::AngularAcceleration) && from_base(of), letter: "H", subscript: "0,{i}({k})", sentence: "Angular acceleration of {i}, in the axes of {k}." },
+    QuantityKind { fits: |of| is(of, Block::LinearAcceleration) && from_base(of), letter: "H", subscript: "0,{i}({k})", sentence: "Acceleration of the origin of {k}, taken with {i}; in dynamics the base is accelerated against gravity, so that this is less g." },
+    QuantityKind { fits: |of| is_pose(of) && of_tip(of), letter: "M", subscript: "{i},n", sentence: "Pose of frame n ({n}) as seen from {i}: its axes x, y, z and its origin t." },
+    QuantityKind { fits: |of| is_pose(of) && from_base(of), letter: "M", subscript: "0,{i}", sentence: "Pose of {i} as seen from {0}: its axes x, y, z and its origin t." },
+    QuantityKind { fits: |of| (is(of, Block::Direction) || is(of, Block::Moment)) && in_base(of), letter: "L", subscript: "{i}(0)", sentence: "Screw of the joint of {i}, in {0}." },
+    QuantityKind { fits: |of| is(of, Block::Inertia) && in_base(of), letter: "J", subscript: "{i}(0)", sentence: "Inertia of {i} in {0}, or of it with all that it carries." },
+    QuantityKind { fits: |of| is(of, Block::Inertia), letter: "J", subscript: "{i}({k})", sentence: "Inertia of {i} with all that it carries, in {k}; mass without effect on the joints there may belong to an inner body." },
+    QuantityKind { fits: |of| is(of, Block::MassCenter), letter: "J", subscript: "{i}({k})", sentence: "First moment of {i} with all that it carries, by the mass of the robot, in {k}." },
+    QuantityKind { fits: |of| is_action(of) && in_its_own(of), letter: "Φ", subscript: "{i}({i})", sentence: "Wrench of the joint of {i} on all that it carries, in {i}; in a mass matrix, for a unit acceleration of that joint." },
+    QuantityKind { fits: |of| is_action(of), letter: "Φ", subscript: "{i}({k})", sentence: "Wrench of the joint of {i} on all that it carries, in {k}; in a mass matrix, for a unit acceleration of that joint." },
+    QuantityKind { fits: |of| is(of, Block::Pivot), letter: "", subscript: "{i}", sentence: "Inertia at the joint of {i}: D of the mass matrix Lᵗ D L, or of articulated bodies (Featherstone). No matrix of the paper." },
+    QuantityKind { fits: |of| is(of, Block::Factor), letter: "", subscript: "{i},{k}", sentence: "Row {row}, column {column} of L of the mass matrix Lᵗ D L (Featherstone). No matrix of the paper." },
 ];
 
 fn is(of: Quantity, block: Block) -> bool {
@@ -171,7 +169,7 @@ fn numbers(of: Quantity) -> [Option<usize>; 2] {
     }
 }
 
-/// An entry as the cells of its matrix have it: a letter, and subscripts behind `_`.
+/// An entry as in the cells of its matrix: a letter, and subscripts after `_`.
 fn entry(label: Label) -> String {
     const AXES: [&str; 3] = ["x", "y", "z"];
     let letter = match (label.quantity.block, label.component) {
@@ -198,7 +196,7 @@ fn entry(label: Label) -> String {
     }
 }
 
-/// Names with what they stand for, by name.
+/// The meanings of names, by name.
 pub(super) fn meanings(named: &[(String, Meaning)]) -> Value {
     let named = named.iter();
     let named = named.map(|(name, meaning)| (name.clone(), data(meaning)));
@@ -217,7 +215,9 @@ fn data(meaning: &Meaning) -> Value {
         }
         Meaning::Entry(label) => {
             let [i, k] = numbers(label.quantity);
-            let form = FORMS.iter().position(|form| (form.fits)(label.quantity));
+            let form = QUANTITY_KINDS
+                .iter()
+                .position(|form| (form.fits)(label.quantity));
             json!({
                 "kind": "entry", "form": form, "entry": entry(*label), "i": i, "k": k,
                 "negative": label.negative,
@@ -226,17 +226,17 @@ fn data(meaning: &Meaning) -> Value {
         Meaning::Sum(coordinates) => {
             json!({ "kind": "sum", "coordinates": from_one(coordinates) })
         }
-        Meaning::Sine(turn) => angle(turn, true),
-        Meaning::Cosine(turn) => angle(turn, false),
+        Meaning::Sine(rotation) => angle(rotation, true),
+        Meaning::Cosine(rotation) => angle(rotation, false),
         Meaning::Part(number) => json!({ "kind": "part", "index": number }),
         Meaning::Table => json!({ "kind": "table" }),
         Meaning::Round => json!({ "kind": "round" }),
     }
 }
 
-fn angle(turn: &Turn, sine: bool) -> Value {
+fn angle(rotation: &Turn, sine: bool) -> Value {
     json!({
-        "kind": "angle", "sine": sine, "of": turn.name, "coordinates": from_one(&turn.coordinates),
+        "kind": "angle", "sine": sine, "of": rotation.name, "coordinates": from_one(&rotation.coordinates),
     })
 }
 
@@ -244,16 +244,16 @@ fn from_one(coordinates: &[u16]) -> Value {
     coordinates.iter().map(|k| k + 1).collect()
 }
 
-/// The matrices by their letters, and the forms.
+/// The matrices by their letters, and the kinds.
 pub(super) fn letters() -> Value {
     let matrices = MATRICES.iter().map(|matrix| {
-        let told = json!({
+        let data = json!({
             "noun": matrix.noun, "cells": matrix.cells, "is": matrix.is, "moves": matrix.moves,
         });
-        (matrix.letter.to_owned(), told)
+        (matrix.letter.to_owned(), data)
     });
-    let forms = FORMS.iter().map(
-        |form| json!({ "letter": form.letter, "subscript": form.subscript, "tells": form.tells }),
+    let forms = QUANTITY_KINDS.iter().map(
+        |form| json!({ "letter": form.letter, "subscript": form.subscript, "tells": form.sentence }),
     );
     json!({
         "matrices": matrices.collect::<Map<String, Value>>(),
@@ -273,15 +273,15 @@ mod tests {
     use homogen_codegen::request::Request;
 
     /// The letter and the first words of the sentence of a quantity.
-    fn told(quantity: Quantity) -> (&'static str, &'static str) {
-        let form = FORMS.iter().find(|form| (form.fits)(quantity));
+    fn beginning(quantity: Quantity) -> (&'static str, &'static str) {
+        let form = QUANTITY_KINDS.iter().find(|form| (form.fits)(quantity));
         let form = form.expect("a form");
-        let end = form.tells.find('{').expect("a number");
-        (form.letter, form.tells[..end].trim())
+        let end = form.sentence.find('{').expect("a number");
+        (form.letter, form.sentence[..end].trim())
     }
 
     #[test]
-    fn forms_are_told_apart() {
+    fn kinds_are_distinguished() {
         let [two, three] = [2, 3].map(Numeral);
         let quantity = |block: Block, of, frame| block.of(of).seen_in(frame);
         for (quantity, expected) in [
@@ -300,7 +300,7 @@ mod tests {
             (Block::Origin.of(Of::FromBase(two)), ("M", "Pose of")),
             (Block::Factor.of(Of::Pair(three, two)), ("", "Row")),
         ] {
-            assert_eq!(told(quantity), expected);
+            assert_eq!(beginning(quantity), expected);
         }
         let action = |frame| quantity(Block::Force, Of::Body(two), frame);
         assert!(in_its_own(action(two)) && !in_its_own(action(three)));
@@ -313,7 +313,7 @@ mod tests {
             .of(Of::FromBase(Numeral(12)))
             .seen_in(Numeral(3))
             .entry(Component::Along(0));
-        let turn = Turn {
+        let rotation = Turn {
             name: "q_2_3".to_owned(),
             coordinates: vec![1, 2],
         };
@@ -331,7 +331,7 @@ mod tests {
                 json!({ "kind": "action", "index": 2, "entry": "fx" }),
             ),
             (
-                Meaning::Cosine(turn),
+                Meaning::Cosine(rotation),
                 json!({ "kind": "angle", "sine": false, "of": "q_2_3", "coordinates": [2, 3] }),
             ),
         ] {
@@ -339,8 +339,8 @@ mod tests {
         }
     }
 
-    /// Functions of robots in all formulations: each of their entries has a form and is one of its matrix, and no form
-    /// is without a quantity.
+    /// In functions of robots in all formulations, each entry has a kind and is an entry of its matrix, and each kind
+    /// occurs.
     #[test]
     fn each_entry_of_a_function_has_a_form_and_a_cell() {
         let robots = [
@@ -381,9 +381,9 @@ mod tests {
                     .iter()
                     .flat_map(|generated| &generated.program.steps);
                 for label in steps.filter_map(|step| step.label) {
-                    let form = (FORMS.iter()).position(|form| (form.fits)(label.quantity));
+                    let form = (QUANTITY_KINDS.iter()).position(|form| (form.fits)(label.quantity));
                     let form = form.unwrap_or_else(|| panic!("`{label}` has no form"));
-                    let letter = FORMS[form].letter;
+                    let letter = QUANTITY_KINDS[form].letter;
                     let matrix = MATRICES.iter().find(|matrix| matrix.letter == letter);
                     assert_eq!(matrix.is_some(), !letter.is_empty(), "{letter}");
                     let entry = entry(label);
@@ -399,6 +399,6 @@ mod tests {
                 }
             }
         }
-        assert_eq!(met, (0..FORMS.len()).collect());
+        assert_eq!(met, (0..QUANTITY_KINDS.len()).collect());
     }
 }

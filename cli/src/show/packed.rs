@@ -1,9 +1,6 @@
-//! Long texts made short.
-//!
-//! In: a text. Out: the same deflated (RFC 1951), in the letters of base 64, as a browser unpacks it
-//! without a library. It never looks at what the text says.
+//! Packs long texts: deflated (RFC 1951) and in base 64, as a browser unpacks them without a library.
 
-/// How hard deflation tries: the best that costs no time worth noticing.
+/// Level of deflation: the best one without noticeable time.
 const LEVEL: u8 = 9;
 
 /// A text, packed.
@@ -14,7 +11,7 @@ pub(super) fn packed(text: &str) -> String {
     ))
 }
 
-/// Bytes in base 64 (RFC 4648), with what fills the last four letters.
+/// Bytes in base 64 (RFC 4648), with padding.
 pub(super) fn base_64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);

@@ -1,17 +1,15 @@
-// The picture: links as rods, joints as what they let move, frames as three arrows, masses as dots.
-//
-// In: the robot, where everything is, what is to be shown. Out: a picture on a canvas. Faces are painted
-// from the farthest to the nearest. It never moves a joint.
+// The picture: links as rods, joints by their motions, frames as three arrows, masses as dots. Faces are painted from
+// the farthest to the nearest.
 
-// Sides of what is round.
+// Number of sides of round shapes.
 const SIDES = 24;
 
-// What is looked at of a robot whatever it does: how thick things are, and what hangs on what.
+// Constant properties of a robot: thicknesses, and the tree.
 function prepared(data) {
   const { skeleton, report } = data;
   const kinds = new Map(report.details.joints.map((joint) => [joint.name, joint.kind]));
   const place = new Map(skeleton.links.map((link, k) => [link.name, k]));
-  // The first body of each joint starts from where the joint stands.
+  // The first body of a joint begins at the joint's frame.
   const first = new Map();
   skeleton.bodies.forEach((body, k) => first.has(body.joint) || first.set(body.joint, k));
   const links = skeleton.links.map((link, k) => {
@@ -23,7 +21,7 @@ function prepared(data) {
       parent: link.name === skeleton.base ? null : kept,
       joint: moving ? first.get(link.joint) : null,
       kind: moving ? kinds.get(link.joint) : "fixed",
-      // Where loops hold it, by the number of the loop and of its end.
+      // Frames of loops, by the number of the loop and of its end.
       held: (report.loops || []).flatMap(({ from, to }, number) =>
         [from, to].flatMap((name, end) => (name === link.name ? [[number, end]] : []))),
       end: !skeleton.links.some((other) => other.parent === link.name && other.name !== skeleton.base),
@@ -45,7 +43,7 @@ function prepared(data) {
   return { skeleton, links, center, reach, thick, heaviest, ground: Math.min(low[2], 0) };
 }
 
-// A ball around all links, and its lowest corner.
+// A sphere around all links, and its lowest point.
 function around(links, at) {
   const spots = links.flatMap((link, k) => {
     const own = originOf(at.links[k]);
@@ -70,7 +68,7 @@ function palette() {
   };
 }
 
-// A colour as the light makes it: 0 in the shadow, 1 where it falls straight on.
+// A shaded colour: 0 in the shadow, 1 in direct light.
 function lit([r, g, b], light, dark) {
   const shadow = dark ? 0.42 : 0.52;
   const strength = shadow + (1.06 - shadow) * light;
@@ -79,7 +77,7 @@ function lit([r, g, b], light, dark) {
   return `rgb(${channel(r)} ${channel(g)} ${channel(b)})`;
 }
 
-// What is collected before it is painted.
+// Shapes collected before painting.
 class Painter {
   constructor(context, colours) {
     this.context = context;
@@ -89,7 +87,7 @@ class Painter {
     this.things = [];
   }
 
-  // A flat piece, unless it is turned away.
+  // A flat face, unless it faces away.
   face(corners, normal, colour) {
     if (dot(normal, minus(corners[0], this.from.at)) >= 0) return;
     const seen = corners.map((corner) => project(this.from, corner));
@@ -109,7 +107,7 @@ class Painter {
     context.stroke();
   }
 
-  // A rod from a to b, as thick as said at each end, closed where that is wished.
+  // A rod from a to b with a thickness at each end, closed on request.
   rod(a, b, thickA, thickB, colour, closed = false) {
     const along = unit(minus(b, a));
     const length = Math.hypot(...minus(b, a));
@@ -177,7 +175,7 @@ class Painter {
   }
 }
 
-// Lines on the ground, of a whole power of ten apart or of half of it.
+// Lines on the ground, at distances of a power of ten or half of it.
 function paintGround(painter, robot) {
   const decade = 10 ** Math.floor(Math.log10(robot.reach));
   const apart = robot.reach / decade > 4 ? decade : robot.reach / decade > 1.6 ? decade / 2 : decade / 5;
@@ -195,15 +193,15 @@ function paintGround(painter, robot) {
   context.globalAlpha = 1;
 }
 
-// The colour of a freedom: what only turns, what only slides, what does both.
+// The colour of a degree of freedom: rotation, translation, or both.
 function colourOf(body, colours) {
   if (body.by && body.by.posture) return colours.free;
   if (body.turns && body.slides) return colours.both;
   return body.turns ? colours.turn : colours.slide;
 }
 
-// What a joint lets move: a drum turns about its axis, an arrow slides along it, a ball turns anyhow, a
-// disc slides in its plane.
+// The motion of a joint: a drum rotates about its axis, an arrow translates along it, a ball rotates freely, a disc
+// moves in its plane.
 function paintJoint(painter, robot, body, at, marked) {
   if (body.by === null || body.by.posture === "floating") return;
   const size = robot.thick * 1.75;
@@ -226,8 +224,8 @@ function paintJoint(painter, robot, body, at, marked) {
   }
 }
 
-// Everything, at some poses. `shown` says which layers: frames (null, "described" or the number of a
-// layout), centres of mass, names; `marked` are the bodies that a name is about.
+// Everything at some poses. `shown` has the layers: frames (null, "described" or the number of a layout), centres of
+// mass, names; `marked` are the bodies of the selected name.
 function paint(canvas, robot, at, shown, marked) {
   const ratio = Math.min(window.devicePixelRatio || 1, 3);
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
@@ -262,7 +260,7 @@ function paint(canvas, robot, at, shown, marked) {
       }
     }
     for (const [number, end] of link.held) rods.push([here, originOf(at.loops[number][end]), thick * 0.86, thick * 0.6, colour]);
-    // What nothing hangs on reaches to its centre of mass.
+    // A link without children reaches to its centre of mass.
     if (link.end && link.center && !link.held.length) {
       rods.push([here, pointAt(at.links[link.index], link.center), thick * 0.86, thick * 0.5, colour]);
     }
@@ -283,7 +281,7 @@ function paint(canvas, robot, at, shown, marked) {
   paintFrames(painter, robot, at, shown, marked);
 }
 
-// A dot in quarters for each centre of mass, larger where there is more of it.
+// A quartered dot for each centre of mass, larger for a larger mass.
 function paintMasses(painter, robot, at, shown) {
   if (!shown.masses) return;
   const { context, colours } = painter;
@@ -310,7 +308,7 @@ function paintMasses(painter, robot, at, shown) {
   }
 }
 
-// The frames that are shown, by their poses and names.
+// The shown frames, by poses and names.
 function frames(robot, at, shown) {
   if (shown.frames === null) return [];
   const base = { pose: IDENTITY, name: "0", body: null };

@@ -1,8 +1,7 @@
-//! A robot as a page draws it: what moves, where links are, where frames stand.
+//! The skeleton of a robot as data of the page: bodies, frames of links, frames of functions.
 //!
-//! In: a chain and a module. Out: numbers and names. Bodies are those of the
-//! chain, in the frames that the description has; every link that is not left out is fixed to one of
-//! them. It never moves a joint: that is done where the page is looked at.
+//! Bodies are those of the chain, in the frames of the description; every link that is not left out is fixed to one of
+//! them. The page moves the joints.
 
 use serde_json::{Value, json};
 
@@ -23,16 +22,16 @@ use homogen_codegen::space::{CoordinateId, Entry, Kind, Variable};
 /// The skeleton of a robot.
 pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
     let description = &chain.description;
-    let seats = seats(chain)?;
+    let with_all_frames = with_all_frames(chain)?;
     let bodies = chain.joints.iter().map(|joint| body(chain, joint));
-    let links = seats.frames.iter().map(|seat| {
-        let carrier = (description.joints.iter()).find(|joint| joint.child.text == seat.name);
-        let link = (description.links.iter()).find(|link| link.name.text == seat.name);
+    let links = with_all_frames.frames.iter().map(|frame| {
+        let carrier = (description.joints.iter()).find(|joint| joint.child.text == frame.name);
+        let link = (description.links.iter()).find(|link| link.name.text == frame.name);
         let inertial = link.and_then(|link| link.inertial.as_ref());
         json!({
-            "name": seat.name,
-            "body": seat.body.map(Id::index),
-            "place": place(&seats.graph, seat.placement),
+            "name": frame.name,
+            "body": frame.body.map(Id::index),
+            "place": place(&with_all_frames.graph, frame.placement),
             "parent": carrier.map(|joint| &joint.parent.text),
             "joint": carrier.map(|joint| &joint.name.text),
             "mass": inertial.map(|inertial| inertial.mass.value),
@@ -65,7 +64,7 @@ pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
     }))
 }
 
-/// The coordinates, each with the joint that it is of.
+/// The coordinates, each with its joint.
 fn coordinates(chain: &Chain) -> Value {
     let coordinates = &chain.spaces().coordinates;
     let entries = coordinates.ids().zip(entries(coordinates, Variable::Q));
@@ -76,16 +75,16 @@ fn coordinates(chain: &Chain) -> Value {
     entries.collect()
 }
 
-/// The name of the joint that has a coordinate of its own.
+/// The name of the joint that has a coordinate.
 fn joint_of(chain: &Chain, coordinate: CoordinateId) -> Option<&str> {
-    let follows = |joint: &Joint| {
-        let mut followers = chain.report.mimicked.iter();
-        followers.any(|mimic| mimic.joint == joint.of)
+    let mimics = |joint: &Joint| {
+        let mut mimicked = chain.report.mimicked.iter();
+        mimicked.any(|mimic| mimic.joint == joint.of)
     };
     let moves = |joint: &&Joint| match joint.position {
         Position::Along {
             coordinate: own, ..
-        } => own == coordinate && !follows(joint),
+        } => own == coordinate && !mimics(joint),
         Position::Posture(posture, first) => {
             (first..first.plus(posture.coordinates().len())).contains(&coordinate)
         }
@@ -94,20 +93,20 @@ fn joint_of(chain: &Chain, coordinate: CoordinateId) -> Option<&str> {
     chain.joints.iter().find(moves).map(|joint| &*joint.of)
 }
 
-/// The same chain with the frames of all links that are not left out.
-fn seats(chain: &Chain) -> Result<Chain, Errors> {
+/// The chain with the frames of all links that are not left out.
+fn with_all_frames(chain: &Chain) -> Result<Chain, Errors> {
     let frames = chain.report.links.iter().cloned().map(Name::from);
     let request = Request {
         frames: frames.collect(),
         ..(*chain.request).clone()
     };
-    let mut seats = chain::build(&chain.description, &request)?;
-    let tip = usize::from(seats.has_tip);
-    seats.frames = seats.frames.into_iter().skip(tip).collect();
-    Ok(seats)
+    let mut with_all_frames = chain::build(&chain.description, &request)?;
+    let tip = usize::from(with_all_frames.has_tip);
+    with_all_frames.frames = with_all_frames.frames.into_iter().skip(tip).collect();
+    Ok(with_all_frames)
 }
 
-/// A body that moves against another, by one velocity.
+/// A body that moves relative to another, by one velocity.
 fn body(chain: &Chain, joint: &Joint) -> Value {
     let number = |expr: Expr| number(&chain.graph, expr);
     let by = match joint.position {
@@ -124,7 +123,7 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         }
         Position::Taken => Value::Null,
     };
-    let (turns, slides) = match joint.motion {
+    let (rotates, translates) = match joint.motion {
         Motion::Revolute => (1.0, 0.0),
         Motion::Prismatic => (0.0, 1.0),
         Motion::Screw(pitch) => (1.0, number(pitch)),
@@ -136,14 +135,14 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         "parent": joint.parent.map(Id::index),
         "place": place(&chain.graph, joint.placement),
         "axis": joint.axis.0.map(number),
-        "turns": turns,
-        "slides": slides,
+        "turns": rotates,
+        "slides": translates,
         "by": by,
         "velocity": joint.velocity.index(),
     })
 }
 
-/// Descriptions of the entries of a space, as those of a variable.
+/// The entries of a space, named as those of a variable.
 fn entries(entries: &[Entry], variable: Variable) -> impl Iterator<Item = Value> {
     entries.iter().map(move |entry| {
         let kind = match entry.kind {
@@ -159,15 +158,15 @@ fn entries(entries: &[Entry], variable: Variable) -> impl Iterator<Item = Value>
     })
 }
 
-/// Where the frames of some functions stand.
+/// Frames of functions.
 pub(super) struct Layouts {
-    /// Of each function, which of the following is its.
+    /// For each function, the index of its layout.
     pub(super) of: Vec<usize>,
-    /// Of each body the frame as seen from that which the description has.
+    /// For each layout, the frame of each body relative to that of the description.
     pub(super) places: Vec<Value>,
 }
 
-/// The frames of the functions of a module: layouts that differ only in where mass sits are one.
+/// The frames of the functions of a module; layouts with the same frames are merged.
 pub(super) fn layouts(chain: &Chain, module: &Module) -> Layouts {
     let mut known: Vec<(Layout, usize)> = Vec::new();
     let mut places: Vec<Value> = Vec::new();
@@ -188,21 +187,21 @@ pub(super) fn layouts(chain: &Chain, module: &Module) -> Layouts {
     Layouts { of, places }
 }
 
-/// The frame that a layout gives each body, as seen from the body's own: both are fixed to it, so that
-/// where they are while nothing is displaced tells.
+/// The frame of each body in a layout, relative to the body's own frame. Both are fixed to the body, so their poses at
+/// rest suffice.
 fn chosen(chain: &Chain, layout: Layout) -> Value {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
     let mut own: List<BodyId, Pose<Term<'_>>> = List::new();
     let mut laid: List<BodyId, Pose<Term<'_>>> = List::new();
     for (joint, body) in chain.joints.iter().zip(&bodies.bodies) {
-        let turn = match body.offset {
+        let rotation = match body.offset {
             Some(offset) => Pose::rotation(Rotation::about_z(offset)),
             None => Pose::identity(&graph),
         };
         let [mut here, mut there] = [
             joint.placement.map(|entry| graph.term(entry)),
-            body.placement * turn,
+            body.placement * rotation,
         ];
         if let Some(parent) = joint.parent {
             (here, there) = (own[parent] * here, laid[parent] * there);
@@ -215,18 +214,18 @@ fn chosen(chain: &Chain, layout: Layout) -> Value {
     places.collect()
 }
 
-/// Rows 1 to 3 of a matrix that no field is part of.
+/// Rows 1 to 3 of a constant matrix.
 fn place(graph: &Graph, pose: Pose<Expr>) -> Value {
     let entries = pose.entries().into_iter();
     entries.map(|entry| number(graph, entry)).collect()
 }
 
-/// A number that no field is part of: the command line has none.
+/// A constant number: the command line has no fields here.
 fn number(graph: &Graph, expr: Expr) -> f64 {
     graph.value(expr).map_or(0.0, Double::to_f64)
 }
 
-/// The centre of mass of a link in its frame \[m\], as it is written: good enough to draw.
+/// The centre of mass of a link in its frame \[m\], in the precision of a drawing.
 fn center(inertial: &Inertial) -> [f64; 3] {
     let zero = Double::from(0.0);
     let mut point = [zero; 3];

@@ -1,8 +1,6 @@
-// What was read and what became of it, and the letters.
-//
-// In: the report, as `homogen check` writes it, and the skeleton. Out: sections. It counts and sorts nothing.
+// The summary of the description, as in `homogen check`, and the letters.
 
-// Joints, links, and everything that was done to them.
+// Joints and links, with all changes.
 function readSection(data) {
   const { report, skeleton } = data;
   const followers = new Map(report.mimicked.map((mimic) => [mimic.joint, mimic]));
@@ -45,11 +43,11 @@ function readSection(data) {
   ];
 }
 
-// A list that is there where something is in it.
+// A list, if it is not empty.
 const noted = (title, items, tell) => items && items.length
   ? [el("h3", {}, title, " ", el("small", {}, String(items.length))), el("ul", {}, items.map((item) => el("li", {}, tell(item))))] : null;
 
-// Quarter turns as people write them.
+// Multiples of π/2 as text.
 function turnsOf(quarters) {
   const sign = quarters < 0 ? "−" : "";
   const size = Math.abs(quarters);
@@ -66,13 +64,13 @@ function doings(report) {
     noted("Merged", report.merged, ({ link, into }) => [named(link), " into ", named(into)]),
     noted("Locked", report.locked, ({ joint, q }) => [named(joint), ` at ${short(q)}`]),
     noted("Left out", report.dropped, (link) => named(link)),
-    noted("Follow others", report.mimicked, ({ joint, of, multiplier, offset }) => [named(joint), ` is ${short(multiplier)} × `, named(of), offset ? ` + ${short(offset)}` : null]),
-    noted("Taken for right angles or zero", report.snapped, (angle) => [spot(angle), `${angle.written} of `, named(angle.item), ` is ${turnsOf(angle.quarter_turns)}`]),
-    noted("Taken for rotations by right angles", report.turned, (turned) => [spot(turned), `${turned.written.join(" ")} of `, named(turned.item), ` is ${turned.meant.join(" ")}`]),
+    noted("Mimic joints", report.mimicked, ({ joint, of, multiplier, offset }) => [named(joint), ` is ${short(multiplier)} × `, named(of), offset ? ` + ${short(offset)}` : null]),
+    noted("Read as right angles or zero", report.snapped, (angle) => [spot(angle), `${angle.written} of `, named(angle.item), ` is ${turnsOf(angle.quarter_turns)}`]),
+    noted("Read as rotations by right angles", report.turned, (turned) => [spot(turned), `${turned.written.join(" ")} of `, named(turned.item), ` is ${turned.meant.join(" ")}`]),
     noted("Loops", report.loops, ({ name, kind, from, to }) => [named(name), `: ${kind}, holds `, named(from), " and ", named(to), " together"]),
-    noted("Closed whatever the joints do", report.closed, (name) => named(name)),
+    noted("Constraints that hold in every configuration", report.closed, (name) => named(name)),
   ].filter(Boolean);
-  const nothing = el("p", {}, "Nothing was merged, locked, left out, repaired or doubted.");
+  const nothing = el("p", {}, "Nothing was merged, locked or left out, and there are no warnings.");
   return el("div", { class: "doings" }, lists.length ? lists.map((list) => el("div", {}, list)) : nothing);
 }
 

@@ -1,4 +1,4 @@
-//! Pages as text: what a browser would find in them.
+//! Pages as text: their elements and data.
 
 use std::ffi::OsString;
 
@@ -9,7 +9,7 @@ use super::{SCRIPT, SCRIPT_HASH, STYLE, STYLE_HASH};
 use crate::{Answer, answer};
 use homogen_codegen::function::Function;
 
-/// Files by name, as the program would read them from standard input.
+/// Files by name, read as standard input.
 const SCARA: &str = include_str!("../../../robots/scara.urdf");
 
 fn show(options: &str, input: &str) -> Answer {
@@ -18,7 +18,7 @@ fn show(options: &str, input: &str) -> Answer {
     answer(words.map(OsString::from), &mut input.as_bytes())
 }
 
-/// The page of a robot without a mistake, and what stands in it as data.
+/// The page of a robot without errors, and its data.
 fn page(options: &str, input: &str) -> (String, Value) {
     let answer = show(options, input);
     assert_eq!(answer.code, 0, "{}", answer.remarks);
@@ -29,7 +29,7 @@ fn page(options: &str, input: &str) -> (String, Value) {
     (answer.output, data)
 }
 
-/// A text that was packed, as a browser unpacks it.
+/// Unpacks a text as a browser does.
 fn unpacked(packed: &str) -> String {
     let value = |letter: u8| match letter {
         b'A'..=b'Z' => letter - b'A',
@@ -56,7 +56,7 @@ fn sha_256(text: &str) -> [u8; 32] {
     let primes: Vec<u32> = (2_u32..312)
         .filter(|n| (2..*n).all(|d| n % d != 0))
         .collect();
-    // The first 32 bits of the fractions of roots of primes, by whole numbers alone.
+    // The first 32 bits of the fractions of roots of primes, in integer arithmetic.
     let fraction = |prime: u32, power: u32| {
         let wanted = u128::from(prime) << (32 * power);
         let bits = (0..40).rev();
@@ -172,7 +172,7 @@ fn nothing_but_script_and_style_may_run_and_nothing_is_fetched() {
     }
 }
 
-/// What would end an element, begin one, or hide in one.
+/// Text that could end or begin an element, or hide in one.
 const EVIL: [&str; 6] = [
     "</script><script>alert(1)</script>",
     "<!--<script>",
@@ -182,7 +182,7 @@ const EVIL: [&str; 6] = [
     "&lt;b&gt; ]]> $1 `x` \\u003c",
 ];
 
-/// An arm all of whose names are such.
+/// An arm with such names.
 fn evil_arm(evil: &str) -> String {
     let evil = evil
         .replace('&', "&amp;")
@@ -204,13 +204,13 @@ fn names_of_a_hostile_file_stay_data() {
     };
     for evil in EVIL {
         let (page, data) = page("--functions gravity,forward_kinematics", &evil_arm(evil));
-        // Around the data not a letter differs.
+        // The rest of the page is unchanged.
         assert_eq!(outside(&page), outside(&clean), "{evil}");
         let start = page.find("id=\"data\">").expect("data") + "id=\"data\">".len();
         let inside = &page[start..start + page[start..].find("</script>").expect("its end")];
         let marks = ['<', '>', '&', '\u{202e}', '\u{200b}', '\n'];
         assert!(!inside.contains(marks), "{evil}");
-        // Nor has any text in it what cannot be seen.
+        // No text contains invisible characters.
         let texts = data.to_string();
         assert!(
             !texts.contains(homogen_codegen::wording::is_hidden),
@@ -299,7 +299,7 @@ fn a_coordinate_is_of_its_joint_whatever_that_is_called() {
         let part = name.strip_prefix(&joint).expect("it begins as the joint");
         assert!(part.is_empty() || part.starts_with('.'), "{name}");
     }
-    // A joint that is called as a coordinate of another.
+    // A joint with the name of a coordinate of another.
     let arm = SCARA.replace("\"elbow\"", "\"shoulder.x\"");
     let (_, data) = page("--tip tool --functions gravity", &arm);
     let [first, second] = [0, 1].map(|k| of(&data)[k].clone());

@@ -1,9 +1,9 @@
-//! What articulated bodies find: accelerations, the inverse of the mass matrix, and derivatives made with it.
+//! Error bounds of the articulated-body algorithm: accelerations, the inverse of the mass matrix, and derivatives
+//! made with it.
 //!
-//! In: a chain, in the layout and the way of the function. Out: how far the torques and forces that
-//! accelerations are exact for are from those given (backward error), and how far entries of the inverse are from
-//! exact ones. It follows neither screws nor numbers that are known at run time only. Every constant is derived
-//! below.
+//! In: a chain, in the layout and by the algorithm of the function. Out: the backward error of accelerations, as
+//! torques and forces, and the error of entries of the inverse. Screw joints and inertias known at run time only are
+//! not covered. Every constant is derived below.
 //!
 #![doc = include_str!("articulated.md")]
 
@@ -20,7 +20,7 @@ use self::inertias::{FROBENIUS, Outboard, TRUST, errors};
 use self::recursion::{Steps, values};
 use self::sizes::Pair;
 use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed};
-use super::solved::{DOUBTFUL, caused, largest, stays, tried, underflow, widened};
+use super::solved::{UNCERTAIN, caused, largest, stays, tried, underflow, widened};
 use crate::chain::BodyId;
 use crate::list::List;
 use crate::model::ARTICULATED_MOTION;
@@ -29,11 +29,11 @@ use crate::schedule::Program;
 use crate::schedule::bound::{self, Value};
 use crate::space::Variable;
 
-/// The least margin that is tried: a thousandth of a bound is less than another attempt is worth.
+/// The least margin that is tried. A smaller one would improve a bound by less than a thousandth.
 const LEAST_MARGIN: f64 = 1e-3;
 
 impl Articulated<'_> {
-    /// What is promised of accelerations.
+    /// Bounds the backward error of accelerations, as torques and forces.
     #[must_use]
     pub fn accelerations(&self, means: Means) -> Accuracy {
         let programs = [&self.programs.motion];
@@ -43,8 +43,8 @@ impl Articulated<'_> {
         })
     }
 
-    /// What is promised of the derivatives of accelerations by coordinates and rates, beside what their factor M⁻¹
-    /// is off by: what the derivatives of τ are off by, at the accelerations found, which a program computes.
+    /// Bounds the derivatives of accelerations by coordinates and velocities: the error of the derivatives of τ, at the
+    /// accelerations found, which a program computes. The error of the factor M⁻¹ comes on top.
     #[must_use]
     pub fn derivatives(&self, derivatives: &Program, means: Means) -> Accuracy {
         let programs = [&self.programs.motion, derivatives];
@@ -55,9 +55,9 @@ impl Articulated<'_> {
                 steps.torques(margin)?;
                 let wider = widened(&self.range, margin);
                 let found = values(computed(derivatives, &wider, means, scalar))?;
-                // What vanishes of an acceleration is a torque of the inertias times it.
+                // The underflow of an acceleration, times the inertias, is a torque.
                 let most = largest(found.iter().map(|value| value.reach() + value.error));
-                let size = most * steps.yielding() * steps.inertia() * steps.inertia();
+                let size = most * steps.mobility() * steps.inertia() * steps.inertia();
                 let vanishes = underflow(size, self.links.len(), scalar)?;
                 Ok(found.iter().map(|value| value.error + vanishes).collect())
             })
@@ -66,8 +66,7 @@ impl Articulated<'_> {
 }
 
 impl Steps<'_, '_> {
-    /// By how much the torques are off that accelerations are exact for, where these stay in their range, widened by
-    /// a margin.
+    /// The backward error of accelerations, as torques and forces, if these stay in their range, widened by a margin.
     fn torques(&self, margin: f64) -> Worst {
         let Articulated {
             links, mobility, ..
@@ -81,36 +80,36 @@ impl Steps<'_, '_> {
         ))?;
         let motions = found.chunks(ARTICULATED_MOTION).map(Moving::of);
         let motions: List<BodyId, Moving> = motions.collect();
-        // Told last: what may be anything for rounding may overflow as well.
+        // Reported last: a size that rounding leaves without bound may overflow as well.
         let underflows = underflow(self.size(&motions, &wider), links.len(), self.scalar);
         let errors = self.torque_errors(&motions, &wider, underflows.unwrap_or(0.0))?;
         let off = caused(&mobility.joints, &errors);
         if stays(&self.bodies.range, margin, &off) {
             underflows.map(|_| errors)
         } else {
-            Err(DOUBTFUL)
+            Err(UNCERTAIN)
         }
     }
 
-    /// A bound of every product on the way, as far as sizes of factors tell.
+    /// A bound of every intermediate product, from the sizes of its factors.
     fn size(&self, motions: &[Moving], range: &Range) -> f64 {
         let moving = largest(motions.iter().flat_map(|motion| {
             let parts = [motion.action, motion.drift, motion.acceleration];
             parts.map(|[size, _]| size.largest())
         }));
         let most = largest(range.arguments[Variable::Qdd].iter().map(|[_, most]| *most));
-        self.inertia() * self.inertia() * moving * most * self.yielding()
+        self.inertia() * self.inertia() * moving * most * self.mobility()
     }
 
-    /// How far off the torque or force is that each joint feels, by all roundings.
+    /// The error of the torque or force at each joint, from all roundings.
     fn torque_errors(&self, motions: &List<BodyId, Moving>, range: &Range, vanishes: f64) -> Worst {
         let (links, outboard) = (&self.bodies.links, &self.outboard);
         let roundoff = self.scalar.roundoff();
-        // Of each body and all outboard of it, the moment and force that they take, and what of them is
-        // lost; as far as known from the bodies that hang on it.
+        // For each body with all outboard of it: the moment and force that act on it, and their errors,
+        // accumulated from its children.
         let mut forces = List::filled(Pair::default(), links.len());
         let mut lost = forces.clone();
-        // What the joint alone feels besides.
+        // The error of the joint's own terms.
         let mut beside = List::filled(0.0, links.len());
         for (k, link) in links.numbered().rev() {
             let Moving {
@@ -126,13 +125,13 @@ impl Steps<'_, '_> {
             let opposed = whole.dot(acceleration);
             let free = opposed + most * link.share(whole);
             // |y|/√D: an armature opposes the joint's own acceleration.
-            let lacking = opposed + most * link.armature.sqrt();
+            let right_side = opposed + most * link.armature.sqrt();
             let by_own = own.times(own.dot(acceleration));
             forces[k] = forces[k].plus(action_size).plus(by_own);
 
-            // Of the joint's own equation, in units of √D.
-            let driven = link.armature > 0.0;
-            let roundings = if driven { 14.0 } else { 12.0 };
+            // The joint's own equation, in units of √D.
+            let has_armature = link.armature > 0.0;
+            let roundings = if has_armature { 14.0 } else { 12.0 };
             let residual = roundings * roundoff * free + whole.dot(acceleration_lost);
             beside[k] = (link.share(whole) - link.along(whole)) * residual;
             let resistance = link.resistance(range.of_velocity(Variable::Qd, link.velocity));
@@ -141,7 +140,7 @@ impl Steps<'_, '_> {
                 beside[k] += roundoff * (3.0 * resistance + given) + vanishes;
             }
 
-            // The body's own; sums with what hangs on it; the joint's acceleration.
+            // The body's own force; its sums with those of its children; the joint's acceleration.
             let sums = forces[k].plus(whole.times((1.0 + FROBENIUS) * opposed));
             lost[k] = lost[k]
                 .plus(action_lost)
@@ -153,12 +152,12 @@ impl Steps<'_, '_> {
             let Some(parent) = link.parent else {
                 continue;
             };
-            // What is passed on: of the drift, of the joint's push, and their sum with the rest.
+            // The force passed on to the parent: the drift's, the joint's, and their sum with the rest.
             let drifting = whole.dot(drift);
-            let rest = forces[k].plus(whole.times(opposed + lacking + drifting));
-            // A joint clears one column, but for an armature.
-            let entries = if driven { 7.0 } else { 6.0 };
-            let products = roundoff * ((entries * FROBENIUS + 3.0) * drifting + 4.0 * lacking);
+            let rest = forces[k].plus(whole.times(opposed + right_side + drifting));
+            // A joint without armature makes one column of the inertia zero.
+            let entries = if has_armature { 7.0 } else { 6.0 };
+            let products = roundoff * ((entries * FROBENIUS + 3.0) * drifting + 4.0 * right_side);
             let rest_lost = whole
                 .times(products + whole.dot(drift_lost))
                 .plus(rest.times(2.0 * roundoff))
@@ -178,12 +177,12 @@ impl Steps<'_, '_> {
     }
 }
 
-/// The lengths of what a motion makes of a body, and their errors.
+/// Magnitudes of a body's terms that its motion causes, and their errors.
 #[derive(Clone, Copy)]
 struct Moving {
-    /// Moment and force that its velocities take.
+    /// Moment and force of the velocity terms.
     action: [Pair; 2],
-    /// What they add to its acceleration beyond its joint.
+    /// Acceleration of the velocity terms, without the joint's own.
     drift: [Pair; 2],
     acceleration: [Pair; 2],
 }

@@ -1,11 +1,11 @@
-//! How much a robot can move for the energy that it has, whatever its posture: what shows that a
-//! mass matrix is positive definite, and how far from singular.
+//! Bounds of the velocities of joints and bodies by the kinetic energy, in every configuration. They show that
+//! a mass matrix is positive definite, and how far it is from singular.
 //!
-//! In: a chain, where its frames are and the range of its fields. Out: bounds of the rates of joints
-//! and bodies. It never looks at a posture: the rate of a joint is the difference of what two bodies
-//! do about its axis, or along it, and their share of the kinetic energy is there whatever the
+//! In: a chain, its layout and the range of its fields. Out: bounds of the velocities of joints and bodies.
+//! The configuration is not needed: the velocity of a joint is the difference of the velocities of its two
+//! bodies about its axis, or along it, and both bodies have their share of the kinetic energy, whatever the
 //! others do. A mass in a field is taken at its least: more of it only adds energy. Quaternions are taken to
-//! be of length 1, but for their rounding.
+//! have length 1, but for their rounding.
 
 mod row;
 
@@ -21,27 +21,26 @@ use crate::request::Target;
 use crate::schedule::bound;
 use crate::space::VelocityId;
 
-/// Bounds of the squares of rates by twice the kinetic energy; infinite where a body has no inertia of
-/// the kind.
+/// Bounds of squares of velocities by twice the kinetic energy; infinite if a body has no inertia of the
+/// kind.
 #[derive(Clone, Debug)]
 pub struct Mobility {
-    /// Of each velocity: bounds of the diagonal entries of M⁻¹ \[1/(kg m²), of joints that slide
-    /// 1/kg\].
+    /// For each velocity a bound of the diagonal entry of M⁻¹ \[1/(kg m²), of prismatic joints 1/kg\].
     pub joints: List<VelocityId, f64>,
-    /// Of each body's ω \[1/(kg m²)\] and of the velocity of its frame's origin \[1/kg\].
+    /// For each body bounds for ω \[1/(kg m²)\] and for the velocity of its frame's origin \[1/kg\].
     pub bodies: List<BodyId, [f64; 2]>,
 }
 
-/// How much the joints and bodies of a chain can move.
+/// Bounds the velocities of the joints and bodies of a chain.
 ///
-/// (M⁻¹)ₖₖ is the greatest q̇ₖ²/(q̇ᵗM q̇). With x and y what the two bodies of a joint do, q̇ₖ = x − y,
-/// and q̇ᵗM q̇ ≥ x²/a + y²/b, this is at most a + b; with an armature c, which adds c q̇ₖ² to it, at most
-/// 1/(1/(a + b) + c). Where bodies between have little inertia or none, others tell more (`mobility/row.rs`). A velocity that
-/// moves several joints, each by a factor of its own, is as slow as each of them demands.
+/// (M⁻¹)ₖₖ is the greatest q̇ₖ²/(q̇ᵗM q̇). With x and y the velocities of the joint's two bodies along its axis,
+/// q̇ₖ = x − y. From q̇ᵗM q̇ ≥ x²/a + y²/b it is at most a + b; with an armature c, which adds c q̇ₖ² to the energy,
+/// at most 1/(1/(a + b) + c). Where bodies between have little inertia or none, bodies further away give bounds
+/// (`mobility/row.rs`). A velocity that moves several joints, each by a factor, is bounded by each of them.
 ///
 /// # Errors
-/// Why it is not known: kinetic energy may be negative with an inertia that no body has; centres of
-/// mass, inertias and offsets are known at run time only.
+/// The reason why there is no bound: a non-physical inertia, with which kinetic energy may be negative; centres
+/// of mass, inertias or offsets that are known at run time only.
 pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility, &'static str> {
     let moves = |target: &Target| {
         use Target::{BasePlacement, CenterOfMassOf, InertiaOf, OriginOf, PlacementOf};
@@ -62,7 +61,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         .collect();
     let numbers = evaluate(&graph, &numbers, |input| {
         let least = match input {
-            // What a body adds to the energy is never negative, so that without it is the least.
+            // A payload never reduces the energy, so that the least energy is that without it.
             Input::Parameter(field, _) if chain.field(field.into()).target.is_payload() => {
                 Some(0.0)
             }
@@ -79,14 +78,15 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         let solid = Solid::of(body, numbers, carrier);
         solids.push(solid.ok_or("an inertia is none that a body has, as far as its digits tell")?);
     }
-    // The bodies before the last of a joint that takes it anywhere are nothing by themselves.
+    // A joint with several degrees of freedom and no axis of its own is a run of bodies, of which only the last
+    // has inertia.
     let last = |k: BodyId| {
         let taken = bodies.iter().skip(k.number());
         let taken = taken.take_while(|body| matches!(body.position, Position::Taken));
         k.plus(taken.count())
     };
     let whole: Vec<&Solid> = bodies.ids().map(|k| &solids[last(k)]).collect();
-    // What the first of them hangs on, seen from anywhere within reach of it.
+    // The parent of the first of them, and the distance at which it is seen.
     let carrier = |k: BodyId| {
         let taken = |k: &BodyId| matches!(bodies[*k].position, Position::Taken);
         let mut inwards = successors(Some(k), |k| bodies[*k].parent.filter(|_| taken(k)));
@@ -121,7 +121,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     let mut joints: List<BodyId, f64> = bodies.ids().zip(&whole).map(joint).collect();
     let reaches = bodies.iter().map(|body| reach(body, range)).collect();
     row::slowed(&mut joints, &solids, &reaches);
-    // What an armature has of the energy comes on top.
+    // The armature's share of the energy comes on top.
     for (most, solid) in joints.iter_mut().zip(&solids) {
         if solid.armature > 0.0 {
             *most = (most.recip() + solid.armature).recip();
@@ -134,7 +134,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         let factor = body.factor().and_then(|factor| graph.term(factor).value());
         let factor = factor.map_or(1.0, Double::to_f64);
         let of_velocity = &mut of_velocities[body.velocity];
-        // A joint that follows with a factor of 0 does not move, and demands nothing.
+        // A mimic joint with factor 0 does not move, and gives no bound.
         *of_velocity = f64::min(*of_velocity, most / (factor * factor));
     }
     Ok(Mobility {
@@ -143,8 +143,8 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     })
 }
 
-/// How far the origin of a body can be from that of the body it hangs on; infinite where that is not known, as on a
-/// screw, which is not followed.
+/// The largest distance of a body's origin from that of its parent \[m\]; infinite where it is unknown, as for a
+/// screw joint.
 pub(super) fn reach(body: &Body<'_>, range: &Range) -> f64 {
     let slide = match (body.position, body.motion) {
         (_, Motion::Screw(_)) => f64::INFINITY,
@@ -167,13 +167,13 @@ const Z: [f64; 3] = [0.0, 0.0, 1.0];
 /// The axes of a frame.
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], Z];
 
-/// What a quaternion that is rounded, in `f32`, makes of the axes that it turns, and more.
+/// Factor, with a margin, for the length of an axis rotated by a rounded quaternion in `f32`.
 const ROUNDED: f64 = 1.0 + 1e-6;
 
-/// How far from parallel axes may be that are taken for parallel: a rounding in extended precision.
+/// Largest deviation of axes that count as parallel: a rounding in extended precision.
 const PARALLEL: f64 = 1e-28;
 
-/// How many numbers a body is described by.
+/// Number of values that describe a body.
 const NUMBERS: usize = 23;
 
 /// m, q, ∫rrᵗdm (xx, yy, zz, xy, xz, yz), R by rows and t of the placement; the joint's armature.
@@ -190,13 +190,14 @@ fn numbers<'g>(body: &Body<'g>) -> [Term<'g>; NUMBERS] {
     })
 }
 
-/// About which directions a body turns.
+/// Directions of the angular velocity of a body.
 #[derive(Clone, Copy)]
 enum Spin {
-    /// None.
+    /// It does not rotate.
     Still,
-    /// This one of its frame, in every state.
+    /// One direction in its frame, in every state.
     About([f64; 3]),
+    /// Any direction.
     Any,
 }
 
@@ -205,7 +206,7 @@ struct Solid {
     parent: Option<BodyId>,
     slides: bool,
     screws: bool,
-    /// Whether its joint takes it anywhere, or anywhere in a plane.
+    /// True for a floating or planar joint, which has no axis of its own.
     free: bool,
     /// R by rows and t of the placement.
     placement: [f64; 12],
@@ -214,12 +215,12 @@ struct Solid {
     inertia: [[Double; 3]; 3],
     spin: Spin,
     armature: f64,
-    /// a of q̇² ≤ 2a T, if nothing else moved the body.
+    /// a of q̇² ≤ 2a T if the joint alone moved the body.
     on_the_base: f64,
 }
 
 impl Solid {
-    /// None for what no body is.
+    /// `None` if the inertia is not physical.
     fn of(body: &Body<'_>, numbers: &[Double], carrier: Spin) -> Option<Self> {
         let mass = numbers[0];
         let first = [numbers[1], numbers[2], numbers[3]];
@@ -277,20 +278,21 @@ impl Solid {
         })
     }
 
-    /// Both of its rates, whatever their directions: ω, and the velocity of its origin.
+    /// Bounds for ω and for the velocity of its origin, in any direction.
     fn fastest(&self) -> [f64; 2] {
         let turns = AXES.iter().map(|&axis| self.turns(axis));
         let slides = AXES.iter().map(|&axis| self.slides(axis, [0.0; 3]));
         [turns.sum(), slides.sum()]
     }
 
-    /// The square of its ω, or of the velocity of what is within reach of its origin, by twice the energy.
+    /// Bound of the square of its ω, or of the velocity of a point within a distance from its origin, by twice the
+    /// energy.
     fn within(&self, reach: f64, slides: bool) -> f64 {
         let [turns, origin] = self.fastest();
         if !slides {
             return turns;
         }
-        // Where the reach is none, nothing is added even of what turns without any energy.
+        // At distance zero nothing is added, even if ω has no bound.
         let across = if reach > 0.0 {
             reach * turns.sqrt()
         } else {
@@ -300,7 +302,7 @@ impl Solid {
         speed * speed
     }
 
-    /// a of ω² ≤ 2a T, where ω is the body's rate about an axis and T its kinetic energy.
+    /// a of ω² ≤ 2a T, where ω is the body's angular velocity about an axis and T its kinetic energy.
     fn turns(&self, axis: [f64; 3]) -> f64 {
         match self.spin {
             _ if axis == [0.0; 3] => 0.0,
@@ -322,7 +324,7 @@ impl Solid {
         }
     }
 
-    /// a of v² ≤ 2a T, where v is the velocity, along an axis, of what is at a point.
+    /// a of v² ≤ 2a T, where v is the velocity along an axis of a body's point.
     fn slides(&self, axis: [f64; 3], point: [f64; 3]) -> f64 {
         if self.parent.is_none() && !self.slides && !self.free {
             let across = axis[1] * point[0] - axis[0] * point[1];
@@ -331,7 +333,7 @@ impl Solid {
             } else {
                 across * across * self.on_the_base
             };
-            // What a screw does along its axis is not followed.
+            // The translation of a screw joint along its axis is bounded by the mass alone.
             let along = if self.screws && axis[2] != 0.0 {
                 self.mass.recip()
             } else {
@@ -354,7 +356,7 @@ impl Solid {
 }
 
 impl Spin {
-    /// That of a body, where this is that of the one that carries it.
+    /// The directions of a body whose parent has these.
     fn carried(self, placement: &[f64; 12], slides: bool) -> Self {
         let seen = |direction: [f64; 3]| {
             let column = |k: usize| [0, 1, 2].map(|row| placement[3 * row + k]);
@@ -374,9 +376,9 @@ impl Spin {
     }
 }
 
-/// xᵗA⁻¹x of a matrix without a negative direction: infinite where A resists nothing along x, none
-/// where A may have a negative direction. What is zero as far as 106 bits tell is taken for zero: it
-/// is far below what an operation of generated code loses.
+/// xᵗA⁻¹x of a positive semidefinite matrix: infinite where A resists nothing along x; `None` where A may be
+/// indefinite. A pivot that is zero within the 106 bits counts as zero: it is far below what an operation of
+/// generated code loses.
 fn inverse_form(mut a: [[Double; 3]; 3], x: [f64; 3]) -> Option<f64> {
     let mut x = x.map(Double::from);
     let mut form = 0.0;

@@ -1,6 +1,7 @@
-//! What is promised of the results of a plan: of all that are evaluated, and of each that solves something.
+//! Error bounds of the results of a plan: of all results that are evaluated, and of each function that solves an
+//! equation.
 //!
-//! In: a [`Plan`], which knows the programs that a bound needs. Out: an [`Accuracy`] of each. It chooses nothing.
+//! In: a [`Plan`], which knows the programs that a bound needs. Out: an [`Accuracy`] of each.
 
 use std::cell::OnceCell;
 
@@ -13,43 +14,43 @@ use crate::function::{Function, Given, Truth};
 use crate::plan::{Plan, keeps_half};
 use crate::real::Real;
 
-/// Why solutions have no bound in `f32`.
-const UNDONE: &str = "less than half of the digits may be left";
+/// Reason why solutions have no bound in `f32`.
+const LESS_THAN_HALF: &str = "less than half of the digits may be left";
 
-/// What is promised of the results of a plan.
+/// Bounds the results of a plan.
 #[must_use]
 pub fn of_plan(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
     let evaluated = of(plan.chain, &plan.functions, &plan.program, means);
-    let promised = evaluated.into_iter().chain(solved(plan, means));
-    // What would be refused in f32, where it loses as many units, promises nothing there.
+    let bounds = evaluated.into_iter().chain(solved(plan, means));
+    // Programs that the check would refuse in f32, for the same loss in units of u, have no bound there.
     if means.scalar != Real::Generic || keeps_half(plan.off.worst, Real::F32) {
-        return promised.collect();
+        return bounds.collect();
     }
-    let promised = promised.map(|accuracy| match accuracy {
+    let bounds = bounds.map(|accuracy| match accuracy {
         solved @ (Accuracy::Backward(..) | Accuracy::BesideDiagonal(_)) => {
-            solved.without_single(UNDONE)
+            solved.without_single(LESS_THAN_HALF)
         }
         other => other,
     });
-    promised.collect()
+    bounds.collect()
 }
 
-/// What is promised of each function that solves something; what several solve is said once.
+/// Bounds each function that solves an equation; a bound that several share is listed once.
 fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
     let has_residual = has_residual(plan.way.forward);
-    let promises = Promises::of(plan, means);
-    let mut said = Vec::new();
-    let mut promised = Vec::new();
+    let solutions = Solutions::of(plan, means);
+    let mut listed = Vec::new();
+    let mut bounds = Vec::new();
     for function in &plan.functions {
         let Truth::Solution(given) = function.truth() else {
             if function.is_constrained() {
                 let reason = "none is derived where loops are held together";
-                promised.push(Accuracy::Unknown(reason));
+                bounds.push(Accuracy::Unknown(reason));
             }
             continue;
         };
-        // Derivatives are of accelerations that are found, and M⁻¹ is one of them. Of what is made with an inverse no
-        // more can be said than of that.
+        // Derivatives are taken at the accelerations found, with a computed M⁻¹; each has its own bound. The bounds
+        // of the inverse are all that is known of a product with it.
         let givens: &[Given] = match given {
             Given::TorqueDerivatives if !has_residual => {
                 &[Given::Torques, Given::TorqueDerivatives, Given::MassMatrix]
@@ -57,27 +58,27 @@ fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
             _ => &[given],
         };
         for &given in givens {
-            if !said.contains(&given) {
-                said.push(given);
-                promised.push(promises.solution(given));
+            if !listed.contains(&given) {
+                listed.push(given);
+                bounds.push(solutions.solution(given));
             }
         }
     }
-    promised
+    bounds
 }
 
 const fn has_residual(forward: Forward) -> bool {
     matches!(forward, Forward::MassMatrix { refinements: 1.. })
 }
 
-/// What bounds of solutions are made of.
-struct Promises<'p> {
+/// Data that bounds of solutions need.
+struct Solutions<'p> {
     plan: &'p Plan<'p>,
     means: Means,
     bodies: OnceCell<Result<Articulated<'p>, &'static str>>,
 }
 
-impl<'p> Promises<'p> {
+impl<'p> Solutions<'p> {
     const fn of(plan: &'p Plan<'p>, means: Means) -> Self {
         Self {
             plan,
@@ -128,7 +129,7 @@ impl<'p> Promises<'p> {
         }
     }
 
-    fn of_bodies(&self, promised: impl Fn(&Articulated<'_>) -> Accuracy) -> Accuracy {
+    fn of_bodies(&self, bounds: impl Fn(&Articulated<'_>) -> Accuracy) -> Accuracy {
         let Plan {
             programs,
             layout,
@@ -139,7 +140,7 @@ impl<'p> Promises<'p> {
             .bodies
             .get_or_init(|| Articulated::of(programs, *layout, *way));
         match bodies {
-            Ok(bodies) => promised(bodies),
+            Ok(bodies) => bounds(bodies),
             Err(reason) => Accuracy::Unknown(reason),
         }
     }

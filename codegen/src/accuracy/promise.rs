@@ -1,8 +1,7 @@
-//! What is promised of results, and how a promise is made of the worst errors.
+//! Error bounds by joint and unit, and how they are made of the worst error of each result.
 //!
-//! In: the worst error of each result, whose it is, and what a program computes with. Out: an
-//! [`Accuracy`]: the worst of each joint's results that share a unit, with the range in words. It bounds
-//! nothing itself.
+//! In: the worst error of each result, the joint it belongs to, and the arithmetic of a program. Out: an
+//! [`Accuracy`]: the worst of each joint's results that share a unit, with the range in words.
 
 use std::collections::BTreeMap;
 
@@ -17,71 +16,70 @@ use crate::schedule::bound::{self, Conditions, Reason, Value};
 use crate::schedule::{Operand, Program};
 use crate::space::{FieldId, Space, Variable};
 
-/// What is promised of the results of a function.
+/// An error bound of the results of a function.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Accuracy {
-    /// In every state of a range, no result is farther from the exact one.
+    /// Forward error: in every state of a range, no result is farther from the exact one.
     Within(Promise),
-    /// In every state of a range, what is found is the exact solution for something that is no farther
-    /// from what was given (backward error).
+    /// Backward error: in every state of a range, the result is the exact solution for data that differ by no more
+    /// from the given ones.
     Backward(Perturbed, Promise),
     /// In every state of a range, no entry (i, j) of the inverse of the mass matrix is farther from the exact one
     /// than so many times √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ); a bound for each row.
     BesideDiagonal(Promise),
-    /// Nothing, for a reason.
+    /// No bound, for a reason.
     Unknown(&'static str),
 }
 
-/// What a solution is exact for, but for a backward error.
+/// The data of a backward error, for which a solution is exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Perturbed {
     /// τ, of which accelerations are the solution.
     Torques,
-    /// M, of which each column of the inverse is one, from the diagonal up: each for another M.
+    /// M, of which each column of the inverse solves a system, from the diagonal up; ΔM differs by column.
     MassMatrix,
-    /// Forces and torques of 1, each of which a column of the inverse is one for, from the diagonal up.
+    /// Forces and torques of 1, the right side of a column of the inverse, from the diagonal up.
     UnitForces,
-    /// ∂τ/∂q and ∂τ/∂q̇ at the accelerations found, of which each column of the derivatives of accelerations is one.
+    /// ∂τ/∂q and ∂τ/∂q̇ at the accelerations found, the right sides of the derivatives of accelerations.
     TorqueDerivatives,
 }
 
-/// Bounds, and what they are for.
+/// Error bounds with the range in which they hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Promise {
     /// The worst for each joint and unit, in the order of the results.
     pub bounds: Vec<Bound>,
     /// The range in words.
     pub range: String,
-    /// Why one of the types has no bound.
+    /// Reason why one of the types has no bound.
     pub lacks: Option<&'static str>,
 }
 
-/// The greatest error of the results of one joint and unit; infinite where there is no bound in the
-/// type.
+/// The largest error of the results of one joint and unit; infinite if there is no bound in the type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
-    /// The joint whose they are: entry, row of a matrix or column of a Jacobian; the residual, where they are
-    /// of loops; none where they are of a frame.
+    /// The joint of the results: of an entry, a row of a matrix or a column of a Jacobian. For results of loops the
+    /// residual; `None` for results of a frame.
     pub joint: Option<String>,
-    /// The unit; 1 for a number without.
+    /// The unit; 1 for a dimensionless number.
     pub unit: &'static str,
-    /// In `f64`, where that was asked for.
+    /// In `f64`, if requested.
     pub double: Option<f64>,
-    /// In `f32`, where that was asked for.
+    /// In `f32`, if requested.
     pub single: Option<f64>,
 }
 
-/// What a program computes with.
+/// The arithmetic of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Means {
-    /// The type of number; `f32` and `f64` where any is meant.
+    /// The type of numbers; for a generic scalar, `f32` and `f64`.
     pub scalar: Real,
-    /// Its sines and cosines.
+    /// Its sine and cosine.
     pub trigonometry: Trigonometry,
 }
 
 impl Means {
-    /// What the programs of a request compute with.
+    /// The arithmetic of the programs of a request.
     #[must_use]
     pub const fn of(request: &Request) -> Self {
         Self {
@@ -94,13 +92,13 @@ impl Means {
     }
 }
 
-/// The worst error of each result, or why there is none.
+/// The worst error of each result, or the reason why there is no bound.
 pub(super) type Worst = Result<Vec<f64>, &'static str>;
 
 /// The entry, of a joint or a loop, and the unit of a result.
 pub(super) type Owner = (Option<(Space, usize)>, &'static str);
 
-/// Those of all results of a function.
+/// The owner of each result of a function.
 pub(super) fn owners(chain: &Chain, function: Function) -> Vec<Owner> {
     let (quantity, spaces) = (function.result(), chain.spaces());
     let units = quantity.units(spaces).into_iter().enumerate();
@@ -109,7 +107,7 @@ pub(super) fn owners(chain: &Chain, function: Function) -> Vec<Owner> {
         .collect()
 }
 
-/// The worst error for each owner, for `f32` and `f64` where any type is meant.
+/// The worst error for each owner; in `f32` and `f64` for generic scalars.
 ///
 /// Every error is a sum of products of sizes with powers of the roundoff, and of the smallest normal
 /// number: a bound in `f32` times the ratio of both roundoffs is one in `f64`.
@@ -132,11 +130,11 @@ pub(super) fn promise(
             (Some(double), Some(single))
         }
     };
-    let (found, lacking): (Vec<_>, Vec<_>) = [&double, &single]
+    let (found, unbounded): (Vec<_>, Vec<_>) = [&double, &single]
         .into_iter()
         .flatten()
         .partition(|worst| worst.is_ok());
-    let lacks = lacking
+    let lacks = unbounded
         .first()
         .and_then(|worst| worst.as_ref().err().copied());
     if let (true, Some(reason)) = (found.is_empty(), lacks) {
@@ -175,7 +173,7 @@ pub(super) fn promise(
 }
 
 impl Accuracy {
-    /// Without what is said of `f32` beside `f64`, for a reason.
+    /// Removes the bound in `f32`, for a reason.
     #[must_use]
     pub fn without_single(self, reason: &'static str) -> Self {
         let without = |mut promise: Promise| {
@@ -195,7 +193,7 @@ impl Accuracy {
 }
 
 impl Promise {
-    /// With the range of some arguments, and of the fields and sines that programs read.
+    /// Adds the range of some arguments, and of the fields and sines that the programs read.
     pub(super) fn within(
         self,
         chain: &Chain,
@@ -221,7 +219,7 @@ impl Promise {
     }
 }
 
-/// What is promised of a solution, where something is.
+/// Bounds a solution by its backward error.
 pub(super) fn backward(
     chain: &Chain,
     perturbed: Perturbed,
@@ -247,7 +245,7 @@ pub(super) fn backward(
     }
 }
 
-/// What is promised of the rows of an inverse of the mass matrix, where something is.
+/// Bounds the rows of an inverse of the mass matrix in relation to its diagonal.
 pub(super) fn beside_diagonal(
     chain: &Chain,
     programs: &[&Program],
@@ -266,7 +264,7 @@ pub(super) fn beside_diagonal(
     }
 }
 
-/// What a program computes in a range.
+/// Bounds each result of a program in a range.
 pub(super) fn computed(
     program: &Program,
     range: &Range,
@@ -283,7 +281,7 @@ pub(super) fn computed(
     bound::results(program, &conditions)
 }
 
-/// The error of a result, or why it has no bound.
+/// The error of a result, or the reason why it has no bound.
 pub(super) fn error(found: bound::Found) -> Result<f64, &'static str> {
     if found.value.error.is_finite() {
         Ok(found.value.error)
@@ -294,7 +292,7 @@ pub(super) fn error(found: bound::Found) -> Result<f64, &'static str> {
 
 pub(super) fn value(range: &Range, input: Input, scalar: Real) -> Value {
     match (range.get(input), input) {
-        // A field is of `f64`, and rounded when it is read.
+        // A field is an `f64`, and is rounded when it is read.
         (Some([lo, hi]), Input::Parameter(..)) => Value::between(lo, hi).rounded(scalar),
         (Some([lo, hi]), _) => Value::between(lo, hi),
         (None, _) => Value::UNKNOWN,

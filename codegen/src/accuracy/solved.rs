@@ -1,15 +1,14 @@
-//! What is solved exactly where a mass matrix is factored.
+//! Backward error of solutions by the factors of a mass matrix.
 //!
 //! In: a chain, and a program that computes the mass matrix and the torques, or their derivatives, as the
 //! function does. Out: how far the torques, the derivatives or the mass matrix that a result is exact for
-//! are from those given (backward error). It never says how far the result is off: that grows with the
-//! condition number.
+//! are from the given ones. The forward error is not bounded: it grows with the condition number.
 //!
 //! A computed solution of Lᵗ D L x = b solves M + ΔM exactly, with |ΔM| ≤ c u |Lᵗ| D |L| (as in Higham,
 //! *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 10.4), of which an entry is at most
-//! c u √(Mᵢᵢ Mⱼⱼ) (Cauchy and Schwarz), as long as all pivots are positive. Of n joints, c is
-//! * n + 1 of the factors: an entry has n − 1 others taken from it, each a product, 1, with a quotient that
-//!   is one with 1/D, 2; the first of them goes through n − 2 further differences;
+//! c u √(Mᵢᵢ Mⱼⱼ) (Cauchy and Schwarz), as long as all pivots are positive. For n joints, c is
+//! * n + 1 of the factors: from an entry n − 1 others are subtracted, each a product, 1, with a quotient that
+//!   is a product with 1/D, 2; the first of them goes through n − 2 further differences;
 //! * n − 1 of each of two substitutions, and 2 of x = y (1/D) between them;
 //! * 1 of b = τ − bias, since b is M q̈; and 1 for all products of these.
 //!
@@ -26,15 +25,15 @@ use crate::schedule::Program;
 use crate::schedule::bound::{Reason, Value};
 use crate::space::Variable;
 
-/// Why a solution is not bounded where rounding may spoil what it comes from.
-pub(super) const DOUBTFUL: &str = "rounding may outweigh the least inertia, as far as ranges tell";
+/// Reason why a solution has no bound if rounding may make its data wrong.
+pub(super) const UNCERTAIN: &str = "rounding may outweigh the least inertia, as far as ranges tell";
 
-/// How much of what keeps M positive definite rounding may take: half, so that pivots whose sign is in
-/// question are covered as well.
+/// The share of what keeps M positive definite that rounding may take: half, so that pivots whose sign is
+/// uncertain are covered as well.
 const SPOILT: f64 = 0.5;
 
-/// Of the inverse of the mass matrix: of each column from the diagonal up, which is solved for by
-/// itself. The program computes the mass matrix.
+/// Bounds the inverse of the mass matrix: each column from the diagonal up, which is solved for by itself.
+/// The program computes the mass matrix.
 #[must_use]
 pub fn of_inverse(chain: &Chain, program: &Program, means: Means) -> Accuracy {
     let count = chain.spaces().velocities.len();
@@ -46,9 +45,9 @@ pub fn of_inverse(chain: &Chain, program: &Program, means: Means) -> Accuracy {
     of_solution(chain, Perturbed::MassMatrix, &[program], means, worst)
 }
 
-/// Of the inverse of the mass matrix, refined so often: of each column from the diagonal up, as the accelerations
-/// of a unit force. The program computes the mass matrix, and twice what accelerations take at rest and without
-/// gravity: none, and given ones.
+/// Bounds the inverse of the mass matrix after some refinements: each column from the diagonal up, as the
+/// accelerations of a unit force. The program computes the mass matrix, and twice the torques of accelerations at rest
+/// and without gravity: of zero accelerations, and of given ones.
 #[must_use]
 pub fn of_refined_inverse(
     chain: &Chain,
@@ -57,7 +56,7 @@ pub fn of_refined_inverse(
     means: Means,
 ) -> Accuracy {
     let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
-        // An entry of M⁻¹ is at most the root of the product of two diagonal ones.
+        // |(M⁻¹)ᵢⱼ| ≤ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ).
         let column = |of: &f64| {
             let most = joints.iter().map(|most| (most * of).sqrt());
             with_accelerations(range, most.map(|most| [-most, most]))
@@ -71,7 +70,7 @@ pub fn of_refined_inverse(
             let mut left: Vec<Vec<f64>> = parts.iter().map(Parts::unrefined).collect();
             for _ in 0..refinements {
                 let off: Vec<Vec<f64>> = left.iter().map(|left| caused(joints, left)).collect();
-                // Below the diagonal a column begins with what others have found.
+                // Below the diagonal a column begins with the results of earlier columns.
                 let before = |row: usize, column: usize| off[row.max(column)][row.min(column)];
                 let columns = parts.iter().enumerate().map(|(column, parts)| {
                     let off: Vec<f64> = (0..joints.len()).map(|row| before(row, column)).collect();
@@ -82,7 +81,7 @@ pub fn of_refined_inverse(
             let mut worst = vec![0.0; joints.len()];
             for (range, left) in columns.iter().zip(left) {
                 if !stays(range, margin, &caused(joints, &left)) {
-                    return Err(DOUBTFUL);
+                    return Err(UNCERTAIN);
                 }
                 for (worst, left) in worst.iter_mut().zip(left) {
                     *worst = f64::max(*worst, left);
@@ -94,7 +93,7 @@ pub fn of_refined_inverse(
     of_solution(chain, Perturbed::UnitForces, &[program], means, worst)
 }
 
-/// Of accelerations by the factors of the mass matrix, refined so often. The program computes the
+/// Bounds accelerations by the factors of the mass matrix, after some refinements. The program computes the
 /// mass matrix, the bias and the inverse dynamics.
 #[must_use]
 pub fn of_accelerations(
@@ -109,9 +108,9 @@ pub fn of_accelerations(
     of_solution(chain, Perturbed::Torques, &[program], means, worst)
 }
 
-/// Of the derivatives of accelerations by coordinates and rates: what the derivatives of τ are off by, at the
-/// accelerations found, for which each column is exact, and for an M of its own as a column of the inverse is. The
-/// first program computes the mass matrix and the torques at q̈ = 0, the second what changes of q and q̇ do to the
+/// Bounds the derivatives of accelerations by coordinates and velocities: the error of the derivatives of τ, at the
+/// accelerations found, for which each column is exact, with an M of its own as for a column of the inverse. The
+/// first program computes the mass matrix and the torques at q̈ = 0, the second the derivatives by q and q̇ of the
 /// torques that produce q̈.
 #[must_use]
 pub fn of_derivatives(
@@ -126,7 +125,7 @@ pub fn of_derivatives(
             let wider = widened(range, margin);
             let off = narrow.over(&wider).unrefined();
             if !stays(range, margin, &caused(joints, &off)) {
-                return Err(DOUBTFUL);
+                return Err(UNCERTAIN);
             }
             let found = computed(derivatives, &wider, means, scalar).into_iter();
             let found = found.map(|found| error(found).map(|_| found.value));
@@ -137,8 +136,7 @@ pub fn of_derivatives(
     of_solution(chain, Perturbed::TorqueDerivatives, &programs, means, worst)
 }
 
-/// What is promised of a solution, where `worst` bounds it in a range, from how much each velocity can move for the
-/// energy.
+/// Bounds a solution. `worst` bounds it in a range, from the bounds of each velocity by the energy.
 fn of_solution(
     chain: &Chain,
     perturbed: Perturbed,
@@ -154,8 +152,7 @@ fn of_solution(
     })
 }
 
-/// The greatest accelerations that forces can cause: an entry of M⁻¹ is at most the root of the
-/// product of two diagonal ones.
+/// The largest accelerations that forces can cause, from |(M⁻¹)ᵢⱼ| ≤ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ).
 pub(super) fn caused(mobility: &[f64], forces: &[f64]) -> Vec<f64> {
     let roots = mobility.iter().map(|most| most.sqrt());
     let products = roots.clone().zip(forces).map(|(root, force)| root * force);
@@ -163,8 +160,8 @@ pub(super) fn caused(mobility: &[f64], forces: &[f64]) -> Vec<f64> {
     roots.map(|root| root * sum).collect()
 }
 
-/// How far what is found may be out of the range of the exact accelerations, in relation to it: what
-/// is tried, the least first.
+/// Margins by which computed accelerations may exceed the range of the exact ones, as a share of it. They are tried
+/// from the least.
 const MARGINS: [f64; 4] = [1e-6, 1e-3, 0.03, 1.0];
 
 /// A range of accelerations that is wider by a margin.
@@ -181,7 +178,7 @@ fn with_accelerations(range: &Range, accelerations: impl Iterator<Item = [f64; 2
     changed
 }
 
-/// What is left after some refinements.
+/// The backward error after some refinements.
 fn solved(
     program: &Program,
     range: &Range,
@@ -194,7 +191,7 @@ fn solved(
     let narrow = parts(range)?;
     let attempt = |margin: f64| -> Worst {
         let wider = widened(range, margin);
-        // Only a residual is computed of accelerations.
+        // Only the residual of a refinement depends on accelerations.
         let parts = if refinements == 0 {
             narrow.over(&wider)
         } else {
@@ -205,18 +202,18 @@ fn solved(
             left = parts.refined(mobility, &caused(mobility, &left), margin)?;
         }
         let stays = stays(range, margin, &caused(mobility, &left));
-        if stays { Ok(left) } else { Err(DOUBTFUL) }
+        if stays { Ok(left) } else { Err(UNCERTAIN) }
     };
     tried(0.0, attempt)
 }
 
-/// The first margin that suffices, of the least or more.
+/// The bound with the first margin, from `least` up, that suffices.
 pub(super) fn tried(least: f64, attempt: impl Fn(f64) -> Worst) -> Worst {
     let margins = MARGINS.into_iter().filter(|&margin| margin >= least);
     let attempts = margins.map(attempt);
-    let mut refused = Err(DOUBTFUL);
+    let mut refused = Err(UNCERTAIN);
     for found in attempts {
-        if found.is_ok() || found != Err(DOUBTFUL) {
+        if found.is_ok() || found != Err(UNCERTAIN) {
             return found;
         }
         refused = found;
@@ -224,7 +221,7 @@ pub(super) fn tried(least: f64, attempt: impl Fn(f64) -> Worst) -> Worst {
     refused
 }
 
-/// Whether accelerations that are off by so much are out of their range by no more than a margin.
+/// True if accelerations with these errors leave their range by no more than a margin.
 pub(super) fn stays(range: &Range, margin: f64, off: &[f64]) -> bool {
     let most = range.arguments[Variable::Qdd]
         .iter()
@@ -232,23 +229,23 @@ pub(super) fn stays(range: &Range, margin: f64, off: &[f64]) -> bool {
     off.iter().zip(most).all(|(off, most)| *off <= most)
 }
 
-/// What underflow takes from a sum on the way, in any unit, where all factors of a product together are
-/// of at most that size.
+/// The largest underflow of an intermediate sum, in any unit, if all factors of a product together are at most
+/// `size`.
 ///
 /// # Errors
-/// Where a number may overflow that is a product of two of these.
+/// If the product of two such numbers may overflow.
 pub(super) fn underflow(size: f64, joints: usize, scalar: Real) -> Result<f64, &'static str> {
     let joints: f64 = std::iter::repeat_n(1.0, joints).sum();
-    // Where a joint may move without any energy, that is the reason and not this.
+    // An infinite size comes from a joint that can move without energy, which is reported instead.
     if size.is_finite() && joints * joints * size * size >= scalar.largest() {
         return Err(Reason::Overflow.words());
     }
     Ok(16.0 * joints * joints * size * scalar.smallest())
 }
 
-/// The largest of the numbers that have to do with a solution x of given torques. Everything on the way is at most
-/// a product of two of these and of [`Parts::factors`], as many times as there are joints, twice: factors are
-/// √(M/d) and pivots d at least half of 1/(M⁻¹)ₖₖ.
+/// The size of the numbers that a solution x of given torques needs. Every intermediate result is at most a product of
+/// two of these and of [`Parts::factors`], as many times as there are joints, twice: factors are √(M/d), and pivots d
+/// at least half of 1/(M⁻¹)ₖₖ.
 fn solution(x: &[f64], given: impl Iterator<Item = f64>) -> f64 {
     largest(x.iter().copied()) * largest(given.map(|torque| 2.0 * torque))
 }
@@ -258,16 +255,16 @@ pub(super) fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
     sizes.fold(1.0, f64::max)
 }
 
-/// What a program computes that a solution comes from.
+/// Bounds of the values from which a program computes a solution.
 #[derive(Clone)]
 struct Parts {
     roundoff: f64,
-    /// What underflow takes from a sum on the way, in any unit.
+    /// The largest underflow of an intermediate sum, in any unit.
     vanishes: f64,
-    /// The largest entry of the mass matrix, and of twice its inverse, which all that factors are made of is a
-    /// product of.
+    /// The largest entry of the mass matrix times that of twice its inverse, which bounds the factors of the mass
+    /// matrix.
     factors: f64,
-    /// The greatest that each acceleration can be.
+    /// The largest magnitude of each acceleration.
     most: Vec<f64>,
     mass: Vec<Value>,
     bias: Vec<Value>,
@@ -277,7 +274,7 @@ struct Parts {
 
 impl Parts {
     /// # Errors
-    /// Where something of it has no bound, or pivots may not be positive.
+    /// If one of them has no bound, or pivots may not be positive.
     fn of(
         program: &Program,
         range: &Range,
@@ -308,14 +305,14 @@ impl Parts {
             bias,
             needed,
         };
-        // Pivots that may be anything are the reason for numbers that may be, and not the other way round.
+        // Pivots of unknown sign are the cause of unbounded numbers, so they are reported first.
         parts.check(mobility)?;
         parts.vanishes = underflow(size, count, scalar)?;
         parts.check(mobility)?;
         Ok(parts)
     }
 
-    /// The same for accelerations of another range, of which nothing here is computed.
+    /// The same for another range of accelerations, on which no value here depends.
     fn over(&self, range: &Range) -> Self {
         Self {
             most: range.arguments[Variable::Qdd]
@@ -326,7 +323,7 @@ impl Parts {
         }
     }
 
-    /// Whether all pivots are positive.
+    /// Checks that all pivots are positive.
     fn check(&self, mobility: &[f64]) -> Result<(), &'static str> {
         let roots: Vec<f64> = mobility.iter().map(|most| most.sqrt()).collect();
         let row = |(k, root): (usize, &f64)| {
@@ -335,15 +332,15 @@ impl Parts {
             entries.sum::<f64>()
         };
         let spoilt: f64 = roots.iter().enumerate().map(row).sum();
-        // What is not a number is not less than anything.
+        // NaN is refused as well.
         if spoilt <= SPOILT {
             Ok(())
         } else {
-            Err(DOUBTFUL)
+            Err(UNCERTAIN)
         }
     }
 
-    /// What is lost of an entry of the mass matrix until something is solved.
+    /// The total error of an entry of the mass matrix when a system is solved with it.
     fn lost(&self, row: usize, column: usize) -> f64 {
         let count = self.most.len();
         let size = |k: usize| self.mass[k * (count + 1)].reach();
@@ -353,7 +350,7 @@ impl Parts {
         self.mass[row * count + column].error + solved + self.vanishes
     }
 
-    /// The same of all entries, times a vector.
+    /// The errors of all entries, times a vector.
     fn lost_times(&self, x: &[f64]) -> Vec<f64> {
         let entries = |row: usize| {
             x.iter()
@@ -363,8 +360,8 @@ impl Parts {
         (0..x.len()).map(|row| entries(row).sum()).collect()
     }
 
-    /// What b is off by, where M x = −b is solved for each column b of two matrices, row by row. x is at most
-    /// M⁻¹ (b + ΔM x), of which the last is at most half of x ([`SPOILT`]).
+    /// The error of b, where M x = −b is solved for each column b of two matrices, row by row. x is at most
+    /// M⁻¹ (b + ΔM x), of which the second term is at most half of x ([`SPOILT`]).
     fn differentiated(&self, mobility: &[f64], needed: &[Value], scalar: Real) -> Worst {
         let count = self.most.len();
         let mut most = vec![0.0_f64; count];
@@ -378,7 +375,7 @@ impl Parts {
         Ok(needed.iter().map(|b| b.error + vanishes).collect())
     }
 
-    /// Of what is not refined.
+    /// The backward error without refinement.
     fn unrefined(&self) -> Vec<f64> {
         let lost = self.lost_times(&self.most).into_iter();
         lost.zip(&self.bias)
@@ -386,14 +383,14 @@ impl Parts {
             .collect()
     }
 
-    /// What a refinement leaves where the accelerations before it are off by so much and, as those after it,
-    /// in a range that is wider than that of the exact ones by a margin.
+    /// The backward error after a refinement, if the accelerations before it have the errors `off` and, as those
+    /// after it, stay in a range that is wider than that of the exact ones by a margin.
     ///
-    /// It leaves what rounding takes from its residual r and from the sum with the correction c, and ΔM c. The
-    /// correction is M⁻¹ (r − ΔM c), of which M⁻¹ r is what they were off by, and M⁻¹ times what r is off by.
+    /// It consists of the rounding errors of the residual r and of the sum with the correction c, and ΔM c. The
+    /// correction is M⁻¹ (r − ΔM c), of which M⁻¹ r is the error before it, plus M⁻¹ times the error of r.
     fn refined(&self, mobility: &[f64], off: &[f64], margin: f64) -> Worst {
         let rounded: Vec<f64> = self.needed.iter().map(|needed| needed.error).collect();
-        // Twice M⁻¹ r, so that M⁻¹ ΔM c may be as much again.
+        // Twice M⁻¹ r, so that M⁻¹ ΔM c may be as large again.
         let correction = caused(mobility, &rounded).into_iter().zip(off);
         let correction: Vec<f64> = correction
             .map(|(by_residual, off)| 2.0 * (by_residual + off))
@@ -405,9 +402,9 @@ impl Parts {
             .iter()
             .map(|most| margin / 4.0 * most / (1.0 + margin));
         let mut all = correction.iter().zip(again).zip(most);
-        // What is not a number is not within anything.
+        // NaN is refused as well.
         if !all.all(|((&c, again), most)| again <= c / 2.0 && c <= most) {
-            return Err(DOUBTFUL);
+            return Err(UNCERTAIN);
         }
         let sums = self.roundings_of_sums();
         let left = rounded.into_iter().zip(spoilt).zip(sums);
@@ -416,7 +413,7 @@ impl Parts {
             .collect())
     }
 
-    /// What the accelerations take when they are rounded, once a correction has been added.
+    /// The torques of the rounding errors of accelerations, once a correction has been added.
     fn roundings_of_sums(&self) -> Vec<f64> {
         let count = self.most.len();
         let entries = |row: usize| &self.mass[row * count..][..count];

@@ -1,7 +1,6 @@
-//! The command that writes a file again.
+//! The command line that writes a file again.
 //!
-//! In: the options of a [`Builder`], and the file that it reads. Out: a line for a shell. It says every option that
-//! there is, so that equal lines make equal files; of folders it says nothing.
+//! It has every option of the [`Builder`], so that equal commands make equal files. Folders are left out.
 
 use std::fmt::Write;
 use std::num::NonZeroUsize;
@@ -16,25 +15,23 @@ use crate::request::setting::SETTINGS;
 use crate::request::setting::text::{numbers, spelled};
 use crate::wording::code;
 
-/// The version of the format of generated files: another one where what a program reads of their heads, their names
-/// or their layout changes.
+/// Version of the format of generated files; it changes if heads, names or layouts change for programs that read them.
 pub const FORMAT: u32 = 1;
 
-/// What the files are written in.
+/// Language of the file.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Language<'a> {
     Rust,
-    /// With the name by which the source includes its header.
+    /// With the name of the header in `#include`.
     C(&'a str),
-    /// With the lanes of a vector.
+    /// With the number of lanes of a vector.
     Llvm(NonZeroUsize),
 }
 
 impl Builder {
-    /// What the head of a file says was asked for: the command, with a hash by which two files tell whether it was
-    /// the same.
+    /// The line in the head of a file: the command, with a hash that shows if two files were made by the same one.
     pub(super) fn asked(&self, module: &Module, language: Language<'_>) -> String {
-        let file = module.about.source.as_ref().map(|(file, _)| file.as_str());
+        let file = module.about.source.file.as_deref();
         let command = self.command(file, language);
         let hash = fingerprint(command.as_bytes());
         let command = code(&command);
@@ -45,23 +42,23 @@ impl Builder {
     fn command(&self, file: Option<&str>, language: Language<'_>) -> String {
         let mut command = Command("homogen generate".to_owned());
         match file {
-            // What begins with a dash is no option.
+            // A file name that begins with a dash would be read as an option.
             Some(file) if file.starts_with('-') => command.word(&format!("./{file}")),
-            // What was standard input is so again.
+            // Standard input again.
             Some("<stdin>") | None => command.word("-"),
             Some(file) => command.word(file),
         }
         let mut request = self.request.clone();
         for setting in &SETTINGS {
             let name = setting.flag_name();
-            for value in setting.said(&mut request) {
+            for value in setting.values(&mut request) {
                 match value {
                     Some(value) => command.option(&name, &value),
                     None => command.switch(&name, true),
                 }
             }
             match setting.key {
-                // Of two numbers for the same the first counts, whichever flags are between them.
+                // The first of two numbers for the same quantity counts, whatever options are between them.
                 "rotors" => command.drives(&request.drives),
                 "scalar" => command.fields(&request.parameters),
                 _ => {}
@@ -94,11 +91,11 @@ impl Builder {
     }
 }
 
-/// A line for a shell.
+/// A command line for a shell.
 struct Command(String);
 
 impl Command {
-    /// A word, in quotes where the shell would read something else.
+    /// Adds a word, quoted if the shell would change it.
     fn word(&mut self, word: &str) {
         let plain = |letter: char| letter.is_ascii_alphanumeric() || "-_./,:=+@%".contains(letter);
         if !word.is_empty() && word.chars().all(plain) {

@@ -1,7 +1,5 @@
-//! The file that a [`Builder`] writes.
-//!
-//! In: its options and its tokens. Out: formatted text under a head that tells origin, options and
-//! prices, in `OUT_DIR`; and what cargo wants to hear. It never writes anywhere else.
+//! Files in Rust of a [`Builder`]: formatted text with a head of origin, options and operation counts, in `OUT_DIR`;
+//! and reports to cargo.
 
 use std::path::Path;
 use std::{env, fs};
@@ -17,30 +15,40 @@ use crate::processor::Processor;
 use crate::real::Real;
 
 impl Builder {
-    /// The same as [`Builder::to_tokens`], formatted, under a head that tells origin, options and
-    /// prices.
+    /// [`Builder::to_tokens`] as formatted text, with a head of origin, options and operation counts.
     ///
     /// # Errors
-    /// All the mistakes of the description and of the request.
+    /// All errors of the description and of the request.
     pub fn to_source(&self) -> Result<Source, Errors> {
         self.file_module().map(|module| self.source(&module))
     }
 
-    /// Writes [`Builder::to_source`] to a file in `OUT_DIR`, and tells cargo which file to watch
-    /// and what is doubtful about it.
+    /// Writes [`Builder::to_source`] to a file in `OUT_DIR`, and reports the watched files and the warnings to cargo.
     ///
     /// # Errors
-    /// All the mistakes of the description and of the request, each of which cargo shows; a file
-    /// that cannot be written.
+    /// All errors of the description and of the request, each of which cargo shows; a file that cannot be written.
     pub fn write(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         self.telling(|| {
             let module = self.file_module()?;
-            doubt(&module);
+            self.report(&module);
             write(file.as_ref(), &self.source(&module).to_string())
         })
     }
 
-    /// Writes, and tells cargo which file to watch and every mistake.
+    /// Reports further watched files and, unless `quiet` is set, the warnings to cargo.
+    pub(super) fn report(&self, module: &Module) {
+        for path in &module.about.source.beside {
+            println!("cargo::rerun-if-changed={}", path.display());
+        }
+        if self.request.quiet {
+            return;
+        }
+        for warning in module.about.located_warnings() {
+            println!("cargo::warning={warning}");
+        }
+    }
+
+    /// Calls `write`, and reports the watched file and each error to cargo.
     pub(super) fn telling(
         &self,
         writes: impl FnOnce() -> Result<(), Errors>,
@@ -57,11 +65,11 @@ impl Builder {
         written
     }
 
-    /// The header of the functions that [`Builder::extern_c`] asks for: arrays of fixed size, with
-    /// units and frames in comments; nothing where it was not asked for.
+    /// The header of the functions that [`Builder::extern_c`] adds: arrays of fixed size, with units and frames in
+    /// comments; empty without `extern_c`.
     ///
     /// # Errors
-    /// All the mistakes of the description and of the request.
+    /// All errors of the description and of the request.
     pub fn to_c_header(&self) -> Result<String, Errors> {
         self.file_module().map(|module| self.c_header(&module))
     }
@@ -69,12 +77,12 @@ impl Builder {
     /// Writes [`Builder::to_c_header`] to a file in `OUT_DIR`.
     ///
     /// # Errors
-    /// All the mistakes of the description and of the request; a file that cannot be written.
+    /// All errors of the description and of the request; a file that cannot be written.
     pub fn write_c_header(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
         write(file.as_ref(), &self.to_c_header()?)
     }
 
-    /// The header of the functions for C of a file in Rust.
+    /// The header of the C functions of a file in Rust.
     #[doc(hidden)]
     #[must_use]
     pub fn c_header(&self, module: &Module) -> String {
@@ -98,7 +106,7 @@ impl Builder {
         }
     }
 
-    /// What was asked for, as the command line would say it.
+    /// The options in words, for the head of the file.
     pub(super) fn options(&self) -> String {
         let request = &self.request;
         let number = match (request.scalar, &request.runtime) {
@@ -136,13 +144,6 @@ impl Builder {
     }
 }
 
-/// Tells cargo every doubt.
-pub(super) fn doubt(module: &Module) {
-    for warning in module.about.located_warnings() {
-        println!("cargo::warning={warning}");
-    }
-}
-
 pub(super) fn write(file: &Path, text: &str) -> Result<(), Errors> {
     let refuse = |message: String| {
         let mut errors = Errors::new();
@@ -150,7 +151,7 @@ pub(super) fn write(file: &Path, text: &str) -> Result<(), Errors> {
         errors
     };
     let folder = env::var_os("OUT_DIR")
-        .ok_or_else(|| refuse("OUT_DIR is not set: this is for build scripts".to_owned()))?;
+        .ok_or_else(|| refuse("OUT_DIR is not set: call this in a build script".to_owned()))?;
     let path = Path::new(&folder).join(file);
     fs::write(&path, text)
         .map_err(|reason| refuse(format!("cannot write {}: {reason}", path.display())))

@@ -1,6 +1,4 @@
-//! What a [`Builder`] makes of its options.
-//!
-//! In: the options. Out: tokens. It never changes an option.
+//! From the options of a [`Builder`] to its module and tokens.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -23,7 +21,7 @@ impl Builder {
     /// The struct and its methods.
     ///
     /// # Errors
-    /// All the mistakes of the description and of the request.
+    /// All errors of the description and of the request.
     pub fn to_tokens(&self) -> Result<TokenStream, Errors> {
         Ok(self.print(&self.module()?))
     }
@@ -44,8 +42,8 @@ impl Builder {
         }
     }
 
-    /// What code without the runtime calls. `core` has no sines: those of the platform are of the
-    /// crate `libm`.
+    /// The functions that code without the runtime calls. `core` has no sines: those of the platform are in the crate
+    /// `libm`.
     pub(super) fn library(&self) -> Library {
         let mut library = self.library.clone();
         if self.request.formulation.sines == Sines::Platform && library.sin_cos.is_none() {
@@ -57,20 +55,20 @@ impl Builder {
         library
     }
 
-    /// What is generated for the robot.
+    /// The module of the robot.
     #[doc(hidden)]
     pub fn module(&self) -> Result<Module, Errors> {
-        // `core` has no fused product: a price that counted on it would be wrong.
+        // `core` has no fused operations, so the operation count must not include them.
         self.module_where(self.request.runtime.is_some(), false)
     }
 
-    /// The same, with what the reviewer of a file reads.
+    /// The module, with the parts for a reviewer of a file.
     #[doc(hidden)]
     pub fn file_module(&self) -> Result<Module, Errors> {
         self.module_where(self.request.runtime.is_some(), true)
     }
 
-    /// What is read, and what is asked of it.
+    /// The description and the request.
     fn both(&self) -> Result<(Description, Request), Errors> {
         let mut errors = self.mistakes.clone();
         let loops = self.request.loops.iter().map(String::as_str);
@@ -96,7 +94,7 @@ impl Builder {
         Ok((description, request))
     }
 
-    /// What is printed where a product can fuse with a sum, or cannot, with what only a reviewer reads or without.
+    /// The module for a target with or without fused operations, with or without the parts for a reviewer.
     pub(super) fn module_where(&self, fuses: bool, review: bool) -> Result<Module, Errors> {
         let (description, mut request) = self.both()?;
         let mut errors = Errors::new();
@@ -105,13 +103,12 @@ impl Builder {
             request.formulation.products = Products::Unfused;
         }
         if request.batch && request.runtime.is_none() {
-            let message = "batches are of the runtime: code for `core` alone has none";
+            let message = "`batch` needs the runtime: code for `core` alone has no batches";
             errors.push(Place::Unknown, message);
             return Err(errors);
         }
         if request.runtime.is_some() && self.library.c_prefix.is_some() {
-            let message =
-                "functions for C are of files that need `core` alone, without the runtime";
+            let message = "`extern_c` is for files that need only `core`, without the runtime";
             errors.push(Place::Unknown, message);
             return Err(errors);
         }
@@ -122,23 +119,20 @@ impl Builder {
         Ok(module)
     }
 
-    /// Refuses names that files have to have, and ASCII has not.
+    /// Rejects names in the file that are not ASCII.
     fn check_ascii(&self, module: &Module) -> Result<(), Errors> {
         let mut errors = Errors::new();
         let name = self.item(module).ident.to_string();
         let names = beyond(module).into_iter();
         for name in names.chain((!name.is_ascii()).then_some(name)) {
-            let message = format!(
-                "`{}` is a name in the file, and not of ASCII",
-                visible(&name)
-            );
-            let hint = "give it another name, or leave out ascii";
+            let message = format!("`{}` is a name in the file, and not ASCII", visible(&name));
+            let hint = "rename it, or leave out ascii";
             errors.push_with_hint(Place::Unknown, message, hint);
         }
         errors.into_result(())
     }
 
-    /// Whether products fuse with sums on the processor that was named.
+    /// True if the named processor has fused operations.
     pub(super) fn fuses(&self, module: &Module) -> bool {
         let processor = self.request.processor;
         processor != Processor::Portable && processor.fuses(module.scalar)

@@ -1,4 +1,4 @@
-//! The options of a build script, and what they lead to; the stages between are made by hand.
+//! Options of a build script and their effects; the stages are replaced by a simple one.
 
 mod fields;
 mod languages;
@@ -92,7 +92,7 @@ fn batches_are_of_the_runtime() {
     });
     let builder = builder.name("Arm").batch();
     let refused = builder.to_source().expect_err("no runtime").to_string();
-    assert!(refused.contains("batches are of the runtime"), "{refused}");
+    assert!(refused.contains("needs the runtime"), "{refused}");
     assert!(builder.runtime("::homogen").to_source().is_ok());
 }
 
@@ -132,7 +132,7 @@ fn every_option_reaches_the_stages() {
 }
 
 #[test]
-fn options_that_are_no_rust_are_all_told() {
+fn all_options_that_are_not_rust_are_errors() {
     let builder = arm(as_asked)
         .name("fn")
         .sin_cos("1 + 1")
@@ -142,7 +142,7 @@ fn options_that_are_no_rust_are_all_told() {
 }
 
 #[test]
-fn a_file_that_is_not_there_is_told() {
+fn a_missing_file_is_an_error() {
     let errors = Builder::from_urdf("no/such.urdf")
         .to_tokens()
         .expect_err("no file");
@@ -164,7 +164,7 @@ fn the_derive_writes_the_same() {
         .to_tokens()
         .expect("a robot that ships");
     let (derived, built) = (derived.to_string(), built.to_string());
-    // One has the struct already, the other has cargo watch the file.
+    // The derive has the struct already, and makes cargo watch the file.
     let (methods, watch) = derived.split_once("const _ :").expect("a watched file");
     assert!(watch.contains(":: core :: include_bytes !"), "{watch}");
     assert!(watch.contains("two_link.urdf"), "{watch}");
@@ -174,6 +174,23 @@ fn the_derive_writes_the_same() {
         "{declaration}"
     );
     assert_eq!(methods.trim_end(), format!("# [allow{built}").trim_end());
+}
+
+/// The format of the description does not change the cost.
+#[test]
+fn a_robot_costs_the_same_as_urdf_and_as_mjcf() {
+    let counts = |builder: Builder| {
+        let source = text(&builder.tip("tip").generate(Function::ALL));
+        let counts = source.lines().filter(|line| line.contains(" mul, "));
+        let counts: Vec<String> = counts.map(str::to_owned).collect();
+        assert!(counts.len() >= Function::ALL.len(), "{counts:?}");
+        counts
+    };
+    let of_urdf = counts(Builder::from_urdf("../robots/two_link.urdf"));
+    assert_eq!(
+        counts(Builder::from_mjcf("../robots/two_link.xml")),
+        of_urdf
+    );
 }
 
 #[test]

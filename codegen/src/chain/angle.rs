@@ -1,28 +1,27 @@
 //! Right angles and zeros, as programs and people write them.
 //!
-//! In: a number as it was written. Out: the quarter turns it means, if π/2 or a multiple of it
-//! rounds to the digits that stand there, or if it is a residue: what a program that computed in
-//! `f64` left of a right angle or of zero. The same of quaternions, whose entries are ½, √½ and 1 where they turn
-//! by right angles. It never guesses beyond those digits and the last bits.
+//! In: a number as it was written. Out: the number of quarter turns it means, if π/2 or a multiple of it rounds to the
+//! written digits, or if it is a residue: the rounding of a right angle or of zero by a program that computed in `f64`.
+//! The same for quaternions, whose entries are ½, √½ and 1 for rotations by right angles. A number that differs beyond
+//! those digits and the last bits is kept.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use crate::description::Number;
 
-/// Fewer decimals than these say too little: `1.6` and `3` are not taken for right angles.
+/// Coarser numbers are not taken for right angles: `1.6` and `3` have too few decimals.
 const COARSEST: f64 = 0.01;
 
-/// 2⁻⁵⁰, four units of the last place of 1 rad, 1 m or a direction's length: nearer to zero, or to a
-/// right angle, is only what was computed to be that. Nobody means 1e-15 m.
+/// 2⁻⁵⁰, four units of the last place of 1 rad, 1 m or a direction's length. A number nearer to zero, or to a right
+/// angle, must be the result of a computation: nobody means 1e-15 m.
 const RESIDUE: f64 = 4.0 * f64::EPSILON;
 
-/// Whether a number was written that is nothing but what rounding left of zero.
+/// True if a number was written that is a rounding error of zero.
 pub fn is_residue(number: &Number) -> bool {
     number.resolution > 0.0 && number.value != 0.0 && number.value.abs() < RESIDUE
 }
 
-/// How many quarter turns the angle means; none where it is not a right angle or not enough of it
-/// was written.
+/// Number of quarter turns that the angle means; `None` if it is not a right angle or was written with too few digits.
 pub fn quarters(angle: &Number) -> Option<i64> {
     let quarters = (angle.value / FRAC_PI_2).round();
     if quarters.abs() > 1e6 {
@@ -41,11 +40,11 @@ pub fn quarters(angle: &Number) -> Option<i64> {
     close.then_some(quarters as i64)
 }
 
-/// What a quaternion's entries mean that turns axes into axes: of each four times the square, with the sign of the
-/// entry, so that ½ is 1, √½ is 2 and 1 is 4. The squares of one quaternion are all the same, or zero.
+/// The exact entries of a quaternion that maps axes to axes: four times the square of each, with the sign of the entry,
+/// so that ½ is 1, √½ is 2 and 1 is 4. The squares of one quaternion are all the same, or zero.
 pub type Squares = [i64; 4];
 
-/// The right angles that the digits of a quaternion mean; none where they are of another.
+/// The right angles that the digits of a quaternion mean; `None` for another rotation.
 pub fn right_angles(entries: &[Number; 4]) -> Option<Squares> {
     let squares = entries.map(|entry| {
         let values = [0.0, 0.5, FRAC_1_SQRT_2, 1.0].into_iter().zip([0, 1, 2, 4]);
@@ -60,7 +59,7 @@ pub fn right_angles(entries: &[Number; 4]) -> Option<Squares> {
     is_one(&[x, y, z, w]).then_some([x, y, z, w])
 }
 
-/// The right angles that a quaternion is of, whatever its length, because its entries are of one size or zero.
+/// The right angles of a quaternion of any length whose entries have one magnitude or are zero.
 pub fn exact_right_angles(entries: &[Number; 4]) -> Option<Squares> {
     let sizes = entries.map(|entry| entry.value.abs());
     let largest = sizes.into_iter().fold(0.0, f64::max);
@@ -80,7 +79,7 @@ pub fn exact_right_angles(entries: &[Number; 4]) -> Option<Squares> {
     equal.then(|| entries.map(|entry| signed(entry.value)))
 }
 
-/// Whether an entry of a quaternion means a value, by its size.
+/// True if the magnitude of a quaternion's entry means a value.
 fn means(entry: &Number, value: f64) -> bool {
     let distance = (entry.value.abs() - value).abs();
     if value == 0.0 {
@@ -91,7 +90,7 @@ fn means(entry: &Number, value: f64) -> bool {
     distance == 0.0 || written || (entry.resolution > 0.0 && distance < RESIDUE)
 }
 
-/// Whether an entry of a quaternion is not what it means to the last bit, which no √½ is.
+/// True if a quaternion's entry is not exactly the value that it means; always true for √½.
 pub fn is_rounded(entry: &Number, square: i64) -> bool {
     let meant = match square.abs() {
         0 => 0.0,
@@ -102,16 +101,16 @@ pub fn is_rounded(entry: &Number, square: i64) -> bool {
     entry.value.abs() != meant
 }
 
-/// Whether the squares are those of a rotation.
+/// True if the squares are those of a rotation.
 fn is_one(squares: &Squares) -> bool {
     let sizes = squares.map(i64::abs);
     let largest = sizes.into_iter().fold(0, i64::max);
     sizes.iter().sum::<i64>() == 4 && sizes.iter().all(|size| *size == 0 || *size == largest)
 }
 
-/// The rotation matrix of such a quaternion: of entries −1, 0 and 1.
+/// The rotation matrix of such a quaternion, with entries −1, 0 and 1.
 pub fn rotation([x, y, z, w]: Squares) -> [[f64; 3]; 3] {
-    // Four times the product of two entries, which are of one size.
+    // Four times the product of two entries of the same magnitude.
     let product = |a: i64, b: i64| a * b.signum();
     let twice = [
         [
@@ -149,7 +148,7 @@ mod tests {
         }
     }
 
-    /// π/2 or a multiple of it with so many decimals, as a person would write it.
+    /// π/2 or a multiple of it with a number of decimals, as a person would write it.
     fn rounded(quarters: f64, decimals: usize) -> Number {
         let text = format!("{:.decimals$}", quarters * FRAC_PI_2);
         let resolution = 10_f64.powi(-i32::try_from(decimals).expect("few decimals"));
@@ -170,12 +169,12 @@ mod tests {
     }
 
     #[test]
-    fn zero_is_no_turn() {
+    fn zero_is_no_rotation() {
         assert_eq!(quarters(&written(0.0, 1.0)), Some(0));
     }
 
     #[test]
-    fn what_a_program_left_of_a_right_angle_or_of_zero_is_that() {
+    fn residues_of_a_right_angle_or_of_zero_are_recognized() {
         for (value, quarters_meant) in [
             (-1.6653e-16, 0),
             (8.8e-16, 0),
@@ -184,13 +183,13 @@ mod tests {
         ] {
             assert_eq!(quarters(&written(value, 1e-20)), Some(quarters_meant));
         }
-        // A number that nobody wrote is what it is.
+        // A number that was computed, not written, is kept.
         assert_eq!(quarters(&written(1e-17, 0.0)), None);
         assert!(!is_residue(&written(0.0, 1.0)) && !is_residue(&written(1e-17, 0.0)));
     }
 
     #[test]
-    fn what_only_comes_close_stays() {
+    fn numbers_that_only_come_close_are_kept() {
         for (value, resolution) in [
             (FRAC_PI_2 - 9.6e-5, 1e-4),
             (FRAC_PI_2 + 1e-4, 1e-4),
@@ -216,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn quaternions_of_right_angles_are_known_by_their_digits() {
+    fn quaternions_of_right_angles_are_recognized_by_their_digits() {
         for (words, squares) in [
             (["0.7071068", "0", "0", "0.7071068"], Some([2, 0, 0, 2])),
             (
@@ -240,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn quaternions_of_one_size_are_of_right_angles_at_any_length() {
+    fn quaternions_with_entries_of_one_magnitude_are_right_angles_at_any_length() {
         for (words, squares) in [
             (["0.7", "0", "0", "-0.7"], Some([2, 0, 0, -2])),
             (["3", "3", "-3", "3"], Some([1, 1, -1, 1])),

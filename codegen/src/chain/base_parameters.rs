@@ -1,14 +1,15 @@
 //! Base parameters: the combinations of inertial parameters that torques determine.
 //!
-//! In: a [`Chain`]. Out: [`BaseParameters`]. A combination of parameters makes no torque if it makes no kinetic energy and
-//! a constant potential energy, whatever the state. Whatever of a link's mass has energies that its own joint does not
-//! change is, to all other joints, mass of the link that it hangs on: so each link's ten columns of the regressor depend
-//! on each other and on those of that link, or not at all (Mayeda, Yoshida and Osuka, "Base parameters of manipulator
-//! dynamic models", 1990); links that one coordinate moves are looked at together. That is found numerically, by energies
-//! at random states in 106 bits, block by block (Gautier, "Numerical calculation of the base inertial parameters of
-//! robots", 1991). Damping and friction depend on nothing but those of joints with the same velocity.
+//! In: a [`Chain`]. Out: [`BaseParameters`]. A combination of parameters causes no torque if its kinetic energy is
+//! zero and its potential energy constant in every state. A part of a link's mass whose energies do not change with
+//! the link's own joint acts on all other joints like mass of the parent link. So each link's ten columns of the
+//! regressor depend on each other and on those of the parent link, or not at all (Mayeda, Yoshida and Osuka, "Base
+//! parameters of manipulator dynamic models", 1990); links that one coordinate moves form one block. The dependences
+//! are found numerically, by energies at random states in 106 bits, block by block (Gautier, "Numerical calculation
+//! of the base inertial parameters of robots", 1991). Damping and friction depend only on those of joints with the
+//! same velocity.
 //!
-//! Fields have the values that are described in their place. The check holds what is found against torques.
+//! Fields have their values in the description. The check compares the result with torques.
 
 mod blocks;
 mod energies;
@@ -25,36 +26,36 @@ use crate::space::{ParameterId, VelocityId};
 use energies::Energies;
 use links::{Links, Together};
 use numbers::{MOMENTS, Numbers};
-use span::{Combination, Left, Span};
+use span::{Combination, Residuals, Span};
 
 /// The combinations of a robot's inertial parameters that torques determine.
 #[derive(Clone, Debug, Default)]
 pub struct BaseParameters {
-    /// In the order of the parameters that lead them.
+    /// In the order of their leading parameters.
     pub groups: Vec<Group>,
-    /// Links that were looked at together, outermost first.
+    /// Blocks of links, outermost first.
     pub blocks: Vec<Block>,
-    /// What was left of columns that were taken for combinations of others, and of those that were not.
-    left: Left,
+    /// Residuals of the columns that were taken for combinations of others, and of those that were not.
+    left: Residuals,
 }
 
-/// Links that were looked at together.
+/// Links whose columns may depend on each other.
 #[derive(Clone, Debug, Default)]
 pub struct Block {
-    /// The velocities that move them against the links that they hang on, and no others.
+    /// The velocities that move them relative to their parent links, and move no other link.
     pub velocities: Vec<VelocityId>,
-    /// The parameters that lead a group, in the order in which they were found.
+    /// The leading parameters, in the order in which they were found.
     pub leaders: Vec<ParameterId>,
 }
 
 impl BaseParameters {
-    /// Whether rounding may have decided which parameters lead a group.
+    /// True if rounding may have decided which parameters lead a group.
     #[must_use]
     pub fn is_uncertain(&self) -> bool {
         self.left.is_uncertain()
     }
 
-    /// The columns of the regressor that torques are made of by them.
+    /// The columns of the regressor that multiply the base parameters.
     pub fn columns(&self) -> impl Iterator<Item = ParameterId> {
         self.groups.iter().map(Group::leader)
     }
@@ -65,9 +66,9 @@ impl BaseParameters {
 pub struct Group {
     /// The parameters with their factors; the first has 1.
     pub members: Vec<(ParameterId, f64)>,
-    /// Its value as described.
+    /// Its value in the description.
     pub value: f64,
-    /// The sum of the magnitudes of the terms of that.
+    /// The sum of the magnitudes of the terms of that value.
     pub size: f64,
 }
 
@@ -79,7 +80,7 @@ impl Group {
     }
 }
 
-/// A parameter in a combination: its factor, and what that is a sum of.
+/// A parameter in a combination: its factor, and the size of the terms of that factor.
 #[derive(Clone, Copy)]
 struct Member {
     parameter: ParameterId,
@@ -90,10 +91,10 @@ struct Member {
 /// A combination, in the order of the parameters.
 type Form = Vec<Member>;
 
-/// So small a part of what a factor is a sum of is nothing: it is what 106 bits leave of one that is zero.
+/// Ratio to the size of its terms below which a factor is zero, from rounding in 106 bits.
 const NOTHING: f64 = 1e-24;
 
-/// The order in which columns of a link are taken, where not all are needed: off the diagonal first, the mass
+/// The order in which columns of a link are tried, if not all are independent: entries off the diagonal first, the mass
 /// last.
 const ORDER: [usize; MOMENTS] = [5, 6, 8, 4, 7, 9, 1, 2, 3, 0];
 
@@ -117,7 +118,7 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
         numbers: &numbers,
         energies: &energies,
         forms: described.ids().map(unit).collect(),
-        left: Left::default(),
+        left: Residuals::default(),
     };
     let blocks = together.iter().map(|together| found.block(together));
     let blocks = blocks.collect();
@@ -130,10 +131,10 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
     }
 }
 
-/// The fields for which torques determine more base parameters, or others, where they are not what is described.
+/// The fields for which torques determine more base parameters, or others, if their values differ from the description.
 ///
-/// All of them are looked at together, near what is described: where joints stand askew and gravity has no
-/// axis, nothing is hidden that can be seen anywhere.
+/// All fields are varied together, near the described values. Generic axes and a generic direction of gravity show
+/// every dependence there that shows anywhere.
 #[must_use]
 pub fn revealing<'c>(chain: &'c Chain, found: &BaseParameters) -> Vec<&'c Parameter> {
     let fields = chain.request.parameters.iter();
@@ -157,18 +158,19 @@ pub fn revealing<'c>(chain: &'c Chain, found: &BaseParameters) -> Vec<&'c Parame
     fields
 }
 
-/// What has been found, block by block.
+/// The result so far, block by block.
 struct Found<'f> {
     links: &'f Links<'f>,
     numbers: &'f Numbers,
     energies: &'f Energies,
-    /// What stands for each parameter: it, and what outboard links hand on.
+    /// For each parameter the combination that it leads: itself, and the parameters of outboard links that depend on
+    /// it.
     forms: List<ParameterId, Form>,
-    left: Left,
+    left: Residuals,
 }
 
 impl Found<'_> {
-    /// Finds which parameters of some links lead a group; what stands for the others is handed on.
+    /// Finds the leading parameters of a block of links, and adds the others to the forms that they depend on.
     fn block(&mut self, together: &Together) -> Block {
         let Together {
             outer,
@@ -227,8 +229,8 @@ impl Found<'_> {
         block
     }
 
-    /// The damping and the friction of a joint by those of another one with its velocity: a torque f d (f q̇) and one
-    /// f c sign(f q̇), where f is a joint's multiplier.
+    /// The damping and the friction of a joint as multiples of those of another joint with its velocity: a torque f d
+    /// (f q̇) and one f c sign(f q̇), where f is a joint's multiplier.
     fn beside(&self, joint: BodyId, mover: Option<BodyId>) -> [Option<Combination>; 2] {
         let Some((mover, parts)) = mover.and_then(|mover| Some((mover, self.links.drive(mover)?)))
         else {
@@ -240,7 +242,7 @@ impl Found<'_> {
         [(damping, ratio * ratio), (friction, size)].map(|part| Some(vec![part]))
     }
 
-    /// Notes a parameter that leads a group, or hands on what stands for it to those that it is a combination of.
+    /// Records a parameter that leads a group, or adds its form to those of the parameters that it depends on.
     fn settle(
         &mut self,
         block: &mut Block,
@@ -258,7 +260,7 @@ impl Found<'_> {
     }
 }
 
-/// Adds a multiple of another form: forms of long chains are long, and are gone through once.
+/// Adds a multiple of another form, in one pass over both.
 fn add(sum: &mut Form, other: &Form, factor: Double) {
     let size = factor.to_f64().abs();
     let mut others = other.iter().map(|member| Member {
@@ -283,7 +285,7 @@ fn add(sum: &mut Form, other: &Form, factor: Double) {
 }
 
 fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, Double>) -> Group {
-    // What adds up to nothing is no member.
+    // Factors that are rounding errors are left out.
     let is_there = |member: &&Member| member.factor.to_f64().abs() > NOTHING * member.size;
     let others = form.iter().filter(|member| member.parameter != leader);
     let others = others.filter(is_there);

@@ -1,7 +1,7 @@
-//! What takes two items to see: names that refer to each other, and the shape of the whole.
+//! Checks that take two items to see: names that refer to each other, and the shape of the tree.
 //!
-//! In: the description and the request. Out: a [`Tree`] that says for each link how it hangs on
-//! the base; or all the mistakes. Numbers are looked at in [`numbers`].
+//! In: the description and the request. Out: a [`Tree`] with the path of each link to the base; or all errors. Numbers
+//! are checked in [`numbers`].
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -17,14 +17,14 @@ use crate::list::List;
 use crate::request::{Request, Target};
 use crate::wording::quoted;
 
-/// More joints than a robot has. Every number of a chain keeps how it came about, which of a file of
-/// megabytes would fill the memory.
+/// The largest number of joints. Every number of a chain keeps its expression, so a file of megabytes would fill the
+/// memory.
 const MOST: usize = 5000;
 
 /// Checks all that connects items, and puts the joints in order.
 ///
 /// # Errors
-/// All the mistakes that are found.
+/// All errors that are found.
 pub fn check(description: &Description, request: &Request) -> Result<Tree, Errors> {
     let mut errors = description.source.errors();
     let links = Names::of(
@@ -104,7 +104,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     errors.into_result(tree)
 }
 
-/// The links that are part of the tree, or that are not.
+/// The links that are part of the tree, or the others.
 fn modelled(
     description: &Description,
     base: LinkId,
@@ -140,7 +140,7 @@ fn locks(
             errors.push_with_hint(
                 name.place,
                 format!("joint {called} has several coordinates and is locked at one value"),
-                "lock it without a value: all of them are zero then",
+                "lock it without a value, which sets all of them to 0",
             );
         } else if locks.insert(joint, value.unwrap_or_default()).is_some() {
             errors.push(name.place, format!("joint {called} is locked twice"));
@@ -149,7 +149,7 @@ fn locks(
     locks
 }
 
-/// Coordinates of a joint with several must not be called as another joint is.
+/// Checks that no coordinate of a joint with several has the name of another joint.
 fn check_coordinates(description: &Description, joints: &Names<'_, JointId>, errors: &mut Errors) {
     let several = description.joints.iter();
     let several = several.filter(|joint| joint.kind.has_several());
@@ -166,14 +166,14 @@ fn check_coordinates(description: &Description, joints: &Names<'_, JointId>, err
             let coordinate = Name { text, place };
             if joints.get(&coordinate).is_some() {
                 let [name, own] = [&coordinate.text, &joint.name.text].map(|name| quoted(name));
-                let message = format!("joint {name} is called as a coordinate of joint {own}");
-                errors.push_with_hint(place, message, "give one of them another name");
+                let message = format!("joint {name} has the name of a coordinate of joint {own}");
+                errors.push_with_hint(place, message, "rename one of them");
             }
         }
     }
 }
 
-/// What is asked for must be there.
+/// Checks that requested links are modelled.
 fn check_kept(
     description: &Description,
     request: &Request,
@@ -197,16 +197,16 @@ fn check_kept(
             errors.push_with_hint(
                 name.place,
                 format!(
-                    "the {what} {} does not hang on the base {base}",
+                    "the {what} {} is not a descendant of the base {base}",
                     quoted(&name.text)
                 ),
-                "choose a base upstream of it, and do not drop it",
+                "choose a base above it in the tree, and do not drop it",
             );
         }
     }
 }
 
-/// What struct fields stand for must be there.
+/// Checks that targets of struct fields are modelled.
 fn check_targets(
     request: &Request,
     tree: &Tree,
@@ -216,7 +216,7 @@ fn check_targets(
 ) {
     for parameter in &request.parameters {
         let missing = match &parameter.target {
-            // What is asked of drives is looked at with all else that is.
+            // Targets of actuators are checked with the other actuator data.
             Target::Gravity
             | Target::BasePosition
             | Target::BasePlacement
@@ -244,7 +244,7 @@ fn check_targets(
     }
 }
 
-/// A field for the mass of a link that never moves, or for what it carries, would change nothing.
+/// Checks that a field for a mass or payload belongs to a link that moves; on others it would change nothing.
 fn check_moving(
     description: &Description,
     request: &Request,
@@ -268,26 +268,26 @@ fn check_moving(
                     "link {} does not move: {what} changes nothing",
                     quoted(&name.text)
                 ),
-                "leave the field out, or choose a base upstream of the link",
+                "leave the field out, or choose a base above the link in the tree",
             );
         }
     }
 }
 
-/// What hangs on the base must be of the size of a robot.
+/// Checks the number of joints.
 fn check_size(description: &Description, tree: &Tree, errors: &mut Errors) {
     let count = tree.branches.len();
     if count > MOST {
         errors.push_with_hint(
             description.name.place,
             format!("the robot has {count} joints, and at most {MOST} can be modelled"),
-            "choose a base further out, or drop what is not needed",
+            "choose a base further out, or drop links that are not needed",
         );
     }
 }
 
-/// The tip is the one end of the tree where none is named; what needs it says so where there are
-/// several.
+/// Takes the only end of the tree as the tip if none is named. Several ends are an error if a function or `path_only`
+/// needs the tip.
 fn choose_tip(
     description: &Description,
     request: &Request,
@@ -314,7 +314,7 @@ fn choose_tip(
         let more = (more > 0).then(|| format!("and {more} more"));
         shown.chain(more).collect::<Vec<_>>().join(", ")
     };
-    // A tip that was named and not found has been complained about.
+    // A tip that was named and not found has been reported.
     let unknown = tree.tip.is_none() && request.tip.is_none();
     match tree.tip {
         Some(tip) if request.path_only => hold_off_path(tree, follows, tip),
@@ -329,17 +329,17 @@ fn choose_tip(
     if functions.any(|function| function.of_a_frame()) && unknown && request.frames.is_empty() {
         errors.push_with_hint(
             description.name.place,
-            "which frame are poses and Jacobians of? The robot has more than one end",
+            "poses and Jacobians need a tip, and the robot has more than one end",
             format!("name one as the tip: {}", names()),
         );
     }
 }
 
-/// Holds every joint that does not move the tip, itself or through one that follows it.
+/// Holds every joint that does not move the tip, neither itself nor through a mimic joint.
 fn hold_off_path(tree: &mut Tree, follows: &List<JointId, Option<Follow>>, tip: LinkId) {
     let mut moves = follows.map(|_| false);
     let mut link = tip;
-    // Children come after parents, so one walk backwards meets the path in order.
+    // Children come after parents, so one pass backwards meets the path in order.
     for branch in tree.branches.iter().rev() {
         if branch.child == link && link != tree.base {
             link = branch.parent;
@@ -350,7 +350,7 @@ fn hold_off_path(tree: &mut Tree, follows: &List<JointId, Option<Follow>>, tip: 
         }
     }
     for branch in &mut tree.branches {
-        // What follows another stands where that takes it.
+        // A mimic joint is held by its mimicked joint.
         let own = follows[branch.joint].is_none();
         if own && !moves[branch.joint] && branch.held.is_none() {
             branch.held = Some(Number::default());

@@ -1,8 +1,8 @@
-//! Whether loops are of links that can be held together.
+//! Checks of loops: they must join two bodies that move relative to each other.
 //!
-//! In: the loops of a description and its links, or the merged chain. Out: a mistake for each loop of a link
-//! that is not there, of one link, or of two that are one body; a doubt for what nothing asks for. Whether
-//! it can close is for the equations that it is to say.
+//! In: the loops of a description and its links, or the merged chain. Out: an error for each loop with an unknown link,
+//! with one link, or with two links of one body; warnings about loops and actuators that no function reads. Whether a
+//! loop can close is checked by its equations.
 
 use super::names::Names;
 use super::{Chain, Loop};
@@ -13,7 +13,7 @@ use crate::request::Request;
 use crate::space::{Entry, VelocityId};
 use crate::wording::quoted;
 
-/// Refuses loops of links that are not there, or of one alone.
+/// Rejects loops with unknown links, or with one link.
 pub fn check(description: &Description, links: &Names<'_, LinkId>, errors: &mut Errors) {
     for described in &description.loops {
         let found = [&described.from, &described.to].map(|link| links.find(link, errors));
@@ -22,17 +22,17 @@ pub fn check(description: &Description, links: &Names<'_, LinkId>, errors: &mut 
         {
             let [name, link] = [&described.name, &described.to].map(|name| quoted(&name.text));
             let message = format!("loop {name} joins link {link} to itself");
-            let hint = "name two links that move against each other";
+            let hint = "name two links that move relative to each other";
             errors.push_with_hint(described.to.place, message, hint);
         }
     }
 }
 
-/// Refuses loops of two links that are parts of one body, and drives of what does not move by itself; lists
-/// what the others close, and which velocities are driven.
+/// Rejects loops between two links of one body, and actuators of joints without a velocity; lists the residuals and the
+/// velocities with an actuator.
 ///
 /// # Errors
-/// A mistake for each of them.
+/// One error for each of them.
 pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors> {
     let mut errors = chain.description.source.errors();
     for closed in &chain.loops {
@@ -42,9 +42,9 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
             errors.push_with_hint(
                 closed.place,
                 format!(
-                    "loop {name} joins links {from} and {to}, which do not move against each other"
+                    "loop {name} joins links {from} and {to}, which do not move relative to each other"
                 ),
-                "leave it out, or let a joint between them move",
+                "leave the loop out, or unlock a joint between them",
             );
         }
     }
@@ -55,51 +55,55 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
             .clone()
             .all(|velocity| *joint(velocity) != name.text)
         {
-            let message = format!("joint {} does not move by itself", quoted(&name.text));
-            errors.push_with_hint(name.place, message, "only what has velocities is driven");
+            let message = format!("joint {} has no velocity of its own", quoted(&name.text));
+            errors.push_with_hint(
+                name.place,
+                message,
+                "an actuated joint must move, and must not be locked or a mimic joint",
+            );
         }
     }
-    let driven = |velocity: VelocityId| {
+    let is_actuated = |velocity: VelocityId| {
         let mut actuated = request.actuated.iter();
         actuated.any(|name| name.text == *joint(velocity))
     };
-    chain.actuated = velocities.clone().map(driven).collect();
+    chain.actuated = velocities.clone().map(is_actuated).collect();
     chain.spaces.constraints = entries(&chain.loops);
-    let doubts = unasked(&chain, request);
-    chain.report.warnings.extend(doubts);
+    let warnings = unasked(&chain, request);
+    chain.report.warnings.extend(warnings);
     errors.into_result(chain)
 }
 
-/// Doubts about loops and drives that are described, and that nothing asks for.
+/// Warnings about loops and actuators that no requested function reads.
 fn unasked(chain: &Chain, request: &Request) -> Vec<Complaint> {
     let asked = |is: fn(Function) -> bool| {
         let mut functions = request.functions.iter().flatten();
         request.functions.is_empty() || functions.any(|&function| is(function))
     };
-    let mut doubts = Vec::new();
+    let mut warnings = Vec::new();
     if !asked(Function::is_of_loops) {
-        doubts.extend(chain.loops.iter().map(|closed| Complaint {
+        warnings.extend(chain.loops.iter().map(|closed| Complaint {
             place: closed.place,
             message: format!(
-                "loop {} is left open: no function of loops is asked for",
+                "loop {} is left open: no function of loops is generated",
                 quoted(&closed.name)
             ),
-            hint: Some("ask for constrained_forward_dynamics, or leave the loop out".into()),
+            hint: Some("generate constrained_forward_dynamics, or leave the loop out".into()),
         }));
     }
     if let Some(first) = request.actuated.first()
         && !asked(Function::wants_drives)
     {
-        doubts.push(Complaint {
+        warnings.push(Complaint {
             place: first.place,
-            message: "which joints are driven is told, and no function asks for it".into(),
-            hint: Some("ask for actuated_inverse_dynamics".into()),
+            message: "actuated joints are named, but no function uses them".into(),
+            hint: Some("generate actuated_inverse_dynamics".into()),
         });
     }
-    doubts
+    warnings
 }
 
-/// The list of what loops close.
+/// The residuals of loops.
 #[must_use]
 pub fn entries(loops: &[Loop]) -> Vec<Entry> {
     let rows = loops.iter().flat_map(|closed| {

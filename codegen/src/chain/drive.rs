@@ -1,8 +1,8 @@
-//! Whether what is said of drives can be meant, and what of it is left out.
+//! Checks of actuators: rotors, ratios, armatures, damping and friction.
 //!
-//! In: the description, the request, the tree. Out: a mistake for each joint that cannot have such a
-//! drive and for each number that is none of one; doubts about what is described and not modelled. What
-//! the numbers add up to is for [`merge`](super::merge).
+//! In: the description, the request, the tree. Out: an error for each joint that cannot have such data and for each
+//! number that is not possible; warnings about data that are described and not modelled. Their sums are made in
+//! [`merge`](super::merge).
 
 use super::names::Names;
 use super::numbers::LARGEST;
@@ -13,7 +13,7 @@ use crate::joint::drive::Part;
 use crate::request::Request;
 use crate::wording::quoted;
 
-/// Looks at all that is said of drives.
+/// Checks all data of actuators.
 pub fn check(
     description: &Description,
     request: &Request,
@@ -25,7 +25,7 @@ pub fn check(
         check_joint(name, *part, description, tree, joints, errors);
         let mut before = request.drives[..k].iter();
         if before.any(|(other, of, _)| of == part && other.text == name.text) {
-            let message = format!("the {} is given twice", called(*part, name));
+            let message = format!("the {} occurs twice", called(*part, name));
             errors.push(name.place, message);
         }
     }
@@ -39,7 +39,7 @@ pub fn check(
     }
 }
 
-/// A drive is that of a joint that moves.
+/// Checks that an actuator belongs to a joint that moves.
 fn check_joint(
     name: &Name,
     part: Part,
@@ -65,7 +65,7 @@ fn check_joint(
     }
 }
 
-/// One number for all velocities, or one for each; none negative.
+/// Checks that there is one number for all velocities, or one for each, and that none is negative.
 fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
     let count = joint.kind.freedoms().len();
     let name = &joint.name.text;
@@ -93,25 +93,25 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
             } else if *value < 0.0 && part != Part::Ratio {
                 errors.push(*place, format!("the {what} is negative: {value}"));
             } else if value.abs() > LARGEST {
-                errors.push(*place, format!("the {what} is larger than anything is"));
+                errors.push(*place, format!("the {what} is too large"));
             }
         }
     }
     check_motors(joint, request, errors);
-    let said = |part| request.drive(&joint.name.text, &joint.drive, part).first();
-    // A file has the ratio of many a gear without the rotor behind it, and says nothing with it.
+    let first = |part| request.drive(&joint.name.text, &joint.drive, part).first();
+    // Many files have a gear ratio without a rotor, which has no effect.
     let mut asked = request.drives.iter();
     let asked = asked.find(|(name, part, _)| *part == Part::Ratio && name.text == joint.name.text);
-    if let (Some((name, ..)), None) = (asked, said(Part::Rotor)) {
+    if let (Some((name, ..)), None) = (asked, first(Part::Rotor)) {
         errors.push_with_hint(
             name.place,
-            format!("the {} is that of no rotor", called(Part::Ratio, name)),
-            "give the inertia of the rotor, or the armature alone, which has the ratio in it",
+            format!("the {} has no rotor", called(Part::Ratio, name)),
+            "set rotor as well, or only armature, which includes the ratio",
         );
     }
 }
 
-/// Of a joint with several motors, what is asked for replaces them all: rotor and ratio together.
+/// Checks that the request replaces all motors of a joint with several: rotor and ratio together.
 fn check_motors(joint: &Joint, request: &Request, errors: &mut Errors) {
     let asked = |of: Part| {
         let mut drives = request.drives.iter();
@@ -127,10 +127,10 @@ fn check_motors(joint: &Joint, request: &Request, errors: &mut Errors) {
     errors.push_with_hint(
         name.place,
         format!(
-            "the {} is that of one motor, and the file has {count} of them",
+            "the {} is for one motor, but the file has {count}",
             called(part, name)
         ),
-        "give rotor and ratio together, which replace them all; or the armature, which is added",
+        "set rotor and ratio together, which replace all motors; or armature, which is added",
     );
 }
 
@@ -138,8 +138,8 @@ fn called(part: Part, joint: &Name) -> String {
     format!("{} of joint {}", part.word(), quoted(&joint.text))
 }
 
-/// What is described and not modelled; and what is asked for and not described.
-pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<Complaint> {
+/// Warnings about data that are described and not modelled, or requested and not described.
+pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Vec<Complaint> {
     let joint = |name: &str| {
         let mut joints = description.joints.iter();
         joints.find(|joint| joint.name.text == name)
@@ -152,11 +152,11 @@ pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<
         armature: request.models_armature(),
         has_rotor: &has_rotor,
     };
-    let mut doubts = description.unmodelled.doubts(&modelled);
+    let mut warnings = description.unmodelled.doubts(&modelled);
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
     let moving: Vec<&Joint> = moving.map(|branch| &description[branch.joint]).collect();
     let none = |is: fn(Part) -> bool| {
-        let says = |joint: &&Joint| {
+        let has_any = |joint: &&Joint| {
             let mut parts = Part::ALL.into_iter().filter(|part| is(*part));
             parts.any(|part| {
                 !request
@@ -166,21 +166,18 @@ pub fn doubts(description: &Description, request: &Request, tree: &Tree) -> Vec<
         };
         let mut fields = request.parameters.iter();
         let field = fields.any(|field| field.target.drives().is_some_and(|(_, part)| is(part)));
-        !field && !moving.iter().any(says)
+        !field && !moving.iter().any(has_any)
     };
     let asked = [
         (request.friction && none(Part::resists), "friction"),
-        (
-            request.rotors && none(|part| !part.resists()),
-            "an armature",
-        ),
+        (request.rotors && none(|part| !part.resists()), "armature"),
     ];
-    for (_, what) in asked.into_iter().filter(|(doubtful, _)| *doubtful) {
-        doubts.push(Complaint {
+    for (_, what) in asked.into_iter().filter(|(missing, _)| *missing) {
+        warnings.push(Complaint {
             place: description.name.place,
-            message: format!("{what} is asked for, and no joint that moves is described with any"),
-            hint: Some("say what it is, joint by joint".to_owned()),
+            message: format!("{what} is requested, but no moving joint has it in the description"),
+            hint: Some("set its value for each joint".to_owned()),
         });
     }
-    doubts
+    warnings
 }

@@ -1,7 +1,7 @@
-//! Links on which the surroundings act.
+//! Links with an external wrench.
 //!
-//! In: the links that are named, the tree. Out: a mistake for each on which no action changes anything, or
-//! whose actions enter no function that is asked for. Where an action is in its body is for
+//! In: the links that are named, the tree. Out: an error for each link on which a wrench changes nothing, and for
+//! wrenches that no requested function reads. The place of a wrench in its body follows from
 //! [`merge`](super::merge).
 
 use super::names::Names;
@@ -12,7 +12,7 @@ use crate::list::List;
 use crate::request::Request;
 use crate::wording::quoted;
 
-/// Looks at all links that are named; those that are there, in the order in which they are.
+/// Checks all links that are named; returns those that exist, in the order of the request.
 pub fn check(
     description: &Description,
     request: &Request,
@@ -34,13 +34,13 @@ pub fn check(
         if tree.dropped.contains(&link) {
             errors.push(name.place, format!("link {called} is not modelled"));
         } else if before.any(|other| other.text == name.text) {
-            let message = format!("the action on link {called} is asked for twice");
+            let message = format!("the external wrench on link {called} is requested twice");
             errors.push(name.place, message);
         } else if !moves[link] {
             errors.push_with_hint(
                 name.place,
-                format!("link {called} does not move: an action on it changes nothing"),
-                "leave it out, or choose a base upstream of the link",
+                format!("link {called} does not move: a wrench on it changes nothing"),
+                "leave it out, or choose a base above the link in the tree",
             );
         }
         found.push(link);
@@ -52,14 +52,14 @@ pub fn check(
     {
         errors.push_with_hint(
             first.place,
-            "actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for",
-            "leave them out, or ask for inverse_dynamics or forward_dynamics",
+            "external wrenches enter inverse and forward dynamics and their derivatives, but none of these is generated",
+            "leave them out, or generate inverse_dynamics or forward_dynamics",
         );
     } else if request.external.is_empty() && request.external_in_frame_0 {
         errors.push_with_hint(
             description.name.place,
-            "actions from outside are in frame 0, and there are none",
-            "name the links on which they act",
+            "external_in_frame_0 is set, but there are no external wrenches",
+            "name the links on which they act with external",
         );
     }
     found

@@ -1,16 +1,16 @@
-//! What limits say of the range of a coordinate and of its rate; and that the formats know one pair of
-//! them, of joints with several coordinates as well.
+//! Limits: ranges of coordinates and velocities. Formats have one pair of limits a joint, even for joints with several
+//! coordinates.
 //!
-//! In: limits, or the description and its tree. Out: a range, or a doubt for each joint with several
-//! coordinates that moves and has limits: they are left out.
+//! In: limits, or the description and its tree. Out: a range, or a warning for each joint with several coordinates that
+//! moves and has limits: they are left out.
 
 use super::tree::Tree;
 use crate::description::{Description, Limits};
 use crate::error::Complaint;
 use crate::wording::quoted;
 
-/// The range of the coordinate: one point where both limits are equal, but for two zeros, which in a
-/// URDF stand for limits that were not written.
+/// The range of the coordinate: one point if both limits are equal, unless both are zero, which in a URDF stands for
+/// limits that were not written.
 pub fn reach(limits: Limits) -> Option<[f64; 2]> {
     let [lower, upper] = [limits.lower, limits.upper];
     let finite = lower.is_finite() && upper.is_finite() && (upper - lower).is_finite();
@@ -18,14 +18,14 @@ pub fn reach(limits: Limits) -> Option<[f64; 2]> {
     (finite && written && lower <= upper).then_some([lower, upper])
 }
 
-/// The range of its rate.
+/// The range of the velocity.
 pub fn rates(limits: Limits) -> Option<[f64; 2]> {
     let rate = limits.velocity;
     (rate > 0.0 && rate.is_finite()).then_some([-rate, rate])
 }
 
-/// What is left out.
-pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
+/// Warnings about limits that are left out.
+pub fn warnings(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
     let joints = moving.map(|branch| &description[branch.joint]);
     let limited = joints.filter(|joint| joint.limits.is_some() && joint.kind.has_several());
@@ -33,7 +33,7 @@ pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
         .map(|joint| Complaint {
             place: joint.place,
             message: format!(
-                "joint {} is {} and has limits, which are not modelled: of which coordinate is not said",
+                "joint {} is {} and has limits, which are not modelled: they do not name a coordinate",
                 quoted(&joint.name.text),
                 joint.kind.word()
             ),

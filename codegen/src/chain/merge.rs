@@ -1,8 +1,7 @@
-//! Fixed and locked joints vanish: what they connect becomes one body.
+//! Merging of links on fixed and locked joints with their parents into one body.
 //!
-//! In: the description and its tree. Out: a [`Chain`] whose bodies move against each other, with
-//! the mass of all that is fixed to them. Struct fields enter here as inputs; from here on they are
-//! scalars like all others. It never drops a mass.
+//! In: the description and its tree. Out: a [`Chain`] whose bodies move relative to each other, with the inertia of all
+//! links merged into them. Struct fields become inputs here, and are scalars like all others from here on.
 
 mod closure;
 mod displacement;
@@ -24,14 +23,14 @@ use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::Request;
 use crate::space::{ACTION, Entry, FieldId};
 
-/// Where a link ended up: in which body, and where in it.
+/// The place of a link: its body, and its pose there.
 #[derive(Clone, Copy)]
-struct Seat<'g> {
+struct Attachment<'g> {
     body: Option<BodyId>,
     pose: Pose<Term<'g>>,
 }
 
-/// A body beyond one freedom of a joint; only that beyond the last is a link.
+/// A body moved by one degree of freedom of a joint; only that of the last is a link.
 struct Body<'g> {
     joint: JointId,
     velocity: String,
@@ -39,27 +38,27 @@ struct Body<'g> {
     motion: Motion,
     placement: Pose<Term<'g>>,
     axis: Vector<Term<'g>>,
-    /// The link that it is, and M from its frame to the link's.
+    /// The link that it is, and M of the link's frame in the body's.
     link: Option<(LinkId, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,
     drive: Drive<Term<'g>>,
 }
 
-/// What moves a body.
+/// The coordinate that moves a body.
 #[derive(Clone, Copy)]
 enum Moved<'g> {
     /// A coordinate of its own.
     Own,
-    /// That of another joint, times a factor.
+    /// The coordinate of a mimicked joint, times a factor.
     Follows { leader: JointId, factor: Term<'g> },
-    /// Coordinates that move it with all that come after it of its joint.
+    /// Coordinates that move it together with all later bodies of its joint.
     Posture(Posture),
-    /// The body before it.
+    /// None: the first body of its joint has the displacement.
     Taken,
 }
 
-/// Merges what does not move.
+/// Merges links that do not move relative to each other.
 pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) -> Chain {
     let graph = Graph::new();
     let mut reader = Reader {
@@ -69,23 +68,25 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         report: Report::default(),
     };
     let name = |link: LinkId| description[link].name.text.clone();
-    let (seats, bodies) = seat::seat(description, tree, &mut reader);
+    let (attachments, bodies) = seat::attach(description, tree, &mut reader);
     let frame = |link: LinkId| {
-        let seat = seats[link]?;
+        let attachment = attachments[link]?;
         Some(Frame {
             name: name(link),
-            body: seat.body,
-            placement: seat.pose.map(Term::expr),
+            body: attachment.body,
+            placement: attachment.pose.map(Term::expr),
         })
     };
     let frames = tree.tip.iter().chain(&tree.frames);
     let frames = frames.filter_map(|&link| frame(link)).collect();
     let external = tree.external.iter().filter_map(|&link| frame(link));
     let external: Vec<Frame> = external.collect();
-    let loops = closure::closed(description, &seats, &mut reader);
+    let loops = closure::closed(description, &attachments, &mut reader);
     let gravity = reader.gravity().map(Term::expr);
     reader.report.base = name(tree.base);
-    let modelled = seats.ids().filter(|&link| seats[link].is_some());
+    let modelled = attachments
+        .ids()
+        .filter(|&link| attachments[link].is_some());
     reader.report.links = modelled.map(name).collect();
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
     let (joints, mut spaces) = listed::listed(description, bodies, &graph);
@@ -112,7 +113,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
     }
 }
 
-/// The entries of the actions on some links.
+/// The entries of the external wrenches on some links.
 fn actions(external: &[Frame]) -> Vec<Entry> {
     let entries = external.iter().flat_map(|link| {
         ACTION.map(|(name, kind)| Entry {
@@ -124,11 +125,11 @@ fn actions(external: &[Frame]) -> Vec<Entry> {
     entries.collect()
 }
 
-/// Turns what was written into scalars, and keeps account of it.
+/// Converts numbers to scalars, and records corrections in a report.
 struct Reader<'g, 'r> {
     graph: &'g Graph,
     request: &'r Request,
-    /// What is described where struct fields stand.
+    /// Values of the description for the numbers that are struct fields.
     nominal: List<FieldId, Vec<f64>>,
     report: Report,
 }

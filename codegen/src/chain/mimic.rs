@@ -1,8 +1,8 @@
-//! Joints that follow others.
+//! Mimic joints.
 //!
-//! In: the description and its tree. Out: of each joint that follows another, directly or through
-//! others, the one whose coordinate moves it, and by how much; mistakes, where that is no joint that can
-//! lead; and which of them stand still with their leader. It never moves anything.
+//! In: the description and its tree. Out: for each mimic joint the joint whose coordinate moves it, through other mimic
+//! joints if need be, with multiplier and offset; an error if that is no joint with one coordinate; and which mimic
+//! joints are locked with the joint that they mimic.
 
 use super::names::Names;
 use super::tree::{Branch, Follow, Tree};
@@ -13,8 +13,8 @@ use crate::list::List;
 use crate::number::computed;
 use crate::wording::quoted;
 
-/// Refuses what cannot lead or follow; of each joint that follows, what moves it. Joints that are locked
-/// follow nothing; those that are not there pass on what they follow.
+/// Rejects joints that cannot mimic or be mimicked; returns for each mimic joint what moves it. Locked joints mimic
+/// nothing; joints that are left out pass on what they mimic.
 pub fn follows(
     description: &Description,
     tree: &Tree,
@@ -24,35 +24,35 @@ pub fn follows(
     let mut leaders: List<JointId, Option<JointId>> = List::filled(None, description.joints.len());
     let there = tree.branches.iter().filter(|branch| branch.held.is_none());
     let mut waiting: Vec<JointId> = there.map(|branch| branch.joint).collect();
-    while let Some(follower) = waiting.pop() {
-        let joint = &description[follower];
+    while let Some(own) = waiting.pop() {
+        let joint = &description[own];
         let Some(mimic) = joint.mimic.as_ref().filter(|_| joint.kind.moves()) else {
             continue;
         };
-        if tree.locks.contains_key(&follower) || leaders[follower].is_some() {
+        if tree.locks.contains_key(&own) || leaders[own].is_some() {
             continue;
         }
         let Some(leader) = joints.get(&mimic.leader) else {
-            // In a vendor's file it is a slip that other readers pass over, and in a grammar of our own a
-            // mistake.
-            if !matches!(mimic.place, Place::File { .. }) {
+            // An unknown name is a slip in a vendor's file, which other readers ignore, and an error in an inline
+            // description.
+            if mimic.place.order().is_none() {
                 joints.find(&mimic.leader, errors);
             }
             continue;
         };
-        leaders[follower] = Some(leader);
+        leaders[own] = Some(leader);
         waiting.push(leader);
         let mut both = [joint, &description[leader]].into_iter();
         if let Some(several) = both.find(|joint| joint.kind.has_several()) {
             errors.push_with_hint(
                 mimic.place,
                 format!(
-                    "joint {} follows joint {}, and {} has several coordinates",
+                    "joint {} mimics joint {}, and {} has several coordinates",
                     quoted(&joint.name.text),
                     quoted(&mimic.leader.text),
                     quoted(&several.name.text)
                 ),
-                "only joints with one coordinate can lead and follow",
+                "mimic joints and mimicked joints must have one coordinate",
             );
         }
     }
@@ -67,7 +67,7 @@ pub fn follows(
         while let (Some(next), Some(mimic)) =
             (leaders[follow.leader], &description[follow.leader].mimic)
         {
-            // An offset that is rounded once more would be another one.
+            // In extended precision: a rounded product would be a different offset.
             let offset = follow.multiplier * mimic.offset.exact();
             follow.offset = follow.offset + offset;
             follow.multiplier = follow.multiplier * mimic.multiplier.exact();
@@ -78,14 +78,14 @@ pub fn follows(
     leaders.ids().map(follow).collect()
 }
 
-/// Refuses joints that follow themselves, directly or through others; whether there are any.
+/// Rejects joints that mimic themselves, directly or through others. Returns true if there are any.
 fn refuse_cycles(
     description: &Description,
     leaders: &List<JointId, Option<JointId>>,
     errors: &mut Errors,
 ) -> bool {
     let mut refused = false;
-    // The walk that saw it; each joint is walked over once.
+    // The pass in which a joint was seen; each joint is visited once.
     let mut seen = leaders.map(|_| None);
     for start in leaders.ids() {
         let mut at = start;
@@ -96,9 +96,9 @@ fn refuse_cycles(
                 let joint = &description[next];
                 let name = quoted(&joint.name.text);
                 let message = if next == at {
-                    format!("joint {name} follows itself")
+                    format!("joint {name} mimics itself")
                 } else {
-                    format!("joint {name} follows itself through others")
+                    format!("joint {name} mimics itself through others")
                 };
                 let place = joint
                     .mimic
@@ -113,8 +113,8 @@ fn refuse_cycles(
     refused
 }
 
-/// Notes what each joint follows, and holds what follows a joint that is held or not there, or follows it by
-/// nothing. A joint that is not there stands where it is locked, or at zero.
+/// Records what each joint mimics, and holds mimic joints whose mimicked joint is locked or left out, or whose
+/// multiplier is zero. A joint that is left out has its locked coordinate, or zero.
 pub fn hold(tree: &mut Tree, follows: &List<JointId, Option<Follow>>) {
     let stands = |joint: JointId| {
         let lock = tree.locks.get(&joint);
@@ -139,15 +139,15 @@ pub fn hold(tree: &mut Tree, follows: &List<JointId, Option<Follow>>) {
     }
 }
 
-/// A joint that is held because the one that it follows has no coordinate.
+/// A joint that is held because the joint that it mimics has no coordinate.
 pub struct Stuck {
     pub place: Place,
-    /// Which joint follows which, and why that has none.
+    /// The two joints, and the reason.
     pub why: String,
     pub hint: String,
 }
 
-/// The joints whose leader was left out, or never moves.
+/// The mimic joints whose mimicked joint was left out, or is fixed.
 pub fn stuck(description: &Description, tree: &Tree) -> Vec<Stuck> {
     let moves = |joint: JointId| {
         let mut there = tree.branches.iter();
@@ -164,21 +164,21 @@ pub fn stuck(description: &Description, tree: &Tree) -> Vec<Stuck> {
             let hint = format!("lock {own} where it should be, or keep {leader}");
             ("which has no coordinate here", hint)
         } else {
-            let hint = format!("let {own} follow a joint that moves, or leave <mimic> out");
+            let hint = format!("let {own} mimic a moving joint, or leave <mimic> out");
             ("which is fixed", hint)
         };
         Stuck {
             place: description[joint].place,
-            why: format!("joint {own} follows joint {leader}, {why}"),
+            why: format!("joint {own} mimics joint {leader}, {why}"),
             hint,
         }
     });
     stuck.collect()
 }
 
-/// That a joint is held whose leader was left out, or never moves; that one has its own coordinate whose
-/// leader is nowhere.
-pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
+/// Warnings about mimic joints that are held because their mimicked joint was left out or is fixed, and about those
+/// with their own coordinate because their mimicked joint does not exist.
+pub fn warnings(description: &Description, tree: &Tree) -> Vec<Complaint> {
     let orphans = tree.branches.iter().filter(|branch| branch.held.is_none());
     let orphans = orphans.filter_map(|branch| {
         let joint = &description[branch.joint];
@@ -187,14 +187,14 @@ pub fn doubts(description: &Description, tree: &Tree) -> Vec<Complaint> {
         Some(Complaint {
             place: mimic.place,
             message: format!(
-                "joint {own} follows joint {leader}, which there is none of: it has a coordinate of its own"
+                "joint {own} mimics joint {leader}, which does not exist: it gets a coordinate of its own"
             ),
-            hint: Some("name the joint that leads, or leave <mimic> out".to_owned()),
+            hint: Some("correct the name of the mimicked joint, or leave <mimic> out".to_owned()),
         })
     });
     let stuck = stuck(description, tree).into_iter().map(|stuck| Complaint {
         place: stuck.place,
-        message: format!("{}: held where zero would take it", stuck.why),
+        message: format!("{}: held at its position for coordinate 0", stuck.why),
         hint: Some(stuck.hint),
     });
     orphans.chain(stuck).collect()

@@ -1,19 +1,19 @@
 //! Names of links or of joints, and what they refer to.
 //!
-//! In: the names in the order of the description. Out: numbers by name, and a sentence with the
-//! name that was probably meant for one that is not there.
+//! In: the names in the order of the description. Out: numbers by name; for an unknown name an error that lists the
+//! known ones.
 
 use std::collections::HashMap;
 
 use crate::description::Name;
 use crate::error::Errors;
 use crate::list::Id;
-use crate::wording::{nearest, quoted};
+use crate::wording::{named, quoted};
 
-/// How many names are searched for the one that was meant.
+/// Largest number of names in which a similar one is searched.
 const SEARCHED: usize = 1000;
 
-/// For how many mistakes that is done.
+/// Largest number of errors with such a search.
 const HELPED: usize = 20;
 
 /// The numbers of items by name.
@@ -24,7 +24,7 @@ pub struct Names<'a, I> {
 }
 
 impl<'a, I: Id> Names<'a, I> {
-    /// Takes names in; two equal ones are a mistake.
+    /// Collects names; a duplicate is an error.
     pub fn of(
         names: impl Iterator<Item = &'a Name>,
         what: &'static str,
@@ -46,26 +46,23 @@ impl<'a, I: Id> Names<'a, I> {
         known
     }
 
-    /// The number of what has a name.
+    /// The number of the item with a name.
     pub fn get(&self, name: &Name) -> Option<I> {
         self.numbers.get(name.text.as_str()).copied()
     }
 
-    /// The same; it is a mistake if there is none.
+    /// The same; an unknown name is an error.
     pub fn find(&self, name: &Name, errors: &mut Errors) -> Option<I> {
         let found = self.get(name);
         if found.is_none() {
             let message = format!("there is no {} {}", self.what, quoted(&name.text));
-            // Among very many names, or for very many mistakes, the search would take longer than
-            // reading them.
+            // With very many names or errors, the search would take longer than reading them.
             let few = self.order.len() <= SEARCHED && errors.complaints().len() < HELPED;
-            let near = few.then(|| nearest(&name.text, &self.order));
-            match near.flatten() {
-                Some(near) => {
-                    let hint = format!("did you mean {}?", quoted(near));
-                    errors.push_with_hint(name.place, message, hint);
-                }
-                None => errors.push(name.place, message),
+            if few {
+                let hint = named(&name.text, &format!("{}s", self.what), &self.order);
+                errors.push_with_hint(name.place, message, hint);
+            } else {
+                errors.push(name.place, message);
             }
         }
         found

@@ -1,9 +1,8 @@
-//! Whether the numbers of a description can be computed with.
+//! Checks that the numbers of a description are finite and in a possible range.
 //!
-//! In: the description, the request and the tree, or the merged chain. Out: a mistake for each number that is not
-//! one, and for each body or placement of which nothing is known any more because a number overflowed
-//! on the way. Readers refuse most of that where it stands; a description can come from elsewhere. It
-//! never changes a number.
+//! In: the description, the request and the tree, or the merged chain. Out: an error for each number that is infinite
+//! or NaN, and for each body or placement that overflowed. Readers refuse most of these at their place; a description
+//! can also come from elsewhere.
 
 use super::Chain;
 use super::tree::Tree;
@@ -13,16 +12,16 @@ use crate::expression::{Double, Expr};
 use crate::request::Request;
 use crate::wording::quoted;
 
-/// 2⁵⁰ rad: beyond, `f64` has no room for a quarter turn.
+/// 2⁵⁰ rad: beyond, the spacing of `f64` is too coarse for a quarter turn.
 const LARGEST_ANGLE: f64 = 1_125_899_906_842_624.0;
 
-/// Larger than any length, mass or inertia in any unit. Beside it the 106 bits that everything is computed in have room
-/// for one; and of six such numbers the product is finite, where a torque is one of a mass and two lengths and what
-/// solves for accelerations squares masses.
+/// Larger than any length, mass or inertia in any unit. A length of 1 beside it still has digits in 106 bits. The
+/// product of six such numbers is finite; a torque is the product of a mass and two lengths, and solving for
+/// accelerations squares masses.
 pub(super) const LARGEST: f64 = 1e30;
 
-/// Refuses what is not a number, no direction, or an angle without digits; and what is so large that
-/// it would overflow on the way.
+/// Rejects numbers that are not finite, axes of length zero, angles without digits, and numbers so large that they
+/// would overflow.
 pub fn check(description: &Description, request: &Request, tree: &Tree, errors: &mut Errors) {
     if let Some(gravity) = &request.gravity {
         let mut account = Account {
@@ -70,7 +69,7 @@ pub fn check(description: &Description, request: &Request, tree: &Tree, errors: 
     }
 }
 
-/// The same of what closes loops.
+/// The same for loops.
 fn check_loops(description: &Description, errors: &mut Errors) {
     for described in &description.loops {
         let mut account = Account {
@@ -94,10 +93,10 @@ fn check_loops(description: &Description, errors: &mut Errors) {
     }
 }
 
-/// Refuses placements and inertias that overflowed.
+/// Rejects placements and inertias that overflowed.
 ///
 /// # Errors
-/// A mistake for each joint of which that is so.
+/// One error for each such joint.
 pub fn check_merged(chain: Chain) -> Result<Chain, Errors> {
     let mut errors = chain.description.source.errors();
     let is_known = |expr: &Expr| chain.graph.value(*expr).is_none_or(Double::is_known);
@@ -108,7 +107,7 @@ pub fn check_merged(chain: Chain) -> Result<Chain, Errors> {
             errors.push_with_hint(
                 joint.place,
                 format!(
-                    "what is fixed to joint {} has numbers too large for 64 bits",
+                    "bodies fixed to joint {} have numbers too large for 64 bits",
                     quoted(&joint.name)
                 ),
                 "give lengths in m, masses in kg and inertias in kg m²",
@@ -118,7 +117,7 @@ pub fn check_merged(chain: Chain) -> Result<Chain, Errors> {
     errors.into_result(chain)
 }
 
-/// Mistakes of one item.
+/// Errors of one item.
 struct Account<'e> {
     place: Place,
     what: String,
@@ -139,7 +138,7 @@ impl Account<'_> {
             if !number.value.is_finite() {
                 self.refuse(number.place, "has a number that is not finite");
             } else if number.value.abs() > LARGEST {
-                self.refuse(number.place, "has a number larger than anything is");
+                self.refuse(number.place, "has a number that is too large");
             }
         }
     }
@@ -149,7 +148,7 @@ impl Account<'_> {
         if angle.value.is_finite() && angle.value.abs() > LARGEST_ANGLE {
             self.refuse(
                 angle.place,
-                "has an angle so large that its digits end above a turn",
+                "has an angle so large that its digits do not resolve a revolution",
             );
         }
     }

@@ -1,8 +1,7 @@
-//! Whether a body can have the inertia that it is said to have.
+//! Checks that inertias are physical.
 //!
-//! In: the description, its tree, the merged chain. Out: the same chain with doubts added to its
-//! report, or mistakes where the request is strict. It never changes a number: what no body can have
-//! is computed as given.
+//! In: the description, its tree, the merged chain. Out: the same chain with warnings added to its report, or errors if
+//! the request is strict. Numbers stay as given: computations use non-physical inertias as they are.
 
 use super::tree::Tree;
 use super::{Chain, drive, limits, mimic};
@@ -14,25 +13,25 @@ use crate::matrix::Inertia;
 use crate::request::{Request, Target};
 use crate::wording::{list, quoted};
 
-/// What is within the rounding of the digits that vendors print.
+/// Relative rounding of the digits that vendors print.
 const TOLERANCE: f64 = 1e-9;
 
-/// Looks at the inertia of every link that moves.
+/// Checks the inertia of every link that moves.
 ///
 /// # Errors
-/// Every doubt, where the request is strict.
+/// Every warning, if the request is strict.
 pub fn check(
     description: &Description,
     request: &Request,
     tree: &Tree,
     mut chain: Chain,
 ) -> Result<Chain, Errors> {
-    let mut doubts = description.warnings.clone();
-    doubts.append(&mut chain.report.warnings);
-    doubts.extend(drive::doubts(description, request, tree));
-    doubts.extend(limits::doubts(description, tree));
-    doubts.extend(mimic::doubts(description, tree));
-    // Whether the body that a link belongs to moves, and whether any of its links has a mass.
+    let mut warnings = description.warnings.clone();
+    warnings.append(&mut chain.report.warnings);
+    warnings.extend(drive::warnings(description, request, tree));
+    warnings.extend(limits::warnings(description, tree));
+    warnings.extend(mimic::warnings(description, tree));
+    // For each link the moving body that it is part of; for each of these, whether any of its links has a mass.
     let mut body = List::filled(None, description.links.len());
     let mut carried: Vec<(LinkId, bool)> = Vec::new();
     for branch in &tree.branches {
@@ -53,26 +52,29 @@ pub fn check(
         if let Some(inertial) = &link.inertial {
             *massive = true;
             if !request.spreads(&link.name) {
-                doubts.extend(doubt(&link.name.text, inertial));
+                warnings.extend(non_physical(&link.name.text, inertial));
             }
         }
-        doubts.extend(part_of_nothing(link, request));
+        warnings.extend(part_of_nothing(link, request));
     }
     let massless = carried.iter().filter(|(_, massive)| !massive);
     let massless: Vec<&Name> = massless.map(|&(link, _)| &description[link].name).collect();
-    doubts.extend(without_inertia(&massless).filter(|_| !request.is_of_frames_alone()));
-    if request.strict && !doubts.is_empty() {
+    warnings.extend(without_inertia(&massless).filter(|_| !request.is_of_frames_alone()));
+    if request.strict && !warnings.is_empty() {
         let mut errors = description.source.errors();
-        for doubt in doubts {
-            errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
+        for warning in warnings {
+            errors.push(
+                warning.place,
+                format!("{} (refused: strict)", warning.message),
+            );
         }
         return Err(errors);
     }
-    chain.report.warnings = doubts;
+    chain.report.warnings = warnings;
     Ok(chain)
 }
 
-/// One doubt for all links that move and have no inertia, at the first of them.
+/// One warning for all links that move and have no inertia, at the first of them.
 fn without_inertia(links: &[&Name]) -> Option<Complaint> {
     let (first, others) = links.split_first()?;
     let names: Vec<String> = links.iter().map(|link| quoted(&link.text)).collect();
@@ -89,9 +91,9 @@ fn without_inertia(links: &[&Name]) -> Option<Complaint> {
     })
 }
 
-/// What is wrong with an inertia, with the amount: the second moments about the centre of mass,
-/// ∫rrᵗdm, must not be negative in any direction.
-fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
+/// The warning about a non-physical inertia, with the amount: the second moments about the centre of mass, ∫rrᵗdm,
+/// must not be negative in any direction.
+fn non_physical(link: &str, inertial: &Inertial) -> Option<Complaint> {
     let [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(|entry| entry.value);
     let mass = inertial.mass.value;
     let half = (xx + yy + zz) / 2.0;
@@ -103,7 +105,7 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
     let link = quoted(link);
     let message = if least < -TOLERANCE * size {
         format!(
-            "no body has the inertia of link {link}: a second moment about its centre of mass \
+            "the inertia of link {link} is not physical: a second moment about its centre of mass \
              is {least:.3e} kg m² ({:.1} % of the largest)",
             100.0 * least / size
         )
@@ -112,7 +114,7 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
     } else {
         return None;
     };
-    let hint = Some("computed as given; correct the file, or refuse such files with strict".into());
+    let hint = Some("used as given: correct the file, or make this an error with strict".into());
     Some(Complaint {
         place: inertial.place,
         message,
@@ -120,19 +122,19 @@ fn doubt(link: &str, inertial: &Inertial) -> Option<Complaint> {
     })
 }
 
-/// A field for where the mass of a link is, or how it is spread, where it has none.
+/// Warnings about fields for the centre of mass or the inertia of a link without mass.
 fn part_of_nothing(link: &Link, request: &Request) -> Vec<Complaint> {
     let inertial = link.inertial.as_ref();
     if inertial.is_some_and(|inertial| inertial.mass.value != 0.0) || request.weighs(&link.name) {
         return Vec::new();
     }
     let name = quoted(&link.name.text);
-    let doubts = request.parameters.iter().filter_map(|parameter| {
+    let warnings = request.parameters.iter().filter_map(|parameter| {
         let field = &parameter.field;
         let message = match &parameter.target {
             Target::CenterOfMassOf(of) if of.text == link.name.text => {
                 format!(
-                    "link {name} has no mass: field `{field}`, where its centre is, changes nothing"
+                    "link {name} has no mass: field `{field}` for its centre of mass changes nothing"
                 )
             }
             Target::InertiaOf(of) if of.text == link.name.text => {
@@ -146,10 +148,10 @@ fn part_of_nothing(link: &Link, request: &Request) -> Vec<Complaint> {
             hint: Some(format!("give it a mass, or a field with mass_of = {name}")),
         })
     });
-    doubts.collect()
+    warnings.collect()
 }
 
-/// Whether a body can have an inertia, given in any frame; none where that is known at run time only.
+/// True if an inertia, in any frame, is physical; `None` if it is known at run time only.
 #[must_use]
 pub fn is_possible(inertia: Inertia<Term<'_>>) -> Option<bool> {
     let known = |term: Term<'_>| term.value().map(Double::to_f64);

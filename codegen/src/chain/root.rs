@@ -1,8 +1,8 @@
-//! A free root: the base hangs on a floating joint, and frame 0 is that of no link.
+//! A floating root: the base is carried by a floating joint, and frame 0 is a new link, the world.
 //!
-//! In: a description, and a request for a free base. Out: the description with one joint and one link
-//! more, and the request with that link as its base. What carried the base before carries that link, and so is
-//! left out. It changes nothing else that was described.
+//! In: a description, and a request for a floating base. Out: the description with one more joint and one more link,
+//! and the request with that link as its base. The joint that carried the base now carries the new link, and so is left
+//! out. Nothing else changes.
 
 use std::rc::Rc;
 
@@ -12,13 +12,13 @@ use crate::joint::drive::Parts;
 use crate::number::Number;
 use crate::request::Request;
 
-/// What the joint is called, and the link that it hangs on; the first names that nothing else has.
+/// Names of the joint and of its parent link; the first that is not taken.
 const JOINTS: [&str; 3] = ["root", "root_joint", "free_root"];
 const LINKS: [&str; 4] = ["world", "ground", "universe", "free_root_base"];
 
-/// Both as they are, or with a free root where one is asked for.
+/// The description and the request, with a floating root if it is requested.
 ///
-/// Where there is no root, or more than one, they stay as they are: the chain stage says so.
+/// Without a single root they stay as they are, and a later stage reports the error.
 pub(super) fn freed(
     description: &Description,
     request: &Request,
@@ -33,7 +33,7 @@ pub(super) fn freed(
     let ground = new_name(&LINKS, &links, &base);
     let root = new_name(&JOINTS, &joints, &base);
     let place = base.place;
-    // Joints may follow what carried the base, which stays in its place upstream.
+    // Joints may mimic the one that carried the base, so it stays upstream.
     for joint in &mut description.joints {
         if joint.child.text == base.text {
             joint.child = ground.clone();
@@ -64,7 +64,7 @@ pub(super) fn freed(
     (Rc::new(description), Rc::new(request))
 }
 
-/// The link that is to be free: the one named as the base, or the only one that hangs on none.
+/// The base link: the one that is named, or the only one without a parent.
 fn base(description: &Description, request: &Request) -> Option<Name> {
     let links = description.links.iter().map(|link| &link.name);
     if let Some(base) = &request.base {
@@ -82,7 +82,7 @@ fn base(description: &Description, request: &Request) -> Option<Name> {
     roots.next().is_none().then(|| root.clone())
 }
 
-/// The first of some names that is not taken, where something stands.
+/// The first of some names that is not taken, with a place.
 fn new_name(names: &[&str], taken: &[&Name], at: &Name) -> Name {
     let free = |name: &&&str| taken.iter().all(|other| other.text != **name);
     let name = names.iter().find(free).or(names.last());

@@ -1,7 +1,6 @@
-//! Which link hangs on which.
+//! The tree of links.
 //!
-//! In: joints and the names of links. Out: a tree below one link; or the joints that make it
-//! something else. It never looks at what the joints allow.
+//! In: joints and the names of links. Out: a tree below one link; or errors about the joints that prevent one.
 
 use super::names::Names;
 use super::tree::Branch;
@@ -11,7 +10,7 @@ use crate::list::List;
 use crate::request::Request;
 use crate::wording::quoted;
 
-/// How the joints connect the links.
+/// The joints with the links that they connect.
 pub struct Joints {
     /// Parent and child of each joint.
     ends: List<JointId, (LinkId, LinkId)>,
@@ -20,8 +19,7 @@ pub struct Joints {
 }
 
 impl Joints {
-    /// Finds the links of every joint; none where a name is wrong, a link has two carriers or hangs
-    /// on itself.
+    /// Finds the links of every joint; `None` if a name is wrong, a link has two parents, or a cycle exists.
     pub fn connect(
         description: &Description,
         links: &Names<'_, LinkId>,
@@ -45,8 +43,8 @@ impl Joints {
                     [&description[child].name, first, second].map(|name| quoted(&name.text));
                 errors.push_with_hint(
                     second.place,
-                    format!("link {link} hangs on two joints, {one} and {other}"),
-                    "closed loops are not modelled by a tree: leave one of the joints out",
+                    format!("link {link} has two parent joints, {one} and {other}"),
+                    "leave one of the joints out, and describe it as a loop",
                 );
             }
         }
@@ -56,7 +54,7 @@ impl Joints {
     }
 
     fn check_cycles(&self, description: &Description, errors: &mut Errors) {
-        // The walk that saw it; each link is walked over once.
+        // The pass in which a link was seen; each link is visited once.
         let mut seen = self.carrier.map(|_| None);
         for start in self.carrier.ids() {
             let mut link = start;
@@ -72,7 +70,7 @@ impl Joints {
                         [name, &description[link].name].map(|name| quoted(&name.text));
                     errors.push(
                         name.place,
-                        format!("joint {joint} closes a cycle: link {link} hangs on itself"),
+                        format!("joint {joint} closes a cycle: link {link} is its own ancestor"),
                     );
                     break;
                 }
@@ -81,7 +79,7 @@ impl Joints {
     }
 }
 
-/// The link taken as fixed: the one that is named, or the only one that hangs on nothing.
+/// The base: the link that is named, or the only one without a parent.
 pub fn find_base(
     description: &Description,
     request: &Request,
@@ -108,7 +106,7 @@ pub fn find_base(
             let [first, other] = [&description[first].name, second].map(|name| quoted(&name.text));
             errors.push_with_hint(
                 second.place,
-                format!("links {first}, {other}{more} hang on nothing"),
+                format!("links {first}, {other}{more} have no parent: a robot has one root"),
                 "connect them by joints, or name the base to model one part alone",
             );
             None
@@ -120,12 +118,12 @@ pub fn find_base(
             );
             None
         }
-        // Every link hangs on another: the cycle has been complained about.
+        // Every link has a parent: the cycle has been reported.
         (None, _) => None,
     }
 }
 
-/// The joints that hang on the base, branch by branch, siblings in the order of the description.
+/// The joints downstream of the base, branch by branch, siblings in the order of the description.
 pub fn downstream(joints: &Joints, base: LinkId, dropped: &[LinkId]) -> Vec<Branch> {
     let mut children: List<LinkId, Vec<Branch>> = joints.carrier.map(|_| Vec::new());
     for (joint, &(parent, child)) in joints.ends.numbered() {

@@ -1,6 +1,6 @@
-//! Robots in place of files, and what the chain stage says of those that do not hold together.
+//! Tests of the chain stage: inline robots, and the errors about those that are inconsistent.
 //!
-//! What can be seen in one item alone is refused by the readers and tested there.
+//! Errors within one item belong to the readers and are tested there.
 
 mod base_parameters;
 mod bodies;
@@ -33,7 +33,7 @@ pub(crate) fn fine(text: &str) -> Chain {
     build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// Everything that is said of a robot, with places and hints.
+/// All errors about a robot, with places and hints.
 fn said(text: &str) -> String {
     let (description, request) = read(text);
     let errors = build(&description, &request).expect_err("mistakes");
@@ -51,7 +51,7 @@ pub(crate) fn named(text: &str) -> Name {
     }
 }
 
-/// An arm of three links with a tool that is fixed, under some settings.
+/// An arm of three links with a tool on a fixed joint, with some settings.
 fn arm(settings: &str) -> String {
     format!(
         "struct Arm {{ {settings} }}
@@ -69,7 +69,7 @@ fn fork(settings: &str) -> String {
 }
 
 #[test]
-fn a_link_that_is_not_there() {
+fn an_unknown_link() {
     let arm = "struct Arm; link base; link upper;
         joint shoulder: revolute(z) { from: basse, to: upper }
         joint elbow: revolute(z) { from: upper, to: \"quite another\" }";
@@ -77,8 +77,9 @@ fn a_link_that_is_not_there() {
         said(arm),
         lines(&[
             r#"error: there is no link "basse""#,
-            r#"  hint: did you mean "base"?"#,
-            r#"error: there is no link "quite another""#
+            r#"  hint: did you mean "base"? links: "base" and "upper""#,
+            r#"error: there is no link "quite another""#,
+            r#"  hint: links: "base" and "upper""#
         ])
     );
 }
@@ -91,8 +92,8 @@ fn a_link_on_two_joints() {
     assert_eq!(
         said(arm),
         lines(&[
-            r#"error: link "upper" hangs on two joints, "left" and "right""#,
-            "  hint: closed loops are not modelled by a tree: leave one of the joints out"
+            r#"error: link "upper" has two parent joints, "left" and "right""#,
+            "  hint: leave one of the joints out, and describe it as a loop"
         ])
     );
 }
@@ -105,7 +106,7 @@ fn a_cycle_beside_the_base() {
         joint three: revolute(z) { from: c, to: a }";
     assert_eq!(
         said(arm),
-        lines(&[r#"error: joint "one" closes a cycle: link "a" hangs on itself"#])
+        lines(&[r#"error: joint "one" closes a cycle: link "a" is its own ancestor"#])
     );
 }
 
@@ -116,7 +117,7 @@ fn a_cycle_of_all_links() {
         joint two: revolute(z) { from: b, to: a }";
     assert_eq!(
         said(arm),
-        lines(&[r#"error: joint "one" closes a cycle: link "a" hangs on itself"#])
+        lines(&[r#"error: joint "one" closes a cycle: link "a" is its own ancestor"#])
     );
 }
 
@@ -127,7 +128,7 @@ fn several_roots() {
     assert_eq!(
         said(two),
         lines(&[
-            r#"error: links "base", "table" hang on nothing"#,
+            r#"error: links "base", "table" have no parent: a robot has one root"#,
             "  hint: connect them by joints, or name the base to model one part alone"
         ])
     );
@@ -135,7 +136,7 @@ fn several_roots() {
     assert_eq!(
         said(&four),
         lines(&[
-            r#"error: links "base", "table" and 2 more hang on nothing"#,
+            r#"error: links "base", "table" and 2 more have no parent: a robot has one root"#,
             "  hint: connect them by joints, or name the base to model one part alone"
         ])
     );
@@ -144,12 +145,12 @@ fn several_roots() {
 }
 
 #[test]
-fn what_is_asked_for_must_be_there() {
+fn what_is_requested_must_exist() {
     assert_eq!(
         said(&arm("base: bass")),
         lines(&[
             r#"error: there is no link "bass""#,
-            r#"  hint: did you mean "base"?"#
+            r#"  hint: did you mean "base"? links: "base", "upper", "fore" and "tool""#
         ])
     );
     let settings = "tip: toll, drop(uper), frames(far), lock(shoulde, elbw = 0.3)";
@@ -157,34 +158,35 @@ fn what_is_asked_for_must_be_there() {
         said(&arm(settings)),
         lines(&[
             r#"error: there is no link "uper""#,
-            r#"  hint: did you mean "upper"?"#,
+            r#"  hint: did you mean "upper"? links: "base", "upper", "fore" and "tool""#,
             r#"error: there is no link "toll""#,
-            r#"  hint: did you mean "tool"?"#,
+            r#"  hint: did you mean "tool"? links: "base", "upper", "fore" and "tool""#,
             r#"error: there is no link "far""#,
+            r#"  hint: links: "base", "upper", "fore" and "tool""#,
             r#"error: there is no joint "shoulde""#,
-            r#"  hint: did you mean "shoulder"?"#,
+            r#"  hint: did you mean "shoulder"? joints: "shoulder", "elbow" and "mount""#,
             r#"error: there is no joint "elbw""#,
-            r#"  hint: did you mean "elbow"?"#
+            r#"  hint: did you mean "elbow"? joints: "shoulder", "elbow" and "mount""#
         ])
     );
 }
 
 #[test]
-fn what_is_asked_for_must_hang_on_the_base() {
+fn what_is_requested_must_be_downstream_of_the_base() {
     assert_eq!(
         said(&arm("base: upper, tip: base")),
         lines(&[
-            r#"error: the tip "base" does not hang on the base "upper""#,
-            "  hint: choose a base upstream of it, and do not drop it"
+            r#"error: the tip "base" is not a descendant of the base "upper""#,
+            "  hint: choose a base above it in the tree, and do not drop it"
         ])
     );
     assert_eq!(
         said(&arm("drop(fore), tip: tool, frames(fore)")),
         lines(&[
-            r#"error: the tip "tool" does not hang on the base "base""#,
-            "  hint: choose a base upstream of it, and do not drop it",
-            r#"error: the frame "fore" does not hang on the base "base""#,
-            "  hint: choose a base upstream of it, and do not drop it"
+            r#"error: the tip "tool" is not a descendant of the base "base""#,
+            "  hint: choose a base above it in the tree, and do not drop it",
+            r#"error: the frame "fore" is not a descendant of the base "base""#,
+            "  hint: choose a base above it in the tree, and do not drop it"
         ])
     );
     assert_eq!(
@@ -194,7 +196,7 @@ fn what_is_asked_for_must_hang_on_the_base() {
 }
 
 #[test]
-fn only_what_moves_can_be_locked_and_once() {
+fn only_joints_that_move_can_be_locked_and_once() {
     assert_eq!(
         said(&arm("lock(mount)")),
         lines(&[r#"error: joint "mount" is fixed and cannot be locked"#])
@@ -229,7 +231,7 @@ fn a_joint_with_two_coordinates_has_two_entries_and_is_held_as_one() {
         said(&plunger("lock(quill = 0.3)", "")),
         lines(&[
             r#"error: joint "quill" has several coordinates and is locked at one value"#,
-            "  hint: lock it without a value: all of them are zero then",
+            "  hint: lock it without a value, which sets all of them to 0",
         ])
     );
 }
@@ -240,30 +242,30 @@ fn no_joint_is_called_as_a_coordinate_of_another() {
     assert_eq!(
         said(&clash),
         lines(&[
-            r#"error: joint "quill.shift" is called as a coordinate of joint "quill""#,
-            "  hint: give one of them another name",
+            r#"error: joint "quill.shift" has the name of a coordinate of joint "quill""#,
+            "  hint: rename one of them",
         ])
     );
 }
 
 #[test]
-fn limits_of_two_coordinates_are_left_out_with_a_word() {
+fn limits_of_two_coordinates_are_left_out_with_a_warning() {
     let chain = fine(&plunger("", "limits: [-1.0, 1.0]"));
     let spaces = chain.spaces();
     let mut entries = spaces.coordinates.iter().chain(&spaces.velocities);
     assert!(entries.all(|entry| entry.range.is_none()));
-    let doubts: Vec<&str> = (chain.report.warnings.iter())
-        .map(|doubt| doubt.message.as_str())
+    let warnings: Vec<&str> = (chain.report.warnings.iter())
+        .map(|warning| warning.message.as_str())
         .collect();
-    let limits = "joint \"quill\" is cylindrical and has limits, which are not modelled: of which \
-                  coordinate is not said";
-    assert!(doubts.contains(&limits), "{doubts:?}");
+    let limits = "joint \"quill\" is cylindrical and has limits, which are not modelled: they do \
+                  not name a coordinate";
+    assert!(warnings.contains(&limits), "{warnings:?}");
     let strict = said(&plunger("strict", "limits: [-1.0, 1.0]"));
     assert!(strict.contains(limits), "{strict}");
 }
 
 #[test]
-fn something_must_move() {
+fn some_joint_must_move() {
     assert_eq!(
         said(&arm("lock(shoulder, elbow)")),
         lines(&[r#"error: no joint of "Arm" moves"#])
@@ -290,7 +292,7 @@ fn several_ends_need_a_tip_where_it_matters() {
     assert_eq!(
         said(&fork("generate(forward_kinematics)")),
         lines(&[
-            "error: which frame are poses and Jacobians of? The robot has more than one end",
+            "error: poses and Jacobians need a tip, and the robot has more than one end",
             r#"  hint: name one as the tip: "tool", "finger""#
         ])
     );
@@ -301,7 +303,7 @@ fn several_ends_need_a_tip_where_it_matters() {
 }
 
 #[test]
-fn of_many_ends_a_few_are_named() {
+fn a_few_of_many_ends_are_named() {
     let finger = |k| format!("joint j{k}: revolute(z) {{ from: base, to: f{k} }} link f{k};");
     let fingers = (0..11).map(finger).collect::<Vec<_>>().concat();
     let hand = format!("struct Hand {{ path_only }} link base; {fingers}");
@@ -315,8 +317,8 @@ fn of_many_ends_a_few_are_named() {
 }
 
 #[test]
-fn names_are_given_once() {
-    // The readers see to it; a description made in code comes without them.
+fn names_are_unique() {
+    // Readers refuse duplicates; a description made in code has not been read.
     let (mut description, request) = read(&arm(""));
     description.links[3].name = description.links[2].name.clone();
     description.joints[2].name = description.joints[1].name.clone();
@@ -326,13 +328,14 @@ fn names_are_given_once() {
         lines(&[
             r#"error: two links are called "fore""#,
             r#"error: two joints are called "elbow""#,
-            r#"error: there is no link "tool""#
+            r#"error: there is no link "tool""#,
+            r#"  hint: links: "base", "upper", "fore" and "fore""#
         ])
     );
 }
 
 #[test]
-fn fields_stand_for_what_is_modelled() {
+fn fields_replace_what_is_modelled() {
     let (description, mut request) = read(&arm("drop(fore)"));
     for target in [
         Target::MassOf(named("tool")),
@@ -353,20 +356,21 @@ fn fields_stand_for_what_is_modelled() {
         lines(&[
             r#"error: link "tool" is not modelled"#,
             r#"error: there is no link "tol""#,
-            r#"  hint: did you mean "tool"?"#,
+            r#"  hint: did you mean "tool"? links: "base", "upper", "fore" and "tool""#,
             r#"error: joint "elbow" is not modelled"#,
-            r#"error: there is no joint "wrist""#
+            r#"error: there is no joint "wrist""#,
+            r#"  hint: joints: "shoulder", "elbow" and "mount""#
         ])
     );
 }
 
 #[test]
-fn mistakes_of_several_kinds_are_told_together() {
+fn errors_of_several_kinds_are_reported_together() {
     assert_eq!(
         said(&arm("drop(base), tip: toll, lock(mount)")),
         lines(&[
             r#"error: there is no link "toll""#,
-            r#"  hint: did you mean "tool"?"#,
+            r#"  hint: did you mean "tool"? links: "base", "upper", "fore" and "tool""#,
             r#"error: joint "mount" is fixed and cannot be locked"#,
             r#"error: the base "base" cannot be dropped"#
         ])

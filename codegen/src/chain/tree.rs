@@ -1,4 +1,4 @@
-//! How links hang on the base: what is left of a description's names once they refer to each other.
+//! The tree of links, with names resolved to numbers.
 
 use std::collections::HashMap;
 
@@ -10,18 +10,17 @@ use crate::expression::Double;
 pub struct Tree {
     /// The link taken as fixed.
     pub base: LinkId,
-    /// Joints downstream of the base, parents before children and siblings as described, each with
-    /// the links it connects.
+    /// Joints downstream of the base, parents before children and siblings in the order of the description.
     pub branches: Vec<Branch>,
-    /// The link that poses and Jacobians are of.
+    /// The end effector, the link of poses and Jacobians.
     pub tip: Option<LinkId>,
-    /// Further links whose frames are asked for.
+    /// Further links whose frames are requested.
     pub frames: Vec<LinkId>,
-    /// Links on which something acts from outside.
+    /// Links with an external wrench.
     pub external: Vec<LinkId>,
     /// Links that are not modelled.
     pub dropped: Vec<LinkId>,
-    /// Joints that the request locks, those outside the tree among them, and where \[rad or m\].
+    /// Joints that the request locks, with their coordinates \[rad or m\], including those outside the tree.
     pub locks: HashMap<JointId, Number>,
 }
 
@@ -30,23 +29,23 @@ pub struct Tree {
 pub struct Branch {
     /// The joint.
     pub joint: JointId,
-    /// The link it hangs on.
+    /// The parent link.
     pub parent: LinkId,
-    /// The link it carries.
+    /// The child link.
     pub child: LinkId,
-    /// Where it is held still [rad or m]; none where it moves.
+    /// The coordinate at which it is held [rad or m]; `None` if it moves.
     pub held: Option<Number>,
-    /// What moves it, where it has no coordinate of its own.
+    /// The mimicked joint, for a mimic joint.
     pub follows: Option<Follow>,
 }
 
-/// What moves a joint that follows: multiplier · q + offset.
+/// The motion of a mimic joint: multiplier · q + offset.
 #[derive(Clone, Copy, Debug)]
 pub struct Follow {
     /// The joint that has the coordinate q.
     pub leader: JointId,
-    /// What q is multiplied by.
+    /// The multiplier.
     pub multiplier: Double,
-    /// What is added [rad or m].
+    /// The offset [rad or m].
     pub offset: Double,
 }

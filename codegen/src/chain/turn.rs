@@ -1,15 +1,14 @@
-//! Roll, pitch and yaw of a turn.
+//! Roll, pitch and yaw of a rotation.
 //!
-//! In: a rotation matrix of numbers. Out: the angles of Rz(yaw) Ry(pitch) Rx(roll) that gives it. It never
-//! looks at who asks.
+//! In: a rotation matrix of numbers. Out: the angles with Rz(yaw) Ry(pitch) Rx(roll) equal to it.
 
 use crate::expression::{Double, Term};
 use crate::matrix::Rotation;
 
-/// Below this cosine of the pitch, roll and yaw turn about one axis, and all of it is roll.
+/// Cosine of the pitch below which roll and yaw are about one axis; the yaw is zero then.
 const LOCKED: f64 = 1e-9;
 
-/// The angles \[rad\]; zero of what is known at run time only.
+/// The angles \[rad\]; entries that are known at run time only count as zero.
 pub(super) fn roll_pitch_yaw(rotation: &Rotation<Term<'_>>) -> [f64; 3] {
     let entry = |row: usize, column: usize| rotation.0[row][column].value().unwrap_or(Double::ZERO);
     let (y, z) = (entry(2, 1), entry(2, 2));
@@ -22,8 +21,8 @@ pub(super) fn roll_pitch_yaw(rotation: &Rotation<Term<'_>>) -> [f64; 3] {
     }
 }
 
-/// The angle of that sine and cosine, or of multiples of both: what the platform has for it, and a step of
-/// Newton's, after which it is the same on all of them.
+/// The angle with that sine and cosine, or multiples of both: the result of the platform's library and one Newton step,
+/// after which it is the same on all platforms.
 fn angle(sine: Double, cosine: Double) -> f64 {
     let found = sine.to_f64().atan2(cosine.to_f64());
     let (s, c) = Double::from(found).sin_cos();
@@ -43,7 +42,7 @@ mod tests {
     use crate::matrix::Rotation;
 
     #[test]
-    fn angles_give_the_turn_that_they_are_found_from() {
+    fn angles_give_the_rotation_that_they_are_found_from() {
         let quarter = std::f64::consts::FRAC_PI_2;
         for angles in [
             [0.0, 0.0, 0.0],

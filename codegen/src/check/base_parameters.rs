@@ -1,9 +1,9 @@
-//! Base parameters, held against torques of the description.
+//! Comparison of base parameters with torques of the description.
 //!
-//! In: a description, what is asked for of it, and a chain whose base parameters have been found. Out: nothing, or a
-//! mistake. With Y_b, the columns of the regressor that lead a group, and K, the factors of all parameters in the groups,
-//! each column of Y has to be that of Y_b K; and the columns of Y_b must not depend on each other. Both are asked of
-//! torques at independent states, by products of dense matrices; base parameters are found by energies in link frames.
+//! In: a description, the request, and a chain whose base parameters have been found. Out: an error if they are wrong.
+//! With Y_b, the columns of the regressor that lead a group, and K, the factors of all parameters in the groups, each
+//! column of Y has to equal that of Y_b K, and the columns of Y_b must be independent. Both are checked with torques at
+//! independent states, by products of dense matrices; base parameters are found by energies in link frames.
 
 mod balance;
 mod independent;
@@ -26,20 +26,20 @@ use crate::wording::quoted;
 use balance::units;
 use independent::{Dependent, ROUNDED, Rows, Seen, first_dependent, own_rows};
 
-/// A column may be off by so much, beside itself, rows being in units of their own.
+/// Relative error of a column, with rows in units of their own.
 const OFF: f64 = 1e-10;
 
-/// At so many more states a block of columns is looked at than would do if each told something new.
+/// Number of states for a block of columns beyond the number that could determine it.
 const MORE: usize = 2;
 
-/// At so many states all columns are looked at.
+/// Number of states at which all columns are compared.
 const CHECKED: usize = 2;
 
-/// Holds the base parameters of a chain against its description, fields being what is described in their place.
+/// Compares the base parameters of a chain with its description, with fields at their described values.
 ///
 /// # Errors
-/// Where one is not a number in the type that it is printed for; where 106 bits do not tell which columns depend on each
-/// other; where torques by base parameters would be others, or base parameters depend on each other.
+/// If one is not finite in the type that it is printed for; if 106 bits do not decide which columns depend on each
+/// other; if torques by base parameters are wrong, or base parameters depend on each other.
 pub fn judge_base_parameters(chain: &Chain) -> Result<(), Errors> {
     let Some(base) = &chain.base_parameters else {
         return Ok(());
@@ -124,15 +124,15 @@ pub fn judge_base_parameters(chain: &Chain) -> Result<(), Errors> {
     errors.into_result(())
 }
 
-/// What to do where base parameters cannot be told apart.
+/// Hint about base parameters that cannot be determined.
 const UNCERTAIN: &str = "ask for `regressor`, whose columns are of all parameters; or write angles, axes and lengths \
                          that are meant to be the same with the same digits, or model a robot whose masses and lengths \
                          differ less";
 
-/// How far torques by values of base parameters may be off, beside what they are sums of.
+/// Error of torques by values of base parameters, relative to the size of their terms.
 const VALUED: f64 = 1e-12;
 
-/// The first torque that values of base parameters make another one, and both.
+/// The first torque that values of base parameters make wrong, with both values.
 fn first_wrong_torque(base: &BaseParameters, seen: &[Seen]) -> Option<(VelocityId, [f64; 2])> {
     seen.iter().find_map(|at| {
         at.torques.numbered().find_map(|(row, torque)| {
@@ -145,23 +145,23 @@ fn first_wrong_torque(base: &BaseParameters, seen: &[Seen]) -> Option<(VelocityI
             });
             let torque_size = torque.noise();
             let expected = torque.to_f64();
-            // What is not a number is not right.
+            // NaN is wrong as well.
             let right = (sum - expected).abs() <= VALUED * size + torque_size;
             (!right).then_some((row, [sum, expected]))
         })
     })
 }
 
-/// A parameter whose column is not what base parameters make of it.
+/// A parameter whose column differs from the combination of base columns.
 struct Wrong {
     parameter: ParameterId,
-    /// How far it is off, beside itself.
+    /// Its relative error.
     off: f64,
-    /// Whether the rounding of factors, or of the numbers of the description, to `f64` explains it.
+    /// True if the rounding of factors, or of the numbers of the description, to `f64` explains it.
     is_rounding: bool,
 }
 
-/// The first column of Y that is another one in Y_b K.
+/// The first column of Y that differs in Y_b K.
 fn first_wrong(base: &BaseParameters, seen: &[Seen]) -> Option<Wrong> {
     let first = &seen.first()?.regressor;
     let mut factors: List<ParameterId, Vec<(ParameterId, f64)>> = first.map(|_| Vec::new());
@@ -182,7 +182,7 @@ fn first_wrong(base: &BaseParameters, seen: &[Seen]) -> Option<Wrong> {
         let (whole, size) = (most(|row| row.whole), most(|row| row.size));
         let mut rows = rows.iter().zip(&units);
         rows.find_map(|(row, unit)| {
-            // What is not a number is not right.
+            // NaN is wrong as well.
             let right = row.off <= (OFF * whole + ROUNDED * size) * unit;
             (!right).then(|| Wrong {
                 parameter,
@@ -208,13 +208,13 @@ fn units_of_rows(seen: &[Seen]) -> List<VelocityId, f64> {
     largest
 }
 
-/// A column of Y beside that of Y_b K, in a row at all states.
+/// A column of Y compared with that of Y_b K, in a row at all states.
 struct Compared {
     off: f64,
     whole: f64,
-    /// What an entry is a sum of.
+    /// Size of an entry's terms.
     size: f64,
-    /// What the rounding of factors, and of the numbers of the description, to `f64` makes of it.
+    /// The error that the rounding of factors, and of the numbers of the description, to `f64` explains.
     explained: f64,
 }
 

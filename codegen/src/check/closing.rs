@@ -1,8 +1,8 @@
-//! Configurations in which the loops of a robot are closed, and rates that keep them closed.
+//! Configurations with closed loops, and velocities that keep them closed.
 //!
 //! In: a state, and the matrices of the robot in any state. Out: a state near it whose loops are closed as far as its
-//! numbers allow, by the method of Levenberg and Marquardt. There the equations of the loops have a solution even
-//! where some of them depend on others; elsewhere an over-constrained mechanism has none.
+//! numbers allow, by the method of Levenberg and Marquardt. There the equations of the loops have a solution even if
+//! some of them depend on others; elsewhere those of an over-constrained linkage have none.
 
 use super::robot::Contradiction;
 use crate::chain::{Chain, Position};
@@ -17,17 +17,17 @@ use crate::space::{Variable, VelocityId};
 /// The largest number of steps.
 const STEPS: usize = 60;
 
-/// The residual [m, 1] that is closed.
+/// The residual [m, 1] of a closed loop.
 const CLOSED: f64 = 1e-15;
 
 /// The residual [m, 1] of a loop that is closed but for the digits of its description.
 const NEARLY: f64 = 1e-4;
 
-/// The damping of directions in which residuals hardly change, beside the others.
+/// The damping of directions in which residuals hardly change, relative to the others.
 const DAMPING: f64 = Real::F64.vanishing();
 
-/// The first of some states that closes within the limits of the joints; or the first that closes, or the one that is
-/// nearest to it.
+/// The first of some states that closes within the limits of the joints; or else the first that closes, or the
+/// nearest to closing.
 ///
 /// # Errors
 /// Those of `at`.
@@ -82,7 +82,7 @@ fn closed_from(
     Ok((largest(&system.residuals), state))
 }
 
-/// Takes the part out of the rates that opens the loops.
+/// Removes the part of the velocities that opens the loops.
 fn keep_closed(
     state: &mut State,
     at: &impl Fn(&State) -> Result<Dense, Contradiction>,
@@ -109,7 +109,7 @@ fn is_within_limits(state: &State, chain: &Chain) -> bool {
     })
 }
 
-/// The residuals, and what velocities change them by.
+/// The residuals, and their derivatives by velocities.
 struct System {
     residuals: Vec<f64>,
     rows: Vec<Vec<f64>>,
@@ -128,7 +128,7 @@ impl System {
         }
     }
 
-    /// The step against some residuals: of least squares, damped.
+    /// The damped least-squares step against some residuals.
     fn step(&self, residuals: &[f64], damping: f64) -> Vec<f64> {
         let count = self.rows.first().map_or(0, Vec::len);
         let column = |k: usize| self.rows.iter().map(move |row| row[k]);
@@ -146,7 +146,7 @@ impl System {
     }
 }
 
-/// x of A x = y, where A is positive definite; zeros where it is zero.
+/// x of A x = y for positive definite A; zeros where A is zero.
 fn solved(mut a: Vec<Vec<f64>>, mut y: Vec<f64>) -> Vec<f64> {
     let count = y.len();
     let reciprocal = |pivot: f64| if pivot > 0.0 { 1.0 / pivot } else { 0.0 };
@@ -167,7 +167,7 @@ fn solved(mut a: Vec<Vec<f64>>, mut y: Vec<f64>) -> Vec<f64> {
     y
 }
 
-/// The state to which velocities lead in a unit of time, to first order.
+/// The state after a unit of time at some velocities, to first order.
 fn moved(state: &State, chain: &Chain, velocities: &[f64]) -> State {
     let mut moved = state.clone();
     let by = |velocity: VelocityId, k: usize| Double::from(velocities[velocity.index() + k]);
@@ -188,7 +188,7 @@ fn moved(state: &State, chain: &Chain, velocities: &[f64]) -> State {
     moved
 }
 
-/// Moves a body by velocities that are seen in its frame.
+/// Moves a body by velocities in its own axes.
 fn displace(entries: &mut [Double], posture: Posture, by: impl Fn(usize) -> Double) {
     match posture {
         Posture::Planar => {
@@ -197,19 +197,19 @@ fn displace(entries: &mut [Double], posture: Posture, by: impl Fn(usize) -> Doub
             entries[1] = entries[1] + sine * by(0) + cosine * by(1);
             entries[2] = entries[2] + by(2);
         }
-        Posture::Spherical => turn(&mut entries[..4], [by(0), by(1), by(2)]),
+        Posture::Spherical => rotate(&mut entries[..4], [by(0), by(1), by(2)]),
         Posture::Floating => {
-            let shift = turned(&entries[3..7], [by(0), by(1), by(2)]);
+            let shift = rotated(&entries[3..7], [by(0), by(1), by(2)]);
             for (entry, shift) in entries.iter_mut().zip(shift) {
                 *entry = *entry + shift;
             }
-            turn(&mut entries[3..7], [by(3), by(4), by(5)]);
+            rotate(&mut entries[3..7], [by(3), by(4), by(5)]);
         }
     }
 }
 
-/// A quaternion after a small rotation about axes of its body.
-fn turn(quaternion: &mut [Double], [x, y, z]: [Double; 3]) {
+/// Rotates a quaternion by small angles about axes of its body.
+fn rotate(quaternion: &mut [Double], [x, y, z]: [Double; 3]) {
     let half = Double::from(0.5);
     let [a, b, c, w] = [0, 1, 2, 3].map(|k| quaternion[k]);
     let rates = [
@@ -224,8 +224,8 @@ fn turn(quaternion: &mut [Double], [x, y, z]: [Double; 3]) {
     normalize(quaternion);
 }
 
-/// A vector, carried from a body's axes by its quaternion: v + 2 w (u × v) + 2 u × (u × v).
-fn turned(quaternion: &[Double], v: [Double; 3]) -> [Double; 3] {
+/// A vector in a body's axes, rotated by its quaternion: v + 2 w (u × v) + 2 u × (u × v).
+fn rotated(quaternion: &[Double], v: [Double; 3]) -> [Double; 3] {
     let u = [quaternion[0], quaternion[1], quaternion[2]];
     let two = Double::from(2.0);
     let cross = |a: [Double; 3], b: [Double; 3]| {

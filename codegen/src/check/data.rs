@@ -1,7 +1,7 @@
-//! The robot as data, taken at its word.
+//! The robot of the printed data.
 //!
-//! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the
-//! moving joints alone, to be held against the one that was described.
+//! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the moving joints
+//! alone, for comparison with the described one.
 
 use crate::dense::{Approximate, Body, BodyId, Closed, Freedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
@@ -10,17 +10,17 @@ use crate::list::{Id, List};
 use crate::module::{ChainData, DataMotion, LoopsData};
 use crate::space::{CoordinateId, FrameId, VelocityId};
 
-/// How many numbers a joint has, and a frame.
+/// Number of values of a joint, and of a frame.
 const JOINT: usize = 28;
 const PLACEMENT: usize = 12;
 
-/// The robot of some data, whose numbers are given one after the other.
+/// The robot of some data, whose values follow one another.
 pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     let (joints, rest) = numbers.split_at(JOINT * data.parents.len());
     let (frames, rest) = rest.split_at(PLACEMENT * data.frames.len());
     let (gravity, drives) = rest.split_at(3);
     let (mut coordinate, mut velocity) = (CoordinateId::new(0), VelocityId::new(0));
-    // Of each joint, where its coordinates and velocities begin.
+    // For each joint, the first of its coordinates and velocities.
     let mut places = Vec::new();
     for motion in &data.motions {
         places.push((coordinate, velocity));
@@ -77,7 +77,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     let frames: List<FrameId, Option<BodyId>> = frames
         .map(|(numbers, (_, body))| frame((numbers, *body)))
         .collect();
-    // Those that are acted on come last.
+    // Links with an external wrench come last.
     let external = frames.iter().skip(frames.len() - data.external.0);
     let external = external.copied().flatten().collect();
     Robot {
@@ -85,7 +85,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         velocities: velocity.index(),
         gravity: three(gravity),
         frames,
-        // Which bodies are links is of the description alone.
+        // The data do not contain which bodies are links.
         links: Vec::new(),
         base_columns: Vec::new(),
         identified: Vec::new(),
@@ -95,10 +95,10 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     }
 }
 
-/// How many numbers a loop has.
+/// Number of values of a loop.
 const LOOP: usize = 2 * PLACEMENT + 1;
 
-/// The same with its loops, whose numbers are given as well.
+/// The same with its loops, whose values are also given.
 pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approximate]) -> Robot {
     for (closed, numbers) in data.loops.iter().zip(numbers.chunks(LOOP)) {
         let (placements, size) = numbers.split_at(2 * PLACEMENT);
@@ -121,7 +121,7 @@ pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approxima
     robot
 }
 
-/// A body that is a frame of another.
+/// A body fixed to another, as a frame.
 fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
     let nothing = [Approximate::exact(0.0); 3];
     Body {
@@ -133,7 +133,7 @@ fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
     }
 }
 
-/// How a body moves on that is in a posture: along the axes of its own frame.
+/// The degrees of freedom of a joint without an axis of its own: along the axes of its moved frame.
 fn freedoms(posture: Posture, first: VelocityId) -> Vec<Freedom> {
     let screws: &[usize] = match posture {
         Posture::Planar => &[3, 4, 2],
@@ -167,7 +167,7 @@ fn placement(numbers: &[Approximate]) -> Matrix<Approximate> {
     placement
 }
 
-/// J of xx, yy, zz, xy, xz, yz; the first moments; the mass.
+/// J from xx, yy, zz, xy, xz, yz; the first moments; the mass.
 fn inertia(numbers: &[Approximate]) -> Matrix<Approximate> {
     let place = |row: usize, column: usize| match (row.min(column), row.max(column)) {
         (0, 0) => 0,

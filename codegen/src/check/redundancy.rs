@@ -1,8 +1,8 @@
-//! Residuals that depend on others where the loops are closed.
+//! Residuals that depend on others in closed configurations.
 //!
 //! In: a description and its chain. Out: the residuals that the others imply in closed configurations, as in every
-//! over-constrained mechanism that moves; and warnings where rounding of the description decides it, or where the
-//! loops leave no motion.
+//! over-constrained linkage that moves; and warnings if rounding of the description decides it, or if the loops leave
+//! no motion.
 
 use super::{robot, states};
 use crate::chain::Chain;
@@ -11,30 +11,30 @@ use crate::error::Complaint;
 use crate::space::Space;
 use crate::wording::{list, quoted};
 
-/// Residuals are compared in so many closed configurations in which something moves,
+/// Number of closed configurations with motion in which residuals are compared.
 const STATES: usize = 2;
 
-/// which are looked for in so many: a linkage may also close where nothing can move.
-const LOOKS: usize = 5;
+/// Largest number of configurations that are tried for it: a linkage may also close where nothing can move.
+const ATTEMPTS: usize = 5;
 
 /// The residual [m, 1] of a configuration that did not close.
 const OPEN: f64 = 1e-2;
 
-/// How many times ε, the part of the whole below which a pivot counts as nothing, is clear of it.
+/// Ratio of a pivot to ε, the threshold of zero pivots, above which it is clearly not zero.
 const CLEAR: f64 = 100.0;
 
-/// How many times ε is left of a residual that depends on others to all digits of `f64`.
+/// Ratio to ε of a residual that depends on others to all digits of `f64`.
 const EXACT: f64 = 1e-12;
 
-/// By which part of the largest acceleration others may differ with ε.
+/// Share of the largest acceleration by which accelerations may vary with ε.
 const CERTAIN: f64 = 1e-3;
 
-/// Which residuals depend on others.
+/// The residuals that depend on others.
 #[derive(Default)]
 pub struct Redundancy {
     /// Their names.
     pub dependent: Vec<String>,
-    /// What is uncertain about them.
+    /// Warnings about uncertain dependences.
     pub warnings: Vec<Complaint>,
 }
 
@@ -47,8 +47,8 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     };
     let scalar = chain.request.scalar;
     let (vanishing, roundoff) = (scalar.vanishing(), scalar.roundoff());
-    let mut looks: Vec<Look> = Vec::new();
-    for number in 0..LOOKS {
+    let mut samples: Vec<Sample> = Vec::new();
+    for number in 0..ATTEMPTS {
         // A robot that contradicts its chain is refused by the check.
         let Ok(Some(state)) = states::closed(chain, number, at) else {
             return Redundancy::default();
@@ -56,18 +56,23 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
         let Ok(dense) = at(&state) else {
             return Redundancy::default();
         };
-        looks.push(Look::of(dense, vanishing, roundoff));
-        if looks.iter().filter(|look| look.is_useful()).count() == STATES {
+        samples.push(Sample::of(dense, vanishing, roundoff));
+        if samples.iter().filter(|sample| sample.is_useful()).count() == STATES {
             break;
         }
     }
-    if looks.iter().any(Look::is_useful) {
-        looks.retain(Look::is_useful);
+    if samples.iter().any(Sample::is_useful) {
+        samples.retain(Sample::is_useful);
     }
-    let moves = looks.iter().any(|look| look.moves);
-    let is_certain = looks.iter().any(|look| look.is_certain);
-    let most = |k: usize| looks.iter().map(|look| look.pivots[k]).fold(0.0, f64::max);
-    let count = looks.first().map_or(0, |look| look.pivots.len());
+    let moves = samples.iter().any(|sample| sample.moves);
+    let is_certain = samples.iter().any(|sample| sample.is_certain);
+    let most = |k: usize| {
+        samples
+            .iter()
+            .map(|sample| sample.pivots[k])
+            .fold(0.0, f64::max)
+    };
+    let count = samples.first().map_or(0, |sample| sample.pivots.len());
     let most: Vec<f64> = (0..count).map(most).collect();
     let named = |is: &dyn Fn(f64) -> bool| -> Vec<String> {
         let names = chain.spaces().names(Space::Constraints).zip(&most);
@@ -76,12 +81,12 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     };
     let dependent = named(&|pivot| pivot < 1.0);
     let uncertain = named(&|pivot| (EXACT..CLEAR).contains(&pivot));
-    let in_doubt = named(&|pivot| (CLEAR.recip()..CLEAR).contains(&pivot));
+    let borderline = named(&|pivot| (CLEAR.recip()..CLEAR).contains(&pivot));
     let mut warnings = Vec::new();
     if !moves {
-        let held = looks.iter().map(|look| look.held).max().unwrap_or(0);
+        let held = samples.iter().map(|sample| sample.held).max().unwrap_or(0);
         warnings.push(no_motion(chain, held));
-    } else if !(uncertain.is_empty() || is_certain && in_doubt.is_empty()) {
+    } else if !(uncertain.is_empty() || is_certain && borderline.is_empty()) {
         warnings.push(nearly_dependent(chain, &uncertain));
     }
     Redundancy {
@@ -90,20 +95,20 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     }
 }
 
-/// What is seen of residuals in one configuration.
-struct Look {
+/// The residuals in one configuration.
+struct Sample {
     is_closed: bool,
-    /// Of each residual beside ε, as far as it does not depend on those before it.
+    /// For each residual its independent part, after those before it, divided by ε.
     pivots: Vec<f64>,
-    /// How many velocities change a residual.
+    /// Number of velocities that change a residual.
     held: usize,
-    /// Whether those are more than the residuals that do not depend on others.
+    /// True if those are more than the independent residuals.
     moves: bool,
-    /// Whether accelerations are the same if ε is another one.
+    /// True if accelerations are the same for another ε.
     is_certain: bool,
 }
 
-impl Look {
+impl Sample {
     fn of(mut dense: Dense, vanishing: f64, roundoff: f64) -> Self {
         let pivots = dense.independence(vanishing).into_iter();
         let pivots: Vec<f64> = pivots.map(|pivot| pivot / vanishing).collect();
@@ -147,7 +152,7 @@ fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Complaint {
     }
 }
 
-/// A warning that loops hold every joint of so many that change their residuals.
+/// The warning that loops hold every joint among those that change their residuals.
 fn no_motion(chain: &Chain, held: usize) -> Complaint {
     let names: Vec<String> = chain
         .loops
@@ -174,5 +179,5 @@ fn no_motion(chain: &Chain, held: usize) -> Complaint {
     }
 }
 
-const DIGITS: &str = "where the mechanism should move, write axes, angles and offsets with more digits, or give a loop \
-                      a type that leaves free what others hold";
+const DIGITS: &str = "if the loops should move, write axes, angles and offsets with more digits, or give a loop a type \
+                      that leaves free what others constrain";

@@ -1,10 +1,9 @@
-//! A robot as it was described: every link a body, every joint where it stands, nothing merged.
+//! The robot as described: every link a body, every joint at its placement, nothing merged.
 //!
-//! In: what a chain is of, and what it reports of that: the order of q and the numbers that
-//! were taken for right angles or zero. Out: a [`Robot`] whose placements are products of the
-//! elementary motions that were written. It shares no step with [`crate::chain`], whose merging,
-//! locking and cutting are to be checked; what a report claims of a number is checked against its
-//! digits.
+//! In: the description and the request of a chain, and the chain's report: the order of q and the numbers that were
+//! taken for right angles or zero. Out: a [`Robot`] whose placements are products of the described elementary motions.
+//! It shares no step with [`crate::chain`], whose merging, locking and cutting are checked here; a correction in the
+//! report is checked against the digits of its number.
 
 mod closure;
 mod inertia;
@@ -26,11 +25,11 @@ use crate::space::{CoordinateId, FieldId, FrameId, Kind, Space, VelocityId};
 
 type Scalar = Approximate;
 
-/// What a robot cannot be made of.
+/// A disagreement of description and chain.
 #[derive(Debug)]
 pub(super) struct Contradiction(pub(super) String);
 
-/// The robot whose fields have these values.
+/// The robot with some values of its fields.
 pub(super) fn robot(
     chain: &Chain,
     fields: &List<FieldId, Vec<f64>>,
@@ -51,10 +50,10 @@ pub(super) fn robot(
     let path = reader.path(tip.map(|tip| tip.name.as_str()));
 
     let mut bodies: List<BodyId, Body> = List::new();
-    let mut seats: HashMap<&str, BodyId> = HashMap::new();
+    let mut attached: HashMap<&str, BodyId> = HashMap::new();
     if let Some(placement) = reader.base() {
         let nothing = [[Scalar::literal(0.0); 3]; 2];
-        seats.insert(
+        attached.insert(
             base,
             bodies.push(held(None, placement, nothing, Double::ZERO)),
         );
@@ -64,12 +63,12 @@ pub(super) fn robot(
         coordinates: &coordinates,
         velocities: &velocities,
     };
-    // The bodies that a joint moves, by its link.
+    // The bodies that a joint moves, by its child link.
     let mut moved: HashMap<&str, Vec<BodyId>> = HashMap::new();
     for &joint in &kept {
         let before = bodies.len();
         let place = (
-            seats.get(joint.parent.text.as_str()).copied(),
+            attached.get(joint.parent.text.as_str()).copied(),
             reader.origin(joint)?,
         );
         let motion = reader.motion(joint, &kept, &path);
@@ -81,14 +80,14 @@ pub(super) fn robot(
             return Err(Contradiction(format!("whether joint {name} moves")));
         }
         moving += if own { joint.kind.freedoms().len() } else { 0 };
-        // What the last motion moves is the link; what others move has no mass.
+        // The last body of a joint is the link; the others have no mass.
         let link = match joint.kind.posture() {
             Some(posture) if own => reader.placed(joint, posture, place, &places, &mut bodies)?,
             _ => reader.in_series(joint, motion, place, &places, &mut bodies)?,
         };
         let child = joint.child.text.as_str();
         bodies[link].inertia = reader.inertia(&description[links[child]])?;
-        seats.insert(child, link);
+        attached.insert(child, link);
         moved.insert(child, bodies.ids().skip(before).collect());
     }
     if moving != spaces.velocities.len() {
@@ -96,7 +95,7 @@ pub(super) fn robot(
     }
     let frames = chain.frames.iter().chain(&chain.external);
     let mut frames: List<FrameId, Option<BodyId>> = frames
-        .map(|frame| seats.get(frame.name.as_str()).copied())
+        .map(|frame| attached.get(frame.name.as_str()).copied())
         .collect();
     let mut actuated = Vec::new();
     for joint in &kept {
@@ -107,8 +106,8 @@ pub(super) fn robot(
             }
         }
     }
-    let loops = reader.loops(chain, &seats, &mut bodies, &mut frames)?;
-    let on = |name: &Name| seats.get(name.text.as_str()).copied();
+    let loops = reader.loops(chain, &attached, &mut bodies, &mut frames)?;
+    let on = |name: &Name| attached.get(name.text.as_str()).copied();
     let external: Option<Vec<BodyId>> = request.external.iter().map(on).collect();
     let external = external.ok_or_else(|| Contradiction("what is acted on".to_owned()))?;
     Ok(Robot {
@@ -126,7 +125,7 @@ pub(super) fn robot(
             .filter_map(|joint| moved.get(joint.link.as_ref()?.0.as_str()).cloned())
             .collect(),
         links: (chain.joints.iter())
-            .filter_map(|joint| seats.get(joint.link.as_ref()?.0.as_str()).copied())
+            .filter_map(|joint| attached.get(joint.link.as_ref()?.0.as_str()).copied())
             .collect(),
         external: (external, request.external_in_frame_0),
     })
@@ -136,14 +135,14 @@ fn places<'n, I: Id>(names: impl Iterator<Item = &'n str>) -> HashMap<&'n str, I
     names.zip((0..).map(I::new)).collect()
 }
 
-/// Where coordinates and velocities stand, by name.
+/// The numbers of coordinates and velocities, by name.
 struct Places<'p> {
     coordinates: &'p HashMap<&'p str, CoordinateId>,
     velocities: &'p HashMap<&'p str, VelocityId>,
 }
 
 impl Places<'_> {
-    /// A body that the coordinate of that name moves along a screw, times a factor and from an offset on.
+    /// A body that the coordinate with a name moves along a screw, times a factor and from an offset on.
     fn along(
         &self,
         name: &str,
@@ -175,7 +174,7 @@ fn place<I: Id>(places: &HashMap<&str, I>, name: &str) -> Result<I, Contradictio
     place.ok_or_else(|| Contradiction(format!("what is called {name}")))
 }
 
-/// A body that stays so far along a screw.
+/// A body that is held at a coordinate along a screw.
 fn held(
     parent: Option<BodyId>,
     placement: Matrix<Scalar>,
@@ -191,14 +190,14 @@ fn held(
     }
 }
 
-/// What moves a joint.
+/// The motion of a joint.
 #[derive(Clone, Copy)]
 enum Motion<'d> {
     /// Its own coordinates.
     Own,
-    /// That of a joint of this name, times a factor, and an offset.
+    /// The coordinate of a joint with this name, times a factor, plus an offset.
     Follows(&'d str, Scalar, Scalar),
-    /// Nothing: it stays there.
+    /// None: it is held at a coordinate.
     Held(Double),
 }
 
@@ -207,14 +206,14 @@ struct Reader<'d> {
     request: &'d Request,
     /// The values of the struct's fields.
     fields: &'d List<FieldId, Vec<f64>>,
-    /// What was taken for quarter turns or zero, by item and bits.
+    /// Quarter turns that numbers were taken for, by item and bits.
     snapped: HashMap<(&'d str, u64), i64>,
-    /// What quaternions were taken for, by item and bits.
+    /// Rotations that quaternions were taken for, by item and bits.
     turned: HashMap<(&'d str, [u64; 4]), [i64; 4]>,
 }
 
 impl<'d> Reader<'d> {
-    /// With what a report claims of numbers.
+    /// A reader with the corrections of a chain's report.
     fn of(chain: &'d Chain, fields: &'d List<FieldId, Vec<f64>>) -> Self {
         Self {
             description: &chain.description,

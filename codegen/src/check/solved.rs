@@ -1,21 +1,20 @@
-//! What solves with the mass matrix, put back: torques of accelerations, M M⁻¹, M times derivatives.
+//! Check of solutions by their equation: torques of accelerations, M M⁻¹, M times derivatives.
 //!
-//! In: a robot at a state, and what a program found there. Out: the first entry that is not what was solved
-//! for, beyond what the rounding of the description's own numbers and of the program's literals accounts
-//! for. A solution may be far off where M is nearly singular, and yet solve its equation: that is what is
-//! asked. It never solves anything.
+//! In: a robot at a state, and the results of a program there. Out: the first entry that does not solve its equation,
+//! beyond the rounding of the description's own numbers and of the program's literals. A solution may be far off
+//! where M is nearly singular and yet solve its equation, so only the equation is checked.
 
 use super::{UNBOUNDED, Wrong, wrong};
 use crate::dense::{Approximate, Dense, ROUNDOFF};
 use crate::list::{Id, List, Square};
 use crate::space::{Variable, VelocityId};
 
-/// How many times as far a solution may be from solving its equation as roundings of the
-/// description's own numbers account for; and at most, where factors lose more than that.
+/// Largest residual of a solution, as a multiple of that which roundings of the description's own numbers explain; and
+/// the limit if the factors lose more than that.
 const SOLVED: f64 = 1e3;
 const HARDLY_SOLVED: f64 = 1e6;
 
-/// The first joint that needs another torque for these accelerations than the one given.
+/// The first joint for which these accelerations need another torque than the given one.
 pub(super) fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
     let qdd = found.iter().copied().map(Approximate::as_found);
     let torques = dense.torques_of(qdd.collect());
@@ -29,7 +28,7 @@ pub(super) fn first_unsolved(dense: &Dense, found: &[Approximate]) -> Option<Wro
     })
 }
 
-/// The first entry of M M⁻¹ that is not of the identity.
+/// The first entry of M M⁻¹ that is not that of the identity.
 pub(super) fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
     let products = products(dense, &Square::of_rows(found));
     let mut places = products.places().enumerate();
@@ -41,12 +40,12 @@ pub(super) fn first_not_inverse(dense: &Dense, found: &[Approximate]) -> Option<
     })
 }
 
-/// The first entry of M ∂q̈/∂q and M ∂q̈/∂q̇ that is not what inverse dynamics changes by the other way, at the
-/// accelerations that ∂q̈/∂τ makes of τ; or of M ∂q̈/∂τ that is not of the identity.
+/// The first entry of M ∂q̈/∂q and M ∂q̈/∂q̇ that is not the negative derivative of inverse dynamics, at the
+/// accelerations that ∂q̈/∂τ makes of τ; or of M ∂q̈/∂τ that is not that of the identity.
 ///
-/// They are M⁻¹ times what torques change by, in a program as well: where large terms of that product cancel,
-/// M takes back of each of them what it takes back of M⁻¹, and no more. A change that is nothing is nothing to a
-/// program but for its literals: next to the largest change of that torque.
+/// Programs compute them as M⁻¹ times derivatives of torques. If large terms of that product cancel, M restores each
+/// of them as far as it restores the identity from M⁻¹, and no further. A derivative that is zero is zero for a
+/// program only up to its literals: relative to the largest derivative of that torque.
 pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Option<Wrong> {
     let size = found.len() / 3;
     let (by_motion, inverse) = found.split_at(2 * size);
@@ -55,12 +54,12 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
         return Some(Wrong { entry, ..wrong });
     }
     let bias = dense.coasting_torques();
-    let lacking = dense.state.of_velocities(Variable::Tau).into_iter();
-    let lacking = lacking.zip(bias).map(|(tau, bias)| tau - bias);
-    let lacking: Vec<Approximate> = lacking.collect();
+    let right_side = dense.state.of_velocities(Variable::Tau).into_iter();
+    let right_side = right_side.zip(bias).map(|(tau, bias)| tau - bias);
+    let right_side: Vec<Approximate> = right_side.collect();
     let inverse = Square::of_rows(inverse);
     let accelerations = inverse.rows().map(|row| {
-        let terms = row.into_iter().zip(&lacking);
+        let terms = row.into_iter().zip(&right_side);
         terms.fold(Approximate::exact(0.0), |sum, (x, y)| sum + x * *y)
     });
     let needed = dense.torque_derivatives_of(accelerations.collect());
@@ -75,11 +74,11 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
         places.find_map(|(entry, (row, column))| {
             let Product { value, most } = products[(row, column)];
             let terms = put_back.ids();
-            let taken = terms.map(|k| put_back[(row, k)].most * needed[(k, column)].size());
+            let restored = terms.map(|k| put_back[(row, k)].most * needed[(k, column)].size());
             let needed = -needed[(row, column)];
             let given = SOLVED * (needed.error + ROUNDOFF * largest[row]) + needed.noise();
-            let most = most + taken.sum::<f64>() + given;
-            // Nothing, of what may be infinitely wrong.
+            let most = most + restored.sum::<f64>() + given;
+            // A bound is NaN if a zero is multiplied by an infinite error.
             let most = if most.is_nan() {
                 UNBOUNDED * largest.iter().copied().fold(0.0, f64::max)
             } else {
@@ -92,11 +91,11 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
     })
 }
 
-/// An entry of M times a matrix that was found.
+/// An entry of M times a computed matrix.
 #[derive(Clone, Copy)]
 struct Product {
     value: Approximate,
-    /// How far it may be from what it should be.
+    /// Its largest allowed error.
     most: f64,
 }
 
@@ -118,8 +117,8 @@ fn products(dense: &Dense, found: &Square<VelocityId, Approximate>) -> Square<Ve
     Square::of_columns(&found.ids().map(column).collect())
 }
 
-/// How far a row of M x may be from what it should be: what x may be off by times M, and what the
-/// roundings of the numbers in M, and of all that is solved for, amount to.
+/// The largest allowed error of a row of M x: the error of x times M, plus the rounding of the numbers in M and of the
+/// solution.
 fn most_unsolved(
     dense: &Dense,
     row: VelocityId,
@@ -131,7 +130,7 @@ fn most_unsolved(
     let mut most = SOLVED * found.error + found.noise();
     for (k, x) in solution.numbered() {
         let lost = ROUNDOFF * (diagonal(row) * diagonal(k)).sqrt() * x.size();
-        // Not more than that of M may be lost on the way, however x itself is conditioned.
+        // The loss on the way is limited to this share of M, however x itself is conditioned.
         let carried = (matrix[(row, k)].size() * x.error).min(HARDLY_SOLVED * lost);
         most += SOLVED * lost + carried;
     }

@@ -1,8 +1,7 @@
 //! The states at which an expansion is checked.
 //!
-//! In: a chain. Out: states drawn from the hash of its description, the same on every machine:
-//! coordinates within their limits, fields near what is described in their place; and states of a robot with loops
-//! in which these are closed.
+//! In: a chain. Out: states drawn from the hash of its description, the same on every platform: coordinates within
+//! their limits, fields near their described values; and states with closed loops for robots with loops.
 
 use super::closing;
 use super::robot::Contradiction;
@@ -14,13 +13,13 @@ use crate::quaternion::normalize;
 use crate::random::Random;
 use crate::space::{Entry, Kind, Space, Spaces, Variable};
 
-/// So many states.
+/// A number of states.
 pub(super) fn states(chain: &Chain, count: usize) -> Vec<State> {
     let mut random = seeded(chain);
     (0..count).map(|_| state(chain, &mut random)).collect()
 }
 
-/// The state of that number whose loops are closed; none of a robot without loops.
+/// The state with closed loops of that number; `None` for a robot without loops.
 ///
 /// # Errors
 /// Those of `at`.
@@ -29,7 +28,7 @@ pub(super) fn closed(
     number: usize,
     at: impl Fn(&State) -> Result<Dense, Contradiction>,
 ) -> Result<Option<State>, Contradiction> {
-    /// From how many states the way to a closed one is looked for.
+    /// Number of states from which a closed one is searched.
     const STARTS: usize = 8;
     if chain.loops.is_empty() {
         return Ok(None);
@@ -67,8 +66,8 @@ fn state(chain: &Chain, random: &mut Random) -> State {
     state
 }
 
-/// So many states anywhere, whatever the limits, with fields as described: rotations of up to half a turn, lengths and
-/// times on the scale of the robot's offsets and of gravity, so that no term of a torque is lost beside another.
+/// States without regard to limits, with fields as described: rotations of up to half a turn, lengths and times on the
+/// scale of the robot's offsets and of gravity, so that no term of a torque is lost beside another.
 pub(super) fn wide(chain: &Chain, count: usize) -> Vec<State> {
     let mut random = seeded(chain);
     let length = length(chain);
@@ -101,14 +100,14 @@ fn state_within(chain: &Chain, random: &mut Random, [length, time]: [f64; 2]) ->
     state
 }
 
-/// Makes quaternions of all coordinates that are some.
+/// Normalizes the quaternions among the coordinates.
 fn of_length_1(state: &mut State, spaces: &Spaces) {
     for quaternion in spaces.quaternions() {
         normalize(&mut state.arguments[Variable::Q][quaternion.index()..][..4]);
     }
 }
 
-/// The longest offset between joints \[m\]; 1 m where there is none.
+/// The longest offset between joints \[m\]; 1 m if there is none.
 fn length(chain: &Chain) -> f64 {
     let hung = chain.joints.iter().filter(|joint| joint.parent.is_some());
     let offsets = hung.map(|joint| {
@@ -124,8 +123,7 @@ fn length(chain: &Chain) -> f64 {
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-/// Where a coordinate is drawn from: what is described, as far as that is a range within which a
-/// turn has digits.
+/// The range of a random coordinate: the described one, limited so that angles keep their digits.
 fn reach(coordinate: &Entry) -> [f64; 2] {
     const FARTHEST: f64 = 1e6;
     match (coordinate.range, coordinate.kind) {
@@ -135,7 +133,7 @@ fn reach(coordinate: &Entry) -> [f64; 2] {
     }
 }
 
-/// From the hash of a description, and the names of its joints.
+/// Random numbers seeded with the hash of a description and the names of its joints.
 fn seeded(chain: &Chain) -> Random {
     let names = chain.joints.iter().flat_map(|joint| joint.name.bytes());
     Random(names.fold(chain.description.source.hash, |hash, byte| {

@@ -1,4 +1,4 @@
-//! What the check lets pass, and that it lets nothing else pass.
+//! Tests that the check accepts right programs and rejects all others.
 
 use std::path::Path;
 
@@ -31,8 +31,8 @@ fn field(name: &str, target: Target) -> Parameter {
     }
 }
 
-/// A robot that is turned by fields. Its programs compute some zeros: that columns of a turn are at right angles
-/// to each other, nothing knows.
+/// A robot with placements in fields. Its programs compute some zeros, since the orthogonality of a rotation's
+/// columns is not used.
 fn placed() -> (Description, Request) {
     let parameters = vec![
         field("elbow", Target::PlacementOf("joint4".into())),
@@ -46,7 +46,7 @@ fn placed() -> (Description, Request) {
     (described("panda_class.urdf"), request)
 }
 
-/// Robots of every kind of joint, with and without fields.
+/// Robots with every type of joint, with and without fields.
 fn robots() -> Vec<(Description, Request)> {
     let robot = |name: &str| (described(name), Request::default());
     let mut loaded = robot("panda_class.urdf");
@@ -85,7 +85,7 @@ fn prepare(description: &Description, request: &Request) -> (Chain, Check) {
     (chain, check)
 }
 
-/// The operation with another sign somewhere.
+/// The operation with another sign of one operand.
 fn turned(operation: Operation) -> Operation {
     use Operation::{Add, Div, Mul, MulAdd, MulSub, Neg, NegMulAdd, Sign, Sqrt, Sub};
     match operation {
@@ -101,7 +101,7 @@ fn turned(operation: Operation) -> Operation {
     }
 }
 
-/// The operation with a number that is off by so much of itself, if it has one.
+/// The operation with a relative error in its literal, if it has one.
 fn shifted(operation: Operation, by: f64) -> Option<Operation> {
     let off = |operand| match operand {
         Operand::Literal(number) => Operand::Literal(number * (1.0 + by)),
@@ -123,8 +123,7 @@ fn shifted(operation: Operation, by: f64) -> Option<Operation> {
     (changed != operation).then_some(changed)
 }
 
-/// Whether two programs differ by more than a part of the largest result, at the states that are
-/// looked at.
+/// True if two programs differ by more than a part of the largest result, at the states of a check.
 fn differ(check: &Check, one: &Program, other: &Program, least: f64) -> bool {
     check.states.iter().any(|judge| {
         let results = |program: &Program| run(program, |input| judge.state.get(input));
@@ -134,25 +133,25 @@ fn differ(check: &Check, one: &Program, other: &Program, least: f64) -> bool {
             .fold(0.0_f64, |most, x| most.max(x.to_f64().abs()));
         let pairs = one.iter().zip(&other);
         let mut distances = pairs.map(|(x, y)| (*x - *y).to_f64().abs());
-        // What is not a number differs from everything.
+        // NaN differs from everything.
         !distances.all(|distance| distance <= least * largest)
     })
 }
 
 #[test]
-fn no_operation_of_a_program_can_be_another() {
+fn every_changed_operation_of_a_program_is_refused() {
     let (mut turns, mut shifts) = (0, 0);
     for (description, request) in robots() {
         let (_, check) = prepare(&description, &request);
         for (functions, frame, program) in all_of(&description, &request) {
-            // A solution is as good as the equation that it solves, whatever the condition number; of derivatives
-            // of accelerations that enters twice.
+            // A solution is as good as the equation that it solves, whatever the condition number; derivatives of
+            // accelerations contain it twice.
             let (by, least) = match functions[0].truth() {
                 Truth::Value(_) | Truth::OfMass(_) => (1e-9, 1e-11),
                 Truth::Solution(Given::TorqueDerivatives) => (1e-2, 1e-5),
                 Truth::Solution(_) | Truth::Constrained(_) => (1e-3, 1e-8),
             };
-            // One in three, so that it takes seconds.
+            // One step in three, so that it takes seconds.
             for k in (0..program.steps.len()).step_by(3) {
                 let operation = program.steps[k].operation;
                 for (changed, count) in [
@@ -179,8 +178,8 @@ fn no_operation_of_a_program_can_be_another() {
     assert!(turns > 2000 && shifts > 400, "{turns} and {shifts}");
 }
 
-/// Residues, a slide, a screw, a branch, a lock, oblique and parallel axes, mass that a joint does not
-/// feel, a base that is not the root, and loops of which one has both its links on joints.
+/// Residues, a prismatic and a screw joint, a branch, a lock, oblique and parallel axes, mass that no joint moves, a
+/// base that is not the root, and loops, one of them with both links on joints.
 const ODD: &str = "
     struct Odd {
         base: frame, frames(slide, hand), lock(spare = 0.4), drop(cover), gravity: [0.3, -0.2, -9.7],
@@ -208,7 +207,7 @@ const ODD: &str = "
     loop stay: rod(0.4) { from: frame, to: slide, to_at: xyz(0.2, 0.0, 0.1) }
 ";
 
-/// Robots with all that a robot can have.
+/// Robots with every feature.
 fn many() -> Vec<(Description, Request)> {
     let mut errors = Errors::new();
     let tokens = ODD.parse().expect("tokens of Rust");
@@ -229,12 +228,12 @@ fn pass(formulation: Formulation) {
 }
 
 #[test]
-fn every_function_of_many_robots_is_what_the_description_says() {
+fn every_function_of_many_robots_agrees_with_the_description() {
     pass(Formulation::default());
 }
 
 #[test]
-fn so_it_is_in_every_formulation() {
+fn they_agree_in_every_formulation() {
     let forms = [
         Formulation {
             angles: Angles::Merged,
@@ -289,7 +288,7 @@ fn a_number_that_f32_has_no_room_for_is_refused() {
         <axis xyz="0 0 1"/></joint></robot>"#;
     let mut errors = Errors::new();
     let description = read_text(text, "arm.urdf", None, &mut errors).expect("a robot");
-    // Of the one it stands in the code, of the other beside it.
+    // The literal is in the code of one function, and beside the code of the other.
     let functions = [Function::MassMatrix, Function::BaseRegressor];
     let types = [(crate::Real::F32, true), (crate::Real::F64, false)];
     for (function, (scalar, refused)) in functions.iter().flat_map(|f| types.map(|t| (*f, t))) {
@@ -309,10 +308,10 @@ fn a_number_that_f32_has_no_room_for_is_refused() {
     }
 }
 
-/// Two bodies of 1 kg and more whose inertias are those of millimetres, free of each other a metre apart: M
-/// loses eight digits, and the terms of M⁻¹ times the change of torques are 1e7 times what they leave.
+/// Two bodies of 1 kg and more, with inertias of millimetres and a metre apart: M loses eight digits, and the terms of
+/// M⁻¹ times the derivatives of torques are 1e7 times their sum.
 #[test]
-fn derivatives_whose_terms_cancel_are_put_back_term_by_term() {
+fn derivatives_whose_terms_cancel_are_restored_term_by_term() {
     let text = r#"<robot name="pair"><link name="one"><inertial><mass value="1.72"/>
         <inertia ixx="1.2e-7" ixy="-1e-11" ixz="1e-15" iyy="1.1e-7" iyz="0" izz="9e-8"/></inertial></link>
         <link name="other"><inertial><origin xyz="1e-4 0 1e-4"/><mass value="3"/>
@@ -331,10 +330,10 @@ fn derivatives_whose_terms_cancel_are_put_back_term_by_term() {
     }
 }
 
-/// A load that slides along the axis of a joint that turns it: nothing changes by that, and a program, whose numbers
-/// are rounded, finds nearly nothing.
+/// A load on a prismatic joint along the axis of a revolute one: its derivatives are zero, and a program, whose
+/// literals are rounded, computes nearly zero.
 #[test]
-fn derivatives_that_are_nothing_are_nothing_but_for_rounding() {
+fn derivatives_that_are_zero_may_be_rounding_errors() {
     let text = r#"<robot name="column"><link name="base"/><link name="column"/><link name="slide"><inertial>
         <mass value="0.9"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial></link>
         <link name="load"><inertial><mass value="2"/>
@@ -361,7 +360,7 @@ pub(super) fn table(text: &str) -> Description {
 }
 
 #[test]
-fn a_mass_that_is_next_to_nothing_has_no_centre() {
+fn a_negligible_mass_has_no_centre() {
     let text = |mass: &str| {
         format!(
             "convention standard
@@ -377,9 +376,5 @@ elbow     revolute  0.3  0      0    0.1    0       0   0   0    0    0    0    
     };
     all_of(&table(&text("1e-150")), &request);
     let refusal = expand(&table(&text("2.2e-308")), &request).expect_err("it underflows");
-    assert!(
-        refusal
-            .to_string()
-            .contains("nothing that joints move has mass")
-    );
+    assert!(refusal.to_string().contains("no joint moves a mass"));
 }

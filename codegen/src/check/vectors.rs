@@ -1,11 +1,11 @@
-//! What functions should return at a few states, for whoever tests the file that they are written to.
+//! Test vectors: expected results of functions at a few states, for tests of a generated file.
 //!
-//! In: a description, its chain, the functions. Out: for each of them arguments, results and how far these may be
-//! off. Results are made of the description by dense matrices of 106 bits, and where they are solved for by
-//! elimination in the same: of a program nothing is taken but how far rounding can take it at that very state.
+//! In: a description, its chain, the functions. Out: for each of them arguments, results and tolerances. Results are
+//! computed by dense matrices of the description in 106 bits, and solutions by elimination there; programs give only
+//! the bound of their rounding errors at that state.
 //!
-//! Of quaternions the results are those of length 1, next to which the type of number has one; angles are such that
-//! sines of them are bounded; accelerations under loops are told where these are closed.
+//! Quaternions have length 1, next to which the scalar type has a number; angles are small enough for the bounds of
+//! sines; constrained accelerations are given in configurations with closed loops.
 
 use std::mem;
 
@@ -23,26 +23,25 @@ use crate::schedule::Program;
 use crate::schedule::bound::{self, Conditions, Found, Reason, Value};
 use crate::space::{Arguments, FrameId, Kind, Variable};
 
-/// Results of so many numbers are told at two states, longer ones at one.
+/// Largest number of results for which there are two states; longer ones have one.
 const SHORT: usize = 100;
 
-/// Which part of the largest result one may be off by where no bound is known, times the square root of the
-/// roundoff.
+/// Tolerance relative to the largest result without a bound, times the square root of the roundoff.
 const UNBOUNDED: f64 = 16.0;
 
-/// The same of what may depend on the part of the whole that counts as nothing.
+/// The same for results that may depend on the threshold of zero pivots.
 const CERTAIN: f64 = 2.0;
 
-/// How many units of roundoff a pivot may be off by.
+/// Error of a pivot, in units of roundoff.
 const ROUNDINGS: f64 = 16.0;
 
-/// How often a state is moved nearer to zero until the sines of its angles are bounded.
+/// Largest number of times that a state is moved nearer to zero until the sines of its angles have bounds.
 const NEARER: usize = 8;
 
-/// By which factor.
+/// Factor of one such step.
 const BY: f64 = 8.0;
 
-/// Those of all functions, one state after the other.
+/// The test vectors of all functions, one state after the other.
 pub fn vectors(chain: &Chain, (functions, means): (&[GeneratedFunction], Means)) -> Vec<Vector> {
     let (scalar, generated) = (means.scalar, functions.iter().enumerate());
     let at = |state: State| {
@@ -103,7 +102,7 @@ pub fn vectors(chain: &Chain, (functions, means): (&[GeneratedFunction], Means))
     vectors
 }
 
-/// What a function should return at a state; none where an equation has no solution.
+/// The test vector of a function at a state; `None` if an equation has no solution.
 fn vector(
     dense: &Dense,
     chain: &Chain,
@@ -130,7 +129,7 @@ fn vector(
     })
 }
 
-/// A state that the type of number has, of few digits; the index says which entries of quaternions are small.
+/// A state with few digits in the scalar type; the index selects which entries of quaternions are small.
 fn rounded(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State {
     let short = |value: &f64| in_type(shortened(*value), scalar);
     let ranges = chain.spaces().coordinates.iter();
@@ -153,16 +152,16 @@ fn rounded(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> Stat
         let direction = std::array::from_fn(|k| {
             state.arguments[Variable::Q][quaternion.plus(k).index()].to_f64()
         });
-        // Without its scalar a rotation would be that of its own inverse.
+        // A zero scalar part would make a rotation its own inverse.
         let written = of_length_1(direction, (k + index) % 3, scalar);
         q[entries.clone()].copy_from_slice(&written.map(Double::from));
-        // What is written is off from this by less than rounding would make it.
+        // The written numbers differ from this by less than a rounding.
         normalize(&mut q[entries]);
     }
     with_coordinates(state, q, |_, value| short(value))
 }
 
-/// A state with other coordinates, and with what becomes of each number of another argument or of a field, which has no
+/// A state with other coordinates, and with a change of each number of another argument or of a field, which has no
 /// variable.
 fn with_coordinates(
     state: &State,
@@ -180,7 +179,7 @@ fn with_coordinates(
     }
 }
 
-/// Whether results under loops depend on which part of the whole counts as nothing, or on the rounding of a pivot.
+/// True if constrained results depend on the threshold of zero pivots, or on the rounding of a pivot.
 fn is_uncertain(dense: &mut Dense, functions: &[Function], scalar: Real) -> bool {
     let limits = (scalar.vanishing(), ROUNDINGS * scalar.roundoff());
     functions.iter().any(|function| match function.truth() {
@@ -191,7 +190,7 @@ fn is_uncertain(dense: &mut Dense, functions: &[Function], scalar: Real) -> bool
     })
 }
 
-/// The same state in numbers of the type: with fewer digits, loops that are closed would be open.
+/// The same state in numbers of the type. Fewer digits would open the closed loops.
 fn as_it_is(state: &State, chain: &Chain, scalar: Real) -> State {
     let exact = |value: &f64| in_type(*value, scalar);
     let short = |value: &f64| in_type(shortened(*value), scalar);
@@ -206,7 +205,7 @@ fn as_it_is(state: &State, chain: &Chain, scalar: Real) -> State {
     })
 }
 
-/// The same state with angles nearer to zero, as far as limits let them.
+/// The same state with angles nearer to zero, as far as limits allow.
 fn nearer(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State {
     let coordinates = chain.spaces().coordinates.iter();
     let q = state.arguments[Variable::Q]
@@ -224,7 +223,7 @@ fn nearer(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State
     rounded(&nearer, chain, (index, scalar))
 }
 
-/// The number of four digits that is nearest, the same on every machine.
+/// The nearest number of four digits, the same on every platform.
 fn shortened(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
@@ -248,7 +247,7 @@ fn numbers(state: &State, (argument, scalar): (Variable, Real)) -> Vec<f64> {
         .collect()
 }
 
-/// What the description says that a function is; none where an equation has no solution.
+/// The value of a function by the description; `None` if an equation has no solution.
 fn truth(
     dense: &Dense,
     function: Function,
@@ -256,9 +255,9 @@ fn truth(
 ) -> Option<Vec<Approximate>> {
     let acceleration = || -> Option<Vec<Approximate>> {
         let bias = dense.coasting_torques();
-        let lacking = dense.state.of_velocities(Variable::Tau).into_iter();
-        let lacking = lacking.zip(bias).map(|(tau, bias)| vec![tau - bias]);
-        Some(solved(dense, lacking.collect())?.concat())
+        let right_side = dense.state.of_velocities(Variable::Tau).into_iter();
+        let right_side = right_side.zip(bias).map(|(tau, bias)| vec![tau - bias]);
+        Some(solved(dense, right_side.collect())?.concat())
     };
     let count = dense.state.velocities();
     let inverse = || {
@@ -314,7 +313,7 @@ fn solved(dense: &Dense, mut right: Vec<Vec<Approximate>>) -> Option<Vec<Vec<App
     Some(rows.collect())
 }
 
-/// How far rounding can take the results of a program at a state.
+/// Bounds of the rounding errors of a program's results at a state.
 fn rounding(state: &State, program: &Program, means: Means) -> Vec<Found> {
     let scalar = means.scalar;
     let range = |input: Input| {
@@ -334,7 +333,7 @@ fn rounding(state: &State, program: &Program, means: Means) -> Vec<Found> {
     bound::results(program, &conditions)
 }
 
-/// How far results may be off: by rounding, and by that of what they are held against.
+/// Tolerances of results: their rounding errors, and those of the expected results.
 fn tolerances(found: &[Found], expected: &[Approximate], scalar: Real) -> Vec<f64> {
     let largest = expected
         .iter()
@@ -349,7 +348,7 @@ fn tolerances(found: &[Found], expected: &[Approximate], scalar: Real) -> Vec<f6
         } else {
             unbounded()
         };
-        // What a reader of the file rounds, and what numbers of the description are known to.
+        // Rounding when the file is read, and the uncertainty of the description's numbers.
         let written = 2.0 * scalar.roundoff() * expected.size() + scalar.smallest();
         let most = bound + written + expected.noise();
         if most.is_finite() { most } else { unbounded() }
@@ -357,7 +356,7 @@ fn tolerances(found: &[Found], expected: &[Approximate], scalar: Real) -> Vec<f6
     tolerances.map(upwards).collect()
 }
 
-/// Two digits, never less.
+/// Two digits, rounded up.
 fn upwards(value: f64) -> f64 {
     format!("{:.1e}", value * 1.05).parse().unwrap_or(value)
 }
@@ -372,7 +371,7 @@ mod tests {
     use crate::schedule::{Operand, Operation, run};
     use crate::space::{Kind, Variable};
 
-    /// How many results of all vectors are not what they should be, in an arithmetic.
+    /// Number of results of all vectors that are wrong, in an arithmetic.
     fn failures<T: Arithmetic + Into<f64>>(module: &Module) -> usize {
         let review = module.review.as_ref().expect("it becomes a file");
         let wrong = review.vectors.iter().map(|vector| {
@@ -400,7 +399,7 @@ mod tests {
     }
 
     #[test]
-    fn programs_pass_in_either_type_and_no_other_literal_does() {
+    fn programs_pass_in_either_type_and_with_no_other_literal() {
         for (file, tip) in [
             ("two_link", "tip"),
             ("scara", "tool"),
@@ -408,14 +407,14 @@ mod tests {
             ("quadruped", "hr_foot"),
         ] {
             let builder = Builder::from_urdf(format!("../robots/{file}.urdf")).tip(tip);
-            let listings = [Real::F64, Real::F32].map(|real| {
+            let modules = [Real::F64, Real::F32].map(|real| {
                 builder
                     .clone()
                     .scalar(real)
                     .file_module()
                     .expect("a robot that ships")
             });
-            let [double, single] = &listings;
+            let [double, single] = &modules;
             let functions = double.functions.len();
             let tested = |k: usize| {
                 let vectors = &double.review.as_ref().expect("it becomes a file").vectors;
@@ -447,7 +446,7 @@ mod tests {
         }
     }
 
-    /// Quaternions have length 1 to the last digit of no type, and limits go beyond what sines are bounded for.
+    /// Quaternions do not have length 1 to the last digit in any type, and limits go beyond the bounds of sines.
     #[test]
     fn programs_of_every_joint_pass_on_either_base() {
         for is_free in [false, true] {

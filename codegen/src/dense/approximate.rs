@@ -1,25 +1,24 @@
-//! Numbers of 106 bits beside what the rounding of literals may have made of them.
+//! Numbers of 106 bits with a bound of the error that the rounding of literals may cause.
 //!
-//! In: literals, each within 2⁻⁵³ of what was meant, and inputs, which are exact. Out: the results of
-//! operations, and how far from what was meant they can be. The rounding of 106 bits itself is not
-//! followed.
+//! In: literals, each within 2⁻⁵³ of the exact number, and inputs, which are exact. Out: the results of operations, and
+//! their distance from the exact results at most. The rounding of 106 bits itself is not included.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::expression::{Arithmetic, Double};
 
-/// A number, and how far it may be from what was meant.
+/// A number, and a bound of its distance from the exact one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Approximate {
     pub(crate) value: Double,
     pub(crate) error: f64,
 }
 
-/// What rounding a number once may change of it.
+/// Relative error of one rounding to `f64`.
 pub(crate) const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 impl Approximate {
-    /// What is meant as it stands.
+    /// An exact number.
     pub(crate) fn exact(value: impl Into<Double>) -> Self {
         Self {
             value: value.into(),
@@ -35,7 +34,7 @@ impl Approximate {
         }
     }
 
-    /// What was found, taken as it stands.
+    /// A computed number that is taken as exact.
     pub(crate) const fn as_found(self) -> Self {
         Self { error: 0.0, ..self }
     }
@@ -48,8 +47,8 @@ impl Approximate {
         self.value.to_f64().abs()
     }
 
-    /// What 106 bits lose on the way, and what underflows: 2⁻⁸³ of the terms, as far as literals are
-    /// among them, and some more than the radius of the enclosure.
+    /// The rounding of 106 bits and underflow: 2⁻⁸³ of the terms, as far as literals are among them, plus a multiple
+    /// of the radius of the enclosure.
     pub(crate) fn noise(self) -> f64 {
         let radius = self.value.radius();
         let radius = if radius.is_finite() { radius } else { 0.0 };

@@ -1,10 +1,10 @@
-//! What loops close, by products of 4×4 matrices: entries of the M of one frame that another sees, of
-//! W M and of H M; and the motion that they leave.
+//! Closed loops, by products of 4×4 matrices: entries of M of frame B in frame A, of W M and of H M; and the
+//! constrained motion.
 //!
-//! In: a [`Dense`]. Out: residuals, what velocities change them by, their accelerations, the forces of driven
-//! joints, and q̈ and λ of M q̈ + h = τ + Jᵗ λ, J q̈ + γ = 0 by elimination, row after row of the loops, without
-//! what depends on rows before them: of a pivot d beside the whole a the reciprocal is 1/d less its part of
-//! 1/(1 + (d/εa)²)⁴, and 0 where roundings of the description leave nothing known of a.
+//! In: a [`Dense`]. Out: residuals, their derivatives by velocities, their accelerations, the forces of actuated
+//! joints, and q̈ and λ of M q̈ + h = τ + Jᵗ λ, J q̈ + γ = 0 by elimination, one row of the loops after the other,
+//! without the parts that depend on rows before them: for a pivot d relative to the whole a, the reciprocal is 1/d
+//! less its part of 1/(1 + (d/εa)²)⁴, and 0 if roundings of the description leave no digit of a.
 
 use super::{Approximate, Dense, Matrix, Motion};
 use crate::closure::Row;
@@ -14,8 +14,8 @@ use crate::space::{Variable, VelocityId};
 
 type Scalar = Approximate;
 
-/// What the equations of the loops are solved with: the rows of J, each times a matrix, and times each other.
-struct Weighed {
+/// The equations of the loops: each row of J times a matrix, and the products with the rows of J.
+struct Equations {
     moved: Vec<Vec<Scalar>>,
     matrix: Vec<Vec<Scalar>>,
 }
@@ -41,7 +41,7 @@ impl Dense {
         rows.collect()
     }
 
-    /// What each velocity changes each residual by, row by row.
+    /// The derivative of each residual by each velocity, by rows.
     pub(crate) fn residual_rates(&self) -> Vec<List<VelocityId, Scalar>> {
         let zero = Scalar::exact(0.0);
         let rows = self.loops().iter().flat_map(|closed| {
@@ -65,7 +65,7 @@ impl Dense {
         rows.collect()
     }
 
-    /// The acceleration of each residual where no velocity changes.
+    /// The acceleration of each residual at constant velocities.
     pub(crate) fn residual_bias(&self) -> Vec<Scalar> {
         let rows = self.loops().iter().flat_map(|closed| {
             let [a, b] = closed.frames.map(|frame| self.pose(frame));
@@ -78,7 +78,7 @@ impl Dense {
             let minus = |one: &Matrix<Scalar>, other: &Matrix<Scalar>| {
                 one.plus(&other.scaled(&Scalar::exact(-1.0)))
             };
-            // H_b = H_a + H + 2 W_a W of what B does against A.
+            // H_b = H_a + H + 2 W_a W with the motion of B relative to A.
             let w = minus(w_b, w_a);
             let twice = w_a.times(&w).scaled(&Scalar::exact(2.0));
             let h = minus(&minus(h_b, h_a), &twice);
@@ -96,14 +96,14 @@ impl Dense {
         rows.collect()
     }
 
-    /// q̈, and behind it λ, where that part ε of the whole is nothing.
+    /// q̈ followed by λ, where parts below ε of the whole count as zero.
     pub(crate) fn constrained(&self, vanishing: f64) -> Vec<Scalar> {
         let (rows, bias) = (self.residual_rates(), self.residual_bias());
         let held = self.torques(Motion::Coasting).into_iter();
         let forces = held.zip(self.state.of_velocities(Variable::Tau));
         let forces: Vec<Scalar> = forces.map(|(held, tau)| tau - held).collect();
         let mut accelerations = self.free(&forces);
-        let Weighed { moved, matrix } = self.by_mass_matrix(&rows);
+        let Equations { moved, matrix } = self.by_mass_matrix(&rows);
         let mut multipliers: Vec<Scalar> = (rows.iter().zip(&bias))
             .map(|(row, bias)| -(dot(row, &accelerations) + *bias))
             .collect();
@@ -116,46 +116,45 @@ impl Dense {
         [accelerations, multipliers].concat()
     }
 
-    /// q̈ of open loops.
+    /// q̈ with open loops.
     fn free(&self, forces: &[Scalar]) -> Vec<Scalar> {
         let matrix = self.mass_matrix().rows().map(Vec::from).collect();
         solve(matrix, forces.to_vec())
     }
 
     /// J M⁻¹ Jᵗ.
-    fn by_mass_matrix(&self, rows: &[List<VelocityId, Scalar>]) -> Weighed {
+    fn by_mass_matrix(&self, rows: &[List<VelocityId, Scalar>]) -> Equations {
         let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.free(row)).collect();
         let matrix = rows
             .iter()
             .map(|row| moved.iter().map(|moved| dot(row, moved)).collect());
-        Weighed {
+        Equations {
             matrix: matrix.collect(),
             moved,
         }
     }
 
-    /// J Jᵗ of the velocities that nothing drives.
-    fn by_passive(&self, rows: &[List<VelocityId, Scalar>]) -> Weighed {
+    /// J Jᵗ of the velocities without an actuator.
+    fn by_passive(&self, rows: &[List<VelocityId, Scalar>]) -> Equations {
         let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.passive(row)).collect();
         let row = |row: &Vec<Scalar>| moved.iter().map(|other| dot(row, other)).collect();
-        Weighed {
+        Equations {
             matrix: moved.iter().map(row).collect(),
             moved,
         }
     }
 
-    /// The entries of the velocities that nothing drives.
+    /// The entries of the velocities without an actuator.
     fn passive(&self, of: &List<VelocityId, Scalar>) -> Vec<Scalar> {
         let passive = of.ids().filter(|k| !self.posture.actuated().contains(k));
         passive.map(|k| of[k]).collect()
     }
 
-    /// τ of the velocities that are driven in the motion of the state, of which λ gives the others what they
-    /// need: by the normal equations of that.
+    /// τ of the actuated velocities for the motion of the state, where λ balances the others: by the normal equations.
     pub(crate) fn driven(&self, vanishing: f64) -> Vec<Scalar> {
         let needed = self.torques(Motion::Driven);
         let rows = self.residual_rates();
-        let Weighed { moved, matrix } = self.by_passive(&rows);
+        let Equations { moved, matrix } = self.by_passive(&rows);
         let passive = self.passive(&needed);
         let mut multipliers: Vec<Scalar> = moved.iter().map(|row| dot(row, &passive)).collect();
         self.eliminate(matrix, &mut multipliers, vanishing);
@@ -165,11 +164,11 @@ impl Dense {
                 torque - row[k] * *multiplier
             })
         };
-        let driven = |k: VelocityId| self.posture.actuated().contains(&k);
+        let is_actuated = |k: VelocityId| self.posture.actuated().contains(&k);
         needed
             .ids()
             .map(|k| {
-                if driven(k) {
+                if is_actuated(k) {
                     torque(k)
                 } else {
                     Scalar::exact(0.0)
@@ -178,16 +177,16 @@ impl Dense {
             .collect()
     }
 
-    /// The pivot of each row beside the whole, for accelerations: below ε the row depends on those before it, far above it
-    /// does not.
+    /// The pivot of each row relative to the whole, for accelerations: below ε if the row depends on those before it,
+    /// far above ε otherwise.
     pub(crate) fn independence(&self, vanishing: f64) -> Vec<f64> {
         let rows = self.residual_rates();
-        let Weighed { matrix, .. } = self.by_mass_matrix(&rows);
+        let Equations { matrix, .. } = self.by_mass_matrix(&rows);
         let mut nothing = vec![Scalar::exact(0.0); rows.len()];
         self.eliminate(matrix, &mut nothing, vanishing)
     }
 
-    /// By which part of its largest entry a solution changes where ε is halved or doubled, or where rounding changes
+    /// The relative change of a solution, to its largest entry, if ε is halved or doubled, or if rounding changes
     /// each pivot by a part of the whole.
     pub(crate) fn sensitivity(
         &mut self,
@@ -218,7 +217,7 @@ impl Dense {
         velocities.filter(changes).count()
     }
 
-    /// λ of S λ = y in the place of y, row after row; the pivots beside the wholes.
+    /// Solves S λ = y in place of y, row after row; returns the pivots relative to the wholes.
     fn eliminate(
         &self,
         mut matrix: Vec<Vec<Scalar>>,
@@ -259,7 +258,7 @@ impl Dense {
         shares
     }
 
-    /// For each row the sum of the diagonal over the rows of its loop that measure the same.
+    /// For each row the sum of the diagonal over the rows of its loop with the same unit.
     fn wholes(&self, matrix: &[Vec<Scalar>]) -> Vec<Scalar> {
         let mut wholes = Vec::new();
         for closed in self.loops() {
@@ -276,8 +275,8 @@ impl Dense {
     }
 }
 
-/// (1 − p⁴)/d, where p = t²/(d² + t²) is the part that `small`, t, has of both: 1/d, or nothing where d is
-/// nothing beside t. Not a quotient by d itself, of which the roundings of literals may leave nothing known.
+/// (1 − p⁴)/d, where p = t²/(d² + t²) is the share of t, `small`: 1/d, or 0 if d is negligible relative to t. It
+/// avoids a quotient by d itself, of which the roundings of literals may leave no digit.
 fn reciprocal(d: Scalar, small: Scalar) -> Scalar {
     let (square, small) = (d * d, small * small);
     let sum = square + small;
@@ -292,7 +291,7 @@ fn point(matrix: &Matrix<Scalar>) -> [Scalar; 3] {
     [0, 1, 2].map(|k| matrix.0[k][3])
 }
 
-/// What a row changes by where the matrix of B changes so.
+/// The change of a residual for a change of the pose of B.
 fn change(row: Row, size: Scalar, seen: &Matrix<Scalar>, changed: &Matrix<Scalar>) -> Scalar {
     match row {
         Row::Along(k) => changed.0[k][3],

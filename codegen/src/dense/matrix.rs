@@ -1,7 +1,7 @@
 //! 4×4 matrices whose sixteen entries are multiplied out.
 //!
-//! In: entries of any arithmetic. Out: products, sums, transposes. It knows nothing of rotations or
-//! zeros, so that it shares no thought with [`crate::matrix`].
+//! In: entries of any arithmetic. Out: products, sums, transposes. Zeros and the structure of rotations are not used,
+//! so that it shares nothing with [`crate::matrix`].
 
 use std::array::from_fn;
 
@@ -39,7 +39,7 @@ impl<T: Arithmetic> Matrix<T> {
         matrix
     }
 
-    /// Puts three numbers into the last column.
+    /// Sets the upper three numbers of the last column.
     pub(crate) fn set_column(&mut self, entries: [T; 3]) {
         for (row, entry) in self.0.iter_mut().zip(entries) {
             row[3] = entry;
@@ -64,14 +64,14 @@ impl<T: Arithmetic> Matrix<T> {
         matrix
     }
 
-    /// Q so far along a screw: 1 + u̲ sin q + u̲² (1 − cos q), and b q, where b is along u.
+    /// Q of a displacement q along a screw: 1 + u̲ sin q + u̲² (1 − cos q), and b q, where b is parallel to u.
     pub(crate) fn displacement([u, b]: [[T; 3]; 2], q: &T) -> Self {
-        let turn = Self::screw(u, [0.0; 3].map(T::literal));
+        let axis = Self::screw(u, [0.0; 3].map(T::literal));
         let (sine, cosine) = q.clone().sin_cos();
         let versine = T::literal(1.0) - cosine;
         let mut displacement = Self::identity()
-            .plus(&turn.scaled(&sine))
-            .plus(&turn.times(&turn).scaled(&versine));
+            .plus(&axis.scaled(&sine))
+            .plus(&axis.times(&axis).scaled(&versine));
         displacement.set_column(b.map(|entry| entry * q.clone()));
         displacement
     }
@@ -85,7 +85,7 @@ impl<T: Arithmetic> Matrix<T> {
         matrix
     }
 
-    /// u and b of a screw matrix, ω and v of a velocity, c and f of an action.
+    /// u and b of a screw matrix, ω and v of a velocity, c and f of a wrench.
     pub(crate) fn vectors(&self) -> [T; 6] {
         [(2, 1), (0, 2), (1, 0), (0, 3), (1, 3), (2, 3)]
             .map(|(row, column)| self.0[row][column].clone())
@@ -100,7 +100,7 @@ impl<T: Arithmetic> Matrix<T> {
         Self(from_fn(|row| from_fn(|column| self.0[column][row].clone())))
     }
 
-    /// M⁻¹ of a position matrix: Rᵗ, −Rᵗt; 0, 1.
+    /// M⁻¹ of a pose: Rᵗ, −Rᵗt; 0, 1.
     pub(crate) fn inverse(&self) -> Self {
         let mut rotation = self.transposed();
         rotation.0[3] = [0.0, 0.0, 0.0, 1.0].map(T::literal);
@@ -151,7 +151,7 @@ impl<T: Arithmetic> Matrix<T> {
         self.minus(&self.transposed())
     }
 
-    /// M A M⁻¹: a screw, velocity or acceleration of the frame at M.
+    /// M A M⁻¹: a screw, velocity or acceleration in the frame M, changed to the outer frame.
     pub(crate) fn carries(&self, screw: &Self) -> Self {
         self.times(screw).times(&self.inverse())
     }

@@ -1,7 +1,7 @@
-//! All matrices of a robot in a posture.
+//! All matrices of a robot in a configuration.
 //!
-//! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; of rates, velocities,
-//! accelerations and actions, and what they and the joints' drives add up to.
+//! In: a [`Robot`] and q. Out: poses, screws and inertias in frame 0; for q̇ and q̈ velocities, accelerations, wrenches
+//! and the torques of links and actuators.
 
 mod derivatives;
 mod sizes;
@@ -14,17 +14,17 @@ use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 
 type Scalar = Approximate;
 
-/// A robot in a posture: all matrices of its links, in frame 0.
+/// A robot in a configuration: all matrices of its links, in frame 0.
 pub(super) struct Posture {
     robot: Robot,
     poses: List<BodyId, Matrix<Scalar>>,
-    /// Of the joint that carries each link, each L times its factor, with its velocity.
+    /// For the joint of each link, each L times its factor, with its velocity.
     screws: List<BodyId, Vec<(VelocityId, Matrix<Scalar>)>>,
     /// J of each link.
     inertias: List<BodyId, Matrix<Scalar>>,
 }
 
-/// What the joints do: q̇ and q̈.
+/// The motion of the joints: q̇ and q̈.
 pub(super) struct Rates {
     pub(super) first: List<VelocityId, Scalar>,
     pub(super) second: List<VelocityId, Scalar>,
@@ -72,7 +72,7 @@ impl Posture {
         &self.inertias
     }
 
-    /// Whether a joint moves each link.
+    /// For each link, true if a joint moves it.
     pub(super) fn moves(&self) -> List<BodyId, bool> {
         let mut moves: List<BodyId, bool> = List::new();
         for body in &self.robot.bodies {
@@ -87,7 +87,7 @@ impl Posture {
         &self.robot.loops
     }
 
-    /// The velocities that are driven.
+    /// The velocities with an actuator.
     pub(super) fn actuated(&self) -> &[VelocityId] {
         &self.robot.actuated
     }
@@ -97,7 +97,7 @@ impl Posture {
         list::ids(self.robot.velocities)
     }
 
-    /// How all bodies move on.
+    /// The degrees of freedom of all bodies.
     pub(super) fn freedoms(&self) -> impl Iterator<Item = &Freedom> {
         self.robot.bodies.iter().flat_map(|body| &body.freedoms)
     }
@@ -107,7 +107,7 @@ impl Posture {
         self.robot.gravity
     }
 
-    /// The columns of the regressor that the base regressor has.
+    /// The columns of the base regressor, as columns of the regressor.
     pub(super) fn base_columns(&self) -> &[ParameterId] {
         &self.robot.base_columns
     }
@@ -117,7 +117,7 @@ impl Posture {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
     }
 
-    /// The screws of the joints that move a frame, with their places in q̇.
+    /// The screws of the joints that move a frame, with their indices in q̇.
     pub(super) fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Scalar>)> {
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
@@ -128,7 +128,7 @@ impl Posture {
         moving
     }
 
-    /// The same, each with L̇ = W L − L W, where W is of the link that the joint carries.
+    /// The same, each with L̇ = W L − L W, with W of the link that the joint carries.
     pub(super) fn moving_rates(
         &self,
         frame: FrameId,
@@ -146,8 +146,8 @@ impl Posture {
         moving
     }
 
-    /// W and H of each link: W + L q̇, and H + L q̈ + (L q̇)² + 2 W L q̇, where L q̇ is the sum of all that its
-    /// joint does.
+    /// W and H of each link: W + L q̇, and H + L q̈ + (L q̇)² + 2 W L q̇, where L q̇ is the sum over all velocities
+    /// of its joint.
     pub(super) fn motions(&self, rates: &Rates) -> List<BodyId, (Matrix<Scalar>, Matrix<Scalar>)> {
         let mut motions: List<BodyId, (Matrix<Scalar>, Matrix<Scalar>)> = List::new();
         for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
@@ -178,8 +178,7 @@ impl Posture {
         }
     }
 
-    /// What every joint feels where each link has the given acceleration: Φ = skew(H J) of all links
-    /// outboard, along L.
+    /// The torques of all joints for given accelerations of the links: Φ = skew(H J) of all links outboard, along L.
     fn forces(
         &self,
         acceleration: impl Fn(BodyId) -> Option<Matrix<Scalar>>,
@@ -206,23 +205,23 @@ impl Posture {
         forces
     }
 
-    /// Nothing of each velocity.
+    /// Zero for each velocity.
     fn nothing(&self) -> List<VelocityId, Scalar> {
         List::filled(Scalar::exact(0.0), self.robot.velocities)
     }
 
     /// −H_g.
-    fn falling(&self) -> Matrix<Scalar> {
-        let mut falling = Matrix::zero();
-        falling.set_column(self.robot.gravity.map(|entry| -entry));
-        falling
+    fn minus_gravity(&self) -> Matrix<Scalar> {
+        let mut minus_gravity = Matrix::zero();
+        minus_gravity.set_column(self.robot.gravity.map(|entry| -entry));
+        minus_gravity
     }
 
     /// τ of a motion, against gravity.
     pub(super) fn torques(&self, rates: &Rates) -> List<VelocityId, Scalar> {
-        let falling = self.falling();
+        let minus_gravity = self.minus_gravity();
         let motions = self.motions(rates);
-        let mut forces = self.forces(|k| Some(motions[k].1.plus(&falling)));
+        let mut forces = self.forces(|k| Some(motions[k].1.plus(&minus_gravity)));
         for Freedom {
             velocity,
             factor,
@@ -237,16 +236,15 @@ impl Posture {
         forces
     }
 
-    /// Y of τ = Y π by its columns, each of which is τ of a link that alone has mass, of which one parameter is 1; or of a joint
-    /// that alone has a drive, of which one number is 1.
-    /// Columns of a link of which none is wanted are empty.
+    /// Y of τ = Y π by its columns. Each column is τ of a link that alone has mass, with one parameter 1; or of a
+    /// joint that alone has an armature, damping or friction of 1. Links without a wanted column have empty ones.
     pub(super) fn regressor(
         &self,
         rates: &Rates,
         is_wanted: impl Fn(ParameterId) -> bool,
     ) -> Columns<Scalar> {
-        let mut falling = Matrix::zero();
-        falling.set_column(self.robot.gravity.map(|entry| -entry));
+        let mut minus_gravity = Matrix::zero();
+        minus_gravity.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);
         let mut columns: Columns<Scalar> = List::new();
         for &link in &self.robot.links {
@@ -254,7 +252,7 @@ impl Posture {
                 columns.extend((0..MOMENTS).map(|_| List::new()));
                 continue;
             }
-            let (h, pose) = (motions[link].1.plus(&falling), &self.poses[link]);
+            let (h, pose) = (motions[link].1.plus(&minus_gravity), &self.poses[link]);
             for unit in units() {
                 let inertia = pose.times(&unit).times(&pose.transposed());
                 let action = h.times(&inertia).skew();
@@ -273,7 +271,7 @@ impl Posture {
         columns
     }
 
-    /// Those of what joints feel of their drives.
+    /// The columns of armature, damping and friction.
     fn regressor_of_drives(&self, rates: &Rates) -> Vec<List<VelocityId, Scalar>> {
         let mut columns = Vec::new();
         let identified = self.robot.identified.iter().flatten();
@@ -282,19 +280,19 @@ impl Posture {
                 velocity, factor, ..
             } = freedom;
             let [rate, second] = [&rates.first, &rates.second].map(|of| *factor * of[*velocity]);
-            for felt in [second, rate, rate.sign()] {
+            for term in [second, rate, rate.sign()] {
                 let mut column = self.nothing();
-                column[*velocity] = *factor * felt;
+                column[*velocity] = *factor * term;
                 columns.push(column);
             }
         }
         columns
     }
 
-    /// What each joint feels of actions from outside: L of all joints inboard of where they act, along Φ.
-    pub(super) fn outside(&self, actions: &[Double]) -> List<VelocityId, Scalar> {
+    /// The torques of external wrenches: for each wrench Φ, L ⊗ Φ of all joints inboard of it.
+    pub(super) fn external_torques(&self, actions: &[Double]) -> List<VelocityId, Scalar> {
         let mut forces = self.nothing();
-        for (link, action) in self.outside_actions(actions) {
+        for (link, action) in self.external_wrenches(actions) {
             for body in self.inwards(link) {
                 for (velocity, screw) in &self.screws[body] {
                     forces[*velocity] = forces[*velocity] + along(screw, &action);
@@ -304,8 +302,8 @@ impl Posture {
         forces
     }
 
-    /// Actions from outside in frame 0, each with the body on which it is.
-    fn outside_actions(
+    /// The external wrenches in frame 0, each with its body.
+    fn external_wrenches(
         &self,
         actions: &[Double],
     ) -> impl Iterator<Item = (BodyId, Matrix<Scalar>)> {
@@ -327,14 +325,14 @@ impl Posture {
             })
     }
 
-    /// A body and those that it hangs on, from it inwards.
+    /// A body and its ancestors, from it inwards.
     fn inwards(&self, body: BodyId) -> impl Iterator<Item = BodyId> {
         let outer = |&body: &BodyId| self.robot.bodies[body].parent;
         std::iter::successors(Some(body), outer)
     }
 
-    /// M: column k is what the joints feel where H is the sum of the L that go with velocity k,
-    /// of all joints inboard of a link.
+    /// M: column k is the torques if H of a link is the sum of the L that belong to velocity k, of all joints inboard
+    /// of it.
     pub(super) fn mass_matrix(&self) -> Square<VelocityId, Scalar> {
         let column = |velocity: VelocityId| {
             let mut accelerations: List<BodyId, Option<Matrix<Scalar>>> = List::new();
@@ -358,7 +356,7 @@ impl Posture {
     }
 }
 
-/// How many inertial parameters a link has.
+/// Number of inertial parameters of a link.
 const MOMENTS: usize = 10;
 
 /// L ⊗ Φ.
@@ -368,7 +366,7 @@ fn along(screw: &Matrix<Scalar>, action: &Matrix<Scalar>) -> Scalar {
     along.fold(Scalar::exact(0.0), |sum, term| sum + term)
 }
 
-/// J of which one of m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz is 1.
+/// J with one of m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz equal to 1.
 fn units() -> impl Iterator<Item = Matrix<Scalar>> {
     let first = [(3, 3), (0, 3), (1, 3), (2, 3)];
     let second = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
@@ -380,21 +378,21 @@ fn units() -> impl Iterator<Item = Matrix<Scalar>> {
     })
 }
 
-/// Q of several coordinates: a translation, and a turn about z or 1 + 2 w v̲ + 2 v̲² of a quaternion v, w.
+/// Q of several coordinates: a translation, and a rotation about z or 1 + 2 w v̲ + 2 v̲² of a quaternion v, w.
 fn placed(posture: joint::Posture, q: impl Fn(usize) -> Scalar) -> Matrix<Scalar> {
     let zero = Scalar::exact(0.0);
-    let turned = |first: usize| {
-        let turn = Matrix::screw([q(first), q(first + 1), q(first + 2)], [zero; 3]);
-        let twice = turn.scaled(&Scalar::exact(2.0));
+    let rotated = |first: usize| {
+        let axis = Matrix::screw([q(first), q(first + 1), q(first + 2)], [zero; 3]);
+        let twice = axis.scaled(&Scalar::exact(2.0));
         Matrix::identity()
             .plus(&twice.scaled(&q(first + 3)))
-            .plus(&twice.times(&turn))
+            .plus(&twice.times(&axis))
     };
     match posture {
         joint::Posture::Planar => {
             Matrix::translation([q(0), q(1), zero]).times(&Matrix::rotation(2, q(2).sin_cos()))
         }
-        joint::Posture::Spherical => turned(0),
-        joint::Posture::Floating => Matrix::translation([q(0), q(1), q(2)]).times(&turned(3)),
+        joint::Posture::Spherical => rotated(0),
+        joint::Posture::Floating => Matrix::translation([q(0), q(1), q(2)]).times(&rotated(3)),
     }
 }

@@ -8,85 +8,86 @@ use crate::list::{List, id};
 use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 
 id! {
-    /// The number of a body among those of a [`Robot`]: one for each link, and for what is held between them.
+    /// The number of a body of a [`Robot`]: one for each link, and for each frame or motion between them.
     BodyId
 }
 
-/// What a link hangs on, and by which motion.
+/// A link with its joint.
 pub(crate) struct Body {
-    /// The body it hangs on; none of those that hang on the base.
+    /// The parent body; `None` for one on the base.
     pub(crate) parent: Option<BodyId>,
     /// M of the joint's frame in the parent link's, at q = 0.
     pub(crate) placement: Matrix<Approximate>,
-    /// Where the joint has taken it from there.
+    /// The displacement of the joint.
     pub(crate) moved: Moved,
-    /// How it moves on.
+    /// The degrees of freedom of the joint.
     pub(crate) freedoms: Vec<Freedom>,
     /// J of the link in its frame.
     pub(crate) inertia: Matrix<Approximate>,
 }
 
-/// A screw, in the link's frame, and the velocity that it goes with.
+/// A degree of freedom: a screw, in the link's frame, with its velocity.
 pub(crate) struct Freedom {
     /// u and b.
     pub(crate) screw: [[Approximate; 3]; 2],
-    /// The velocity's place in q̇.
+    /// The velocity's index in q̇.
     pub(crate) velocity: VelocityId,
-    /// What the velocity is multiplied by.
+    /// Factor of the velocity.
     pub(crate) factor: Approximate,
     /// Armature, damping and friction.
     pub(crate) drive: [Approximate; 3],
 }
 
-/// What says how far a joint is displaced.
+/// The coordinates of a joint's displacement.
 pub(crate) enum Moved {
-    /// An entry of q, times a factor, and an offset: so far along a screw.
+    /// An entry of q, times a factor, plus an offset, along a screw.
     By {
         /// u and b in the link's frame.
         screw: [[Approximate; 3]; 2],
         /// The entry.
         coordinate: CoordinateId,
-        /// What it is multiplied by.
+        /// The factor.
         factor: Approximate,
-        /// What is added then.
+        /// The offset.
         offset: Approximate,
     },
     /// The entries of q from here on.
     Posture(Posture, CoordinateId),
-    /// Nothing: it stays so far along a screw.
+    /// None: it is held at a coordinate along a screw.
     Held([[Approximate; 3]; 2], Double),
 }
 
 /// A joint that closes a loop.
 pub(crate) struct Closed {
-    /// The frames that it holds together, among those of the robot.
+    /// Its frames A and B, among those of the robot.
     pub(crate) frames: [FrameId; 2],
-    /// What it closes.
+    /// Its residuals.
     pub(crate) rows: Vec<Row>,
-    /// The length of a rod, or the cosine of the angle of two axes.
+    /// The length of a rod, or the cosine of the angle between two axes.
     pub(crate) size: Approximate,
 }
 
 /// A robot, link by link, parents before children.
 pub(crate) struct Robot {
     pub(crate) bodies: List<BodyId, Body>,
-    /// How many velocities it has.
+    /// The number of velocities.
     pub(crate) velocities: usize,
     /// Acceleration of gravity in frame 0.
     pub(crate) gravity: [Approximate; 3],
-    /// The bodies whose frames are asked for, and behind them those of loops; none for the base.
+    /// The bodies of the requested frames, followed by those of loops; `None` for the base.
     pub(crate) frames: List<FrameId, Option<BodyId>>,
     /// The bodies that joints move as links, in the order of their coordinates.
     pub(crate) links: Vec<BodyId>,
-    /// The columns of the regressor that the base regressor has, where base parameters are asked for.
+    /// The columns of the base regressor, as columns of the regressor, if base parameters are requested.
     pub(crate) base_columns: Vec<ParameterId>,
-    /// The bodies of each joint of whose drive the regressor has columns behind those of links.
+    /// The bodies of each joint whose armature, damping and friction have columns of the regressor after those of
+    /// links.
     pub(crate) identified: Vec<Vec<BodyId>>,
     /// The loops.
     pub(crate) loops: Vec<Closed>,
-    /// The velocities that are driven, where loops move the others.
+    /// The velocities with an actuator, if loops move the others.
     pub(crate) actuated: Vec<VelocityId>,
-    /// The bodies on which something acts from outside, and whether that is in frame 0 and not in theirs.
+    /// The bodies with an external wrench; true if the wrenches are in frame 0 instead of the body's frame.
     pub(crate) external: (Vec<BodyId>, bool),
 }
 

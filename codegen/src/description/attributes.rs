@@ -1,8 +1,7 @@
-//! The derive: `#[robot(…)]` above a struct and above its fields.
+//! The derive: reads `#[robot(…)]` on a struct and on its fields.
 //!
-//! In: the struct. Out: an [`Item`] with the description it names or holds and with the numbers
-//! that its fields stand for. Of the types of fields it sees how many numbers they hold, where that is
-//! written: what else they must be is said by the generated code, which uses them.
+//! Yields an [`Item`] with the description, the request, and the numbers that fields stand for. Types of fields are
+//! checked only for the count of their numbers, if the type shows it; the generated code checks the rest.
 
 use std::path::Path;
 
@@ -20,7 +19,7 @@ use crate::error::Errors;
 use crate::request::{Parameter, Target, TargetOf};
 use crate::wording::{known, quoted};
 
-/// What can be said of a field: the number that it stands for, and its range.
+/// The keys of a field's attribute.
 pub(super) fn keys() -> Vec<&'static str> {
     let targets = Target::keys().into_iter();
     targets.chain([RANGE]).collect()
@@ -28,9 +27,9 @@ pub(super) fn keys() -> Vec<&'static str> {
 
 const RANGE: &str = "range";
 
-/// Reads a struct; relative paths of files begin at `folder`.
+/// Reads a struct; paths of files are relative to `folder`.
 ///
-/// None only where the tokens are no struct, enum or union at all.
+/// `None` if the tokens are not a struct, enum or union.
 pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
     let parsed = tokens::check_depth(&tokens);
     let input: DeriveInput = match parsed.and_then(|()| Ok(syn::parse2(tokens)?)) {
@@ -74,11 +73,22 @@ pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<I
             Vec::new()
         }
     };
+    let own_fields = match &input.data {
+        Data::Struct(data) => {
+            let own = data.fields.iter();
+            let is_number = |field: &&Field| matches!(field.ty, Type::Path(_) | Type::Array(_));
+            let own = own.filter(is_number);
+            let own = own.filter(|field| !field.attrs.iter().any(is_robot));
+            own.filter_map(|field| field.ident.clone()).collect()
+        }
+        Data::Enum(_) | Data::Union(_) => Vec::new(),
+    };
     let mut item = inline::item(contents, input.ident, folder, errors);
     item.attributes = attributes;
     item.visibility = input.vis;
     item.generics = input.generics;
     item.request.parameters = parameters;
+    item.own_fields = own_fields;
     for clash in item.request.clashes() {
         errors.record(clash);
     }
@@ -94,7 +104,7 @@ fn refuse_kind(span: Span, ident: &Ident, kind: &str, errors: &mut Errors) {
     tokens::push(errors, problem);
 }
 
-/// Reads what stands in the parentheses of an attribute.
+/// Reads the arguments of an attribute.
 fn arguments(
     attribute: &Attribute,
     example: &str,
@@ -108,7 +118,7 @@ fn arguments(
         tokens::push(errors, complaint_with_hint(span, message, hint));
         return;
     }
-    // What could not be read has been complained of by whoever reads.
+    // Errors were reported where they were found.
     let _ = attribute.parse_args_with(|input: ParseStream| {
         read(input, errors);
         tokens::skip(input, |_| false);
@@ -116,7 +126,7 @@ fn arguments(
     });
 }
 
-/// The fields that stand for a number; all others are the user's own.
+/// Parameters from fields with an attribute; other fields belong to the user.
 fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) -> Vec<Parameter> {
     let mut parameters: Vec<Parameter> = Vec::new();
     for field in fields {
@@ -131,15 +141,15 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 attribute,
                 example,
                 errors,
-                |input, errors| match tokens::list(input, said) {
-                    Ok(said) => read = said,
+                |input, errors| match tokens::list(input, argument) {
+                    Ok(arguments) => read = arguments,
                     Err(complaint) => tokens::push(errors, complaint),
                 },
             );
-            for said in read {
+            for argument in read {
                 let span = attribute.meta.span();
-                let target = match said {
-                    Said::Range(second) => {
+                let target = match argument {
+                    Argument::Range(second) => {
                         if range.is_some() {
                             let message = format!("field `{ident}` has two ranges");
                             tokens::push(errors, complaint(second.span, message));
@@ -147,7 +157,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                         range = Some(second);
                         continue;
                     }
-                    Said::Target(target) => target,
+                    Argument::Target(target) => target,
                 };
                 if found.is_some() {
                     let message = format!("field `{ident}` stands for two numbers");
@@ -171,7 +181,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
     parameters
 }
 
-/// Complains of a type that is seen to hold more or fewer numbers than the target has.
+/// Reports a type that holds more or fewer numbers than its target.
 fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
     let entries = target.entries();
     let is_meant = match of {
@@ -204,13 +214,13 @@ fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
     tokens::push(errors, complaint_with_hint(of.span(), message, hint));
 }
 
-/// What stands in the attribute of a field.
-enum Said {
+/// An argument of a field's attribute.
+enum Argument {
     Target(Target),
     Range(Range),
 }
 
-/// `range = 3.0` or `range = 0.5..=3.0`, as it was written.
+/// `range = 3.0` or `range = 0.5..=3.0`, as written.
 struct Range {
     span: Span,
     least: Option<f64>,
@@ -237,7 +247,7 @@ impl Range {
         })
     }
 
-    /// The ends, where the field stands for a number that can have them.
+    /// The ends of the range, if the target can have one.
     fn of(&self, target: Option<&Target>, field: &Ident, errors: &mut Errors) -> Option<[f64; 2]> {
         let Some(target) = target else {
             let message = format!("field `{field}` has a range and stands for no number");
@@ -258,13 +268,13 @@ impl Range {
     }
 }
 
-fn said(input: ParseStream) -> Parsed<Said> {
+fn argument(input: ParseStream) -> Parsed<Argument> {
     let key = tokens::word(input)?;
     let text = key.to_string();
     if text == RANGE {
-        return Range::read(input, &key).map(Said::Range);
+        return Range::read(input, &key).map(Argument::Range);
     }
-    Ok(Said::Target(match Target::of(&text) {
+    Ok(Argument::Target(match Target::of(&text) {
         Some(TargetOf::Robot(of)) => of(),
         Some(TargetOf::Item(of)) => {
             tokens::separator(input, &key)?;

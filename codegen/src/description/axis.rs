@@ -1,32 +1,29 @@
-//! Directions of axes, and quaternions: numbers whose length means nothing.
+//! Checks the length of axes and quaternions.
 //!
-//! In: numbers with their digits. Out: the direction of an axis, exactly: as it was written, or times a power of two
-//! where its length is far from 1; a quaternion as it was written; a warning where digits do not excuse another length
-//! than 1; or why it is none. What the written digits leave open is no doubt: `0.577 0.577 0.577` is a unit vector,
-//! `0 0 2` is not.
+//! An axis is kept as written, or scaled by a power of two if its length is far from 1, so it is not rounded. A length
+//! other than 1 is a warning, unless the written digits explain it: `0.577 0.577 0.577` is a unit vector, `0 0 2` is
+//! not. Length 0 is an error.
 
 use super::Number;
 use crate::expression::Double;
 
-/// The largest departure from length 1 that any digits excuse.
+/// Maximum deviation from length 1 that few digits can explain.
 const LARGEST_EXCUSE: f64 = 0.02;
 
-/// The largest departure from length 1 that nobody needs to hear of, however many digits there are:
-/// exporters normalise what they have rounded before.
+/// Maximum deviation from length 1 that is never a warning: exporters normalise rounded numbers.
 const UNNOTICED: f64 = 1e-9;
 
-/// What is to be said of an axis: the end of a sentence that begins with the axis' name.
+/// A message about an axis: the end of a sentence that begins with the name of the axis.
 pub(super) struct Remark {
     pub(super) what: String,
     pub(super) hint: String,
 }
 
-/// The direction with a length between 1 less [`LARGEST_EXCUSE`] and 2, and what is doubtful about it; or what is
-/// wrong with it.
+/// The direction with a length between 1 − [`LARGEST_EXCUSE`] and 2 and a possible warning; or an error.
 ///
-/// Nothing is rounded that is more than 10⁻³⁰⁰ of the length: whoever computes with it divides by that, in more
-/// digits than numbers of a file have. A power of two makes any axis as large as others, so that what rounding left
-/// of zero is known by its size.
+/// Entries above 10⁻³⁰⁰ of the length are not rounded: users of the direction divide by its length, in more digits than
+/// numbers of a file have. After the scaling by a power of two, rounding residues of zero can be recognised by their
+/// size.
 pub(super) fn direction(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark>), Remark> {
     let measured = measure(&axis).ok_or_else(|| Remark {
         what: "is zero".to_owned(),
@@ -36,34 +33,34 @@ pub(super) fn direction(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark
         largest, of_parts, ..
     } = measured;
     let moderate = axis.map(|number| moderate(number, largest, of_parts));
-    Ok((moderate, measured.doubt))
+    Ok((moderate, measured.warning))
 }
 
-/// What is doubtful about a quaternion, or wrong with it. Whoever computes with it makes its length 1.
+/// A possible warning about a quaternion, or an error. Users of the quaternion normalise it.
 pub(super) fn quaternion(entries: &[Number; 4]) -> Result<Option<Remark>, Remark> {
     let measured = measure(entries).ok_or_else(|| Remark {
         what: "is zero".to_owned(),
         hint: "give it a rotation, such as 0 0 0 1".to_owned(),
     })?;
-    Ok(measured.doubt)
+    Ok(measured.warning)
 }
 
 struct Measured {
-    /// The largest magnitude among the numbers.
+    /// The largest magnitude of the numbers.
     largest: f64,
-    /// The length of the numbers divided by that.
+    /// The length of the numbers divided by `largest`.
     of_parts: f64,
-    doubt: Option<Remark>,
+    warning: Option<Remark>,
 }
 
-/// Length and direction, to the digits that messages need; none of what is zero.
+/// Length and direction, to the precision of messages; `None` if all numbers are 0.
 fn measure<const N: usize>(numbers: &[Number; N]) -> Option<Measured> {
     let values = numbers.map(|number| number.value);
     let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest == 0.0 {
         return None;
     }
-    // Scaled, so that no square overflows or vanishes; for messages and to choose a power of two.
+    // Scaled, so that no square overflows or underflows.
     let parts = values.map(|x| x / largest);
     let of_parts = parts.iter().map(|x| x * x).sum::<f64>().sqrt();
     let cosines = parts.map(|x| x / of_parts);
@@ -75,22 +72,22 @@ fn measure<const N: usize>(numbers: &[Number; N]) -> Option<Measured> {
         .map(|(number, cosine)| digits_open(number) * cosine.abs())
         .sum();
     let excess = (length - 1.0).abs();
-    let doubt = (excess > open.min(LARGEST_EXCUSE) + UNNOTICED).then(|| {
+    let warning = (excess > open.min(LARGEST_EXCUSE) + UNNOTICED).then(|| {
         let entries = cosines.map(|entry| entry.to_string());
         Remark {
-            what: format!("has length {}: taken with length 1", readable(length)),
-            hint: format!("of length 1 it is {}", entries.join(" ")),
+            what: format!("has length {}, and is normalised", readable(length)),
+            hint: format!("the unit vector is {}", entries.join(" ")),
         }
     });
     Some(Measured {
         largest,
         of_parts,
-        doubt,
+        warning,
     })
 }
 
-/// Times the power of two that makes the length of an axis, a product of two numbers, at least 1 and less than 2,
-/// where it is not between 0.98 and 2 as it stands.
+/// A number times the power of two that brings the axis to a length in [1, 2), unless the length is between 0.98 and 2.
+/// The length is `largest · of_parts`.
 fn moderate(number: Number, largest: f64, of_parts: f64) -> Number {
     let length = largest * of_parts;
     if (1.0 - LARGEST_EXCUSE..2.0).contains(&length) {
@@ -103,7 +100,7 @@ fn moderate(number: Number, largest: f64, of_parts: f64) -> Number {
     Number {
         value: scaled(number.value),
         rest: scaled(number.rest),
-        // Of a number that was read from digits never zero.
+        // Never 0 for a number read from digits.
         resolution: if number.resolution > 0.0 {
             scaled(number.resolution).max(f64::from_bits(1))
         } else {
@@ -113,7 +110,7 @@ fn moderate(number: Number, largest: f64, of_parts: f64) -> Number {
     }
 }
 
-/// By how much the digits of a number leave it open; whole numbers are meant as they stand.
+/// Maximum rounding error of a number by its digits; 0 for whole numbers.
 fn digits_open(number: &Number) -> f64 {
     if number.resolution >= 1.0 {
         0.0
@@ -122,7 +119,7 @@ fn digits_open(number: &Number) -> f64 {
     }
 }
 
-/// A length without hundreds of zeros.
+/// A length in scientific notation if it is very large or small.
 fn readable(length: f64) -> String {
     if (1e-4..1e6).contains(&length) {
         length.to_string()
@@ -137,7 +134,7 @@ mod tests {
     use crate::description::number;
     use crate::error::Place;
 
-    /// The direction that a text means, and what is said of it.
+    /// The direction of a text, and the warning.
     fn axis(text: &str) -> Result<([f64; 3], Option<String>), String> {
         let mut words = text.split(' ');
         let numbers = std::array::from_fn(|_| {
@@ -147,14 +144,14 @@ mod tests {
             }
         });
         direction(numbers)
-            .map(|(axis, doubt)| {
-                let said = doubt.map(|doubt| format!("{}; {}", doubt.what, doubt.hint));
-                (axis.map(|number| number.value), said)
+            .map(|(axis, warning)| {
+                let remark = warning.map(|warning| format!("{}; {}", warning.what, warning.hint));
+                (axis.map(|number| number.value), remark)
             })
             .map_err(|refusal| refusal.what)
     }
 
-    fn said(text: &str) -> Option<String> {
+    fn remark(text: &str) -> Option<String> {
         axis(text).unwrap().1
     }
 
@@ -169,32 +166,32 @@ mod tests {
     fn rounded_digits_stay_as_written_without_a_word() {
         assert_eq!(axis("0.577 0.577 0.577"), Ok(([0.577; 3], None)));
         assert_eq!(axis("0.707 0 -0.707"), Ok(([0.707, 0.0, -0.707], None)));
-        // All digits, of numbers that were rounded to twelve before.
-        assert_eq!(said_of_length(1.0 - 4e-13), None);
-        assert!(said_of_length(1.0 - 4e-9).is_some());
+        // All digits, of numbers that were rounded to twelve digits before.
+        assert_eq!(remark_of_length(1.0 - 4e-13), None);
+        assert!(remark_of_length(1.0 - 4e-9).is_some());
     }
 
-    fn said_of_length(length: f64) -> Option<String> {
-        said(&format!("0 0 {length:.17}"))
+    fn remark_of_length(length: f64) -> Option<String> {
+        remark(&format!("0 0 {length:.17}"))
     }
 
     #[test]
     fn an_axis_of_another_length_is_a_warning() {
-        let of_2 = "has length 2: taken with length 1; of length 1 it is 0 0 1";
+        let of_2 = "has length 2, and is normalised; the unit vector is 0 0 1";
         assert_eq!(axis("0 0 2"), Ok(([0.0, 0.0, 1.0], Some(of_2.to_owned()))));
         assert_eq!(
-            said("-3e-300 0 4e-300").as_deref(),
-            Some("has length 5e-300: taken with length 1; of length 1 it is -0.6 0 0.8")
+            remark("-3e-300 0 4e-300").as_deref(),
+            Some("has length 5e-300, and is normalised; the unit vector is -0.6 0 0.8")
         );
         assert!(
-            said("1.5e308 1.5e308 0")
+            remark("1.5e308 1.5e308 0")
                 .unwrap()
                 .starts_with("has length inf")
         );
-        assert!(said("0 0 0.9").is_some());
+        assert!(remark("0 0 0.9").is_some());
     }
 
-    /// Divided by its length here, it would be another direction by its last digits.
+    /// Division by the length would change the last digits of the direction.
     #[test]
     fn no_entry_of_an_axis_is_rounded() {
         assert_eq!(axis("1 1 0").unwrap().0, [1.0, 1.0, 0.0]);

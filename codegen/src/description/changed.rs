@@ -1,11 +1,10 @@
-//! Texts changed at random, for readers that must survive all of them.
+//! Random changes of texts, for tests of readers.
 //!
-//! In: a text, the bytes that may come into it, a seed. Out: as many changed texts as are taken, the
-//! same for the same seed everywhere.
+//! The changes depend only on the text and the seed.
 
 use homogen_random::Random;
 
-/// Each with one to six changes: a byte replaced, a byte put in, or up to eleven in a row taken out.
+/// Texts with one to six changes each: a byte replaced, a byte inserted, or up to eleven bytes removed.
 pub fn changed(text: &str, bytes: &[u8], seed: u64) -> impl Iterator<Item = String> {
     let mut random = Random::new(seed);
     let mut random = move |below: usize| random.below(below);

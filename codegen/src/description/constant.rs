@@ -1,8 +1,7 @@
-//! Numbers written with π: `pi/2`, `-3*pi/4`, `2*pi/3`, and quotients such as `1/3`.
+//! Reads products and quotients of numbers and π: `pi/2`, `-3*pi/4`, `2*pi/3`, `1/3`.
 //!
-//! In: one word. Out: the number that it says to 106 bits, or what is wrong with it. A plain number
-//! keeps its digits; what was computed has resolution 0, and is a right angle exactly when its nearest
-//! `f64` is that of one.
+//! Results have 106 bits. A plain number keeps its digits. A computed number has resolution 0: it is a right angle
+//! exactly if its nearest `f64` is that of a right angle.
 
 use super::Number;
 use super::number::{self, Refusal};
@@ -10,10 +9,10 @@ use crate::error::Place;
 use crate::expression::Double;
 use crate::wording::quoted;
 
-/// The longest product that anyone means, in bytes.
+/// Maximum length in bytes.
 const LONGEST: usize = 1000;
 
-/// Reads a product or quotient of numbers and π, written without blanks.
+/// Reads a product or quotient of numbers and π without spaces.
 pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
     if !word.contains(['*', '/']) && !word.ends_with("pi") {
         return number::read(word, place);

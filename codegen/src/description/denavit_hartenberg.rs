@@ -1,14 +1,13 @@
-//! Tables of Denavit and Hartenberg, standard and modified.
+//! Denavit–Hartenberg tables, standard and modified.
 //!
-//! In: rows (a, α, d, θ), from a file or from tokens. Out: links and joints. The link of a row has
-//! the row's frame i of the convention in question, so that poses, masses and inertias mean what
-//! they mean in the book; its name is that of the joint with `_link` behind it, unless the row
-//! says otherwise. What the table hangs on is the link `base`.
+//! Rows (a, α, d, θ) from a file or from tokens become links and joints. The link of a row has the frame i of the
+//! convention, so that poses, masses and inertias agree with textbooks. Its name is that of the joint with the suffix
+//! `_link`, unless the row names it. The base link is `base`.
 //!
-//! Modified (Craig): joint i turns about z of frame i, which stands in frame i−1 at
-//! Rx(α) Tx(a) Rz(θ) Tz(d). Standard: joint i turns about z of frame i−1, and frame i stands there
-//! at Rz(θ) Tz(d) Tx(a) Rx(α). What moves is then a frame on the joint's axis, Rz(θ) Tz(d), called
-//! as the joint with `_axis` behind it, which carries frame i at Tx(a) Rx(α).
+//! Modified (Craig): joint i rotates about z of frame i, which is placed in frame i−1 by Rx(α) Tx(a) Rz(θ) Tz(d).
+//! Standard: joint i rotates about z of frame i−1, and frame i is placed there by Rz(θ) Tz(d) Tx(a) Rx(α). In the
+//! standard convention the joint moves a frame on its axis, Rz(θ) Tz(d), whose name is that of the joint with the
+//! suffix `_axis`; frame i is fixed to it by Tx(a) Rx(α).
 
 mod rows;
 mod table;
@@ -17,7 +16,7 @@ pub(super) use self::rows::{Convention, Row, assemble};
 pub(super) use self::table::COLUMNS;
 pub use self::table::read;
 
-/// The version of the format of tables: another one where a table that is read today means something else.
+/// Version of the file format; it changes if an existing table would be read differently.
 pub const VERSION: u32 = 1;
 
 #[cfg(test)]

@@ -1,19 +1,17 @@
-//! Files: which language they are written in, and their fingerprint.
+//! Reads files: recognises the format and the encoding.
 //!
-//! In: a path, or a text and a name. Out: a [`Description`] read by the reader of that language.
-//! It never looks into the environment: whoever calls says where a relative path begins.
+//! Relative paths are resolved by the caller.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use proc_macro2::Span;
 
-use super::{Description, denavit_hartenberg, urdf};
+use super::load::load;
+use super::{Description, denavit_hartenberg, mjcf, urdf};
 use crate::error::{Complaint, Errors, Place};
 
-/// Reads a file: a table for `.dh`, URDF for `.urdf` and `.xml`, and what its text looks like for
-/// every other ending.
+/// Reads a file: `.dh` as a table; `.urdf` and `.xml` as XML; other endings as what the text looks like. XML with the
+/// root element of MuJoCo is MJCF, other XML is URDF.
 pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Option<Description> {
     let name = path
         .file_name()
@@ -26,7 +24,7 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
             let message = format!("cannot read {}: {reason}", path.display());
             match anchor {
                 Some(_) => {
-                    let hint = "a path begins at the folder of Cargo.toml";
+                    let hint = "paths are relative to the folder of Cargo.toml";
                     errors.push_with_hint(place, message, hint);
                 }
                 None => errors.push(place, message),
@@ -34,42 +32,68 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
             return None;
         }
     };
-    read_bytes(&bytes, &name, anchor, errors)
+    bytes_in(&bytes, &name, path.parent(), anchor, errors)
 }
 
-/// Reads the bytes of a file of that name, or of standard input under any name; in Latin-1, with a
-/// doubt, where they are not UTF-8 and make sense so.
+/// Reads the bytes of a file, or of standard input, with the given name. Text that is not UTF-8 is read as Latin-1,
+/// with a warning, if that gives a valid description.
 pub fn read_bytes(
     bytes: &[u8],
     file: &str,
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
+    bytes_in(bytes, file, None, anchor, errors)
+}
+
+/// The same, for a file in a folder that its relative paths begin at.
+fn bytes_in(
+    bytes: &[u8],
+    file: &str,
+    folder: Option<&Path>,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
     match std::str::from_utf8(bytes) {
-        Ok(text) if !is_utf_16(bytes) => read_text(text, file, anchor, errors),
+        Ok(text) if !is_utf_16(bytes) => text_in(text, file, folder, anchor, errors),
         unread => {
             let valid = unread.map_or_else(|error| error.valid_up_to(), |_| 0);
-            let doubt = doubt_encoding(bytes, valid);
-            // The characters of Latin-1 are the first of Unicode.
+            let warning = encoding_warning(bytes, valid);
+            // Characters of Latin-1 have the code points of Unicode.
             let marked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
             let text: String = marked.iter().map(|&byte| char::from(byte)).collect();
             let mut found = Errors::new();
-            if let Some(mut description) = read_text(&text, file, anchor, &mut found) {
+            if let Some(mut description) = text_in(&text, file, folder, anchor, &mut found) {
                 errors.append(found);
-                description.warnings.insert(0, doubt);
+                description.warnings.insert(0, warning);
                 return Some(description);
             }
             errors.set_file(file, anchor);
-            errors.push_with_hint(doubt.place, doubt.message, doubt.hint.unwrap_or_default());
+            errors.push_with_hint(
+                warning.place,
+                warning.message,
+                warning.hint.unwrap_or_default(),
+            );
             None
         }
     }
 }
 
-/// Reads a text that came from a file of that name, or from anywhere else under any name.
+/// Reads the text of a file, or of another source, with the given name.
 pub fn read_text(
     text: &str,
     file: &str,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
+    text_in(text, file, None, anchor, errors)
+}
+
+/// The same, for a file in a folder that its relative paths begin at.
+fn text_in(
+    text: &str,
+    file: &str,
+    folder: Option<&Path>,
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
@@ -83,42 +107,22 @@ pub fn read_text(
     };
     if is_table {
         denavit_hartenberg::read(text, file, anchor, errors)
+    } else if mjcf::is_meant(text) {
+        mjcf::read(text, file, folder, anchor, errors)
     } else {
         urdf::read(text, file, anchor, errors)
     }
 }
 
-/// The bytes of a file of reasonable size, or why there are none, in words that are the same on
-/// every platform where they can be.
-fn load(path: &Path) -> Result<Vec<u8>, String> {
-    let reason = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        std::io::ErrorKind::PermissionDenied => "no permission".to_owned(),
-        _ => error.to_string(),
-    };
-    let file = File::open(path).map_err(reason)?;
-    if file.metadata().is_ok_and(|about| about.is_dir()) {
-        return Err("it is a folder".to_owned());
-    }
-    // Read no further than that: a device may have no end.
-    let limit = urdf::LARGEST_FILE as u64 + 1;
-    let mut bytes = Vec::new();
-    file.take(limit).read_to_end(&mut bytes).map_err(reason)?;
-    if bytes.len() > urdf::LARGEST_FILE {
-        return Err(format!("it is larger than {} MB", urdf::LARGEST_FILE >> 20));
-    }
-    Ok(bytes)
-}
-
-/// What is said of bytes that are UTF-8 only up to there.
-fn doubt_encoding(bytes: &[u8], valid: usize) -> Complaint {
+/// The warning, or error, for bytes that are UTF-8 only up to `valid`.
+fn encoding_warning(bytes: &[u8], valid: usize) -> Complaint {
     let place = std::str::from_utf8(&bytes[..valid]).map_or(Place::Unknown, |text| {
         super::position::Positions::new(text).place(valid)
     });
     let message = if is_utf_16(bytes) {
-        "the file is written in UTF-16"
+        "the file is UTF-16"
     } else {
-        "the file is not written in UTF-8"
+        "the file is not UTF-8"
     };
     Complaint {
         place,
@@ -127,7 +131,7 @@ fn doubt_encoding(bytes: &[u8], valid: usize) -> Complaint {
     }
 }
 
-/// Whether a text is written in UTF-16: by its byte order mark, or by a zero in its first character.
+/// True if a text is UTF-16: by its byte order mark, or by a zero in its first character.
 #[must_use]
 pub fn is_utf_16(bytes: &[u8]) -> bool {
     matches!(
@@ -140,7 +144,7 @@ pub fn is_utf_16(bytes: &[u8]) -> bool {
 mod tests {
     use super::*;
 
-    /// What is said of a file of these bytes.
+    /// The errors of a file with these bytes.
     fn errors(name: &str, bytes: &[u8]) -> String {
         let folder = std::env::temp_dir().join(format!("homogen-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
@@ -152,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_cannot_be_read_is_said() {
+    fn unreadable_files_are_errors() {
         let mut errors = Errors::new();
         assert!(read_file(Path::new("no/such.urdf"), None, &mut errors).is_none());
         assert_eq!(
@@ -165,37 +169,37 @@ mod tests {
     }
 
     #[test]
-    fn latin_1_is_read_with_a_doubt() {
+    fn latin_1_is_read_with_a_warning() {
         let bytes = b"<robot\nname=\"b\xe4r\"><link name='a'/><!-- \xdf --></robot>";
         let mut errors = Errors::new();
         let robot = read_bytes(bytes, "latin1.urdf", None, &mut errors).unwrap();
         assert!(errors.is_empty(), "{errors}");
         assert_eq!(robot.name.text, "bär");
-        let [doubt] = &robot.warnings[..] else {
+        let [warning] = &robot.warnings[..] else {
             panic!("{:?}", robot.warnings);
         };
-        assert!(matches!(doubt.place, Place::File { line: 2, column: 8 }));
-        assert_eq!(doubt.message, "the file is not written in UTF-8");
+        assert!(matches!(warning.place, Place::File { line: 2, column: 8 }));
+        assert_eq!(warning.message, "the file is not UTF-8");
     }
 
     #[test]
-    fn other_encodings_are_said() {
+    fn other_encodings_are_errors() {
         assert_eq!(
             errors("binary.urdf", b"\x7fELF\xff\n"),
-            "error: binary.urdf:1:5: the file is not written in UTF-8\n  hint: save it as UTF-8\n"
+            "error: binary.urdf:1:5: the file is not UTF-8\n  hint: save it as UTF-8\n"
         );
         assert_eq!(
             errors("utf16.urdf", b"\xff\xfe<\0r\0"),
-            "error: utf16.urdf:1:1: the file is written in UTF-16\n  hint: save it as UTF-8\n"
+            "error: utf16.urdf:1:1: the file is UTF-16\n  hint: save it as UTF-8\n"
         );
         assert_eq!(
             errors("unmarked.urdf", b"<\0r\0/\0>\0"),
-            "error: unmarked.urdf:1:1: the file is written in UTF-16\n  hint: save it as UTF-8\n"
+            "error: unmarked.urdf:1:1: the file is UTF-16\n  hint: save it as UTF-8\n"
         );
     }
 
     #[test]
-    fn a_byte_order_mark_before_latin_1_is_passed_over() {
+    fn a_byte_order_mark_before_latin_1_is_ignored() {
         let bytes = b"\xef\xbb\xbf<robot name=\"b\xe4r\"><link name='a'/></robot>";
         let mut errors = Errors::new();
         let robot = read_bytes(bytes, "marked.urdf", None, &mut errors).unwrap();

@@ -1,4 +1,4 @@
-//! What tells one text from another.
+//! Hash of texts, to distinguish them.
 
 /// FNV-1a hash of 64 bits.
 pub(crate) fn fingerprint(bytes: &[u8]) -> u64 {

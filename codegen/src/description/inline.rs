@@ -1,9 +1,8 @@
-//! The grammar of `chain!`, which is also what `#[robot(…)]` holds: settings, links and joints.
+//! The grammar of `chain!`, which is also that of `#[robot(…)]`: settings, links, joints and loops.
 //!
-//! In: tokens. Out: an [`Item`]. A joint without `from` hangs on the link before it, one without
-//! `to` carries the link after it, so that a serial arm is written from base to tip. A loop, which may stand
-//! beside a file as well, holds together two links that hang on the base anyhow. After a mistake, reading
-//! goes on behind the next `,`, `;` or `}`.
+//! A joint without `from` has the link before it as its parent, one without `to` has the link after it as its child, so
+//! that a serial arm is written from base to end effector. A loop, which may also be added to a file, joins two links
+//! of the tree. After an error, reading continues behind the next `,`, `;` or `}`.
 //!
 //! ```text
 //! pub struct Scara { gravity: [0.0, 0.0, -9.81], generate(inverse_dynamics) }
@@ -33,12 +32,12 @@ use super::{Description, Link, Loop, Name, Source, Unmodelled, file, names};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
-/// What was read between the braces or the parentheses.
+/// The entries between the braces or the parentheses.
 #[derive(Default)]
 pub(super) struct Contents {
     pub(super) settings: Settings,
     parts: Vec<Part>,
-    /// Each with what is doubtful about it.
+    /// Loops, each with its warnings.
     loops: Vec<(Loop, Vec<Complaint>)>,
 }
 
@@ -46,13 +45,13 @@ pub(super) struct Contents {
 enum Part {
     Link(Link),
     Joint(Joint),
-    /// A joint whose links are known: a row of a table.
+    /// A row of a table: a joint whose links are known.
     Row(super::Joint),
 }
 
-/// Reads the tokens of `chain!`; relative paths of files begin at `folder`.
+/// Reads the tokens of `chain!`; paths of files are relative to `folder`.
 ///
-/// None only where no struct is named, or none can be looked for.
+/// `None` if no struct is named.
 pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
     if let Err(complaint) = tokens::check_depth(&tokens) {
         tokens::push(errors, complaint);
@@ -66,7 +65,7 @@ pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<I
         tokens::skip(input, |_| false);
         Ok(())
     };
-    // What could not be read has been complained of, and consumed.
+    // Errors were reported where they were found.
     let _ = parser.parse2(tokens);
     found
 }
@@ -100,7 +99,7 @@ fn chain(input: ParseStream, folder: &Path, errors: &mut Errors) -> Parsed<Item>
     Ok(item)
 }
 
-/// Reads settings, links and joints up to the end.
+/// Reads settings, links, joints and loops up to the end.
 pub(super) fn entries(input: ParseStream, contents: &mut Contents, errors: &mut Errors) {
     while !input.is_empty() {
         if input.peek(Token![,]) || input.peek(Token![;]) {
@@ -141,7 +140,7 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
                 vec![joint::of(name, &joint::KEYS, input, errors)?]
             };
             for joint in joints {
-                // What is written here is meant.
+                // Terms written in the description itself are always modelled.
                 contents.settings.request.model(&joint.drive);
                 contents.parts.push(Part::Joint(joint));
             }
@@ -164,7 +163,7 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
                 if !input.peek(Ident::peek_any) {
                     return Err(complaint);
                 }
-                // Only the comma is missing: the next entry is as good as any.
+                // Only the comma is missing, so the next entry can be read.
                 tokens::push(errors, complaint);
             }
         }
@@ -187,7 +186,7 @@ fn link(input: ParseStream, errors: &mut Errors) -> Parsed<Link> {
     })
 }
 
-/// The item, its description read from the file that is named or put together from its parts.
+/// The item, with the description read from the named file or assembled from its parts.
 pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut Errors) -> Item {
     let Contents {
         settings,
@@ -204,7 +203,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
     let mut description = match &file {
         Some(path) => file::read_file(&folder.join(path.value()), Some(path.span()), errors),
         None if parts.is_empty() => {
-            // Where something could not be read, that may have been the description.
+            // The description may be among the parts that could not be read.
             if errors.is_empty() {
                 errors.push_with_hint(
                     place,
@@ -227,11 +226,12 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
         file,
         description,
         names_functions: settings.span("generate").is_some(),
+        own_fields: Vec::new(),
         request: settings.request,
     }
 }
 
-/// Closes loops of a description, each told as behind the word `loop`.
+/// Adds loops to a description, each written as after the word `loop`.
 pub fn close<'t>(
     description: &mut Description,
     texts: impl IntoIterator<Item = &'t str>,
@@ -243,19 +243,19 @@ pub fn close<'t>(
     add(description, loops, errors);
 }
 
-/// Adds loops, with what is doubtful about them, to those that a file may have closed.
+/// Adds loops and their warnings to those of the file.
 fn add(description: &mut Description, loops: Vec<(Loop, Vec<Complaint>)>, errors: &mut Errors) {
     if loops.is_empty() {
         return;
     }
-    for (described, doubts) in loops {
-        description.warnings.extend(doubts);
+    for (described, warnings) in loops {
+        description.warnings.extend(warnings);
         description.loops.push(described);
     }
     names::check_loops(description, errors);
 }
 
-/// Gives each joint its two links.
+/// Assigns parent and child links to joints.
 fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description {
     let mut description = Description {
         name: Name {
@@ -266,6 +266,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
         links: Vec::new(),
         joints: Vec::new(),
         loops: Vec::new(),
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     };
@@ -283,7 +284,7 @@ fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description
             Part::Joint(mut joint) => {
                 let before = description.links.last().map(|link| link.name.clone());
                 joint.from = joint.from.or(before);
-                description.warnings.append(&mut joint.doubts);
+                description.warnings.append(&mut joint.warnings);
                 let own = joint.to.iter().filter(|_| joint.is_between);
                 between.extend(own.map(|name| Link {
                     name: name.clone(),

@@ -1,31 +1,30 @@
-//! The struct that stands in the user's code.
-//!
-//! What both macros give to the stages behind: the item as it was written, the description it
-//! names or holds, and what is asked for.
+//! The struct in the user's code, as read by both macros: the item itself, its description, and the request.
 
 use syn::{Attribute, Generics, Ident, LitStr, Visibility};
 
 use super::Description;
 use crate::request::Request;
 
-/// A struct with a robot behind it.
+/// A struct that becomes a robot.
 #[derive(Clone)]
 pub struct Item {
-    /// What is written above the struct, except `#[robot(…)]`.
+    /// Attributes of the struct, except `#[robot(…)]`.
     pub attributes: Vec<Attribute>,
-    /// Who sees it.
+    /// Visibility of the struct.
     pub visibility: Visibility,
     /// Its name.
     pub ident: Ident,
     /// Its generic parameters.
     pub generics: Generics,
-    /// The literal that names the description's file, if it stands in a file: a path that begins
-    /// at the folder of the user's `Cargo.toml`.
+    /// The literal with the description's path, relative to the folder of the user's `Cargo.toml`; `None` for an inline
+    /// description.
     pub file: Option<LitStr>,
-    /// The robot, as far as it could be read.
+    /// The description; partial, or `None`, if there are errors.
     pub description: Option<Description>,
-    /// What is asked for.
+    /// The request.
     pub request: Request,
     /// True if `generate` names functions or says `all`.
     pub names_functions: bool,
+    /// The fields without an attribute whose type may be a number.
+    pub own_fields: Vec<Ident>,
 }

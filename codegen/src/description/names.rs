@@ -1,8 +1,6 @@
-//! Names that are given twice.
+//! Reports links, joints or loops with the same name.
 //!
-//! In: a description. Out: a complaint for every second link, joint or loop of a name.
-//! Links and joints may share names, as they do in many files. It never looks at which link a
-//! joint hangs on.
+//! A link and a joint may share a name, as in many files.
 
 use std::collections::HashMap;
 
@@ -10,7 +8,7 @@ use super::{Description, Name};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
-/// Complains of names that are given twice.
+/// Reports repeated names of links and of joints.
 pub(super) fn check(description: &Description, errors: &mut Errors) {
     let links = description.links.iter().map(|link| &link.name);
     let joints = description.joints.iter().map(|joint| &joint.name);
@@ -18,7 +16,7 @@ pub(super) fn check(description: &Description, errors: &mut Errors) {
     check_kind("joint", joints, errors);
 }
 
-/// Complains of loops of one name, those that stand beside a file among them.
+/// Reports repeated names of loops, including those added to a file.
 pub(super) fn check_loops(description: &Description, errors: &mut Errors) {
     let loops = description.loops.iter().map(|described| &described.name);
     check_kind("loop", loops, errors);
@@ -36,7 +34,9 @@ fn check_kind<'d>(kind: &str, names: impl Iterator<Item = &'d Name>, errors: &mu
                 let hint = format!("the other one is in line {line}");
                 errors.push_with_hint(name.place, message, hint);
             }
-            Place::Token(_) | Place::Unknown => errors.push(name.place, message),
+            Place::Included { .. } | Place::Token(_) | Place::Unknown => {
+                errors.push(name.place, message);
+            }
         }
     }
 }

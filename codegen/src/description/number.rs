@@ -1,15 +1,13 @@
-//! Numbers as people write them.
+//! Reads a number as the nearest `f64`, with one unit of its last written digit.
 //!
-//! In: one word. Out: the nearest `f64` and one unit of its last written digit, or what is wrong
-//! with the word. It never lets a NaN or an infinity through, and never guesses what a word that
-//! is not a number could have meant, except in a hint.
+//! NaN and infinity are errors. A malformed word is never guessed, except in a hint.
 
 use super::Number;
 use crate::error::Place;
 pub(super) use crate::number::computed;
 use crate::wording::quoted;
 
-/// What is wrong with a number: the end of a sentence that begins with the number's name.
+/// An error of a number: the end of a sentence that begins with the number's name.
 pub(super) struct Refusal {
     pub(super) what: String,
     pub(super) hint: Option<&'static str>,
@@ -34,8 +32,7 @@ pub(super) fn read(word: &str, place: Place) -> Result<Number, Refusal> {
     }
 }
 
-/// The first character of a text of numbers that looks like another: where it is, what is to be said of it, and what
-/// to do about it.
+/// The first character that looks like one of a number but is another: its offset, message and hint.
 pub(super) fn look_alike(text: &str) -> Option<(usize, String, &'static str)> {
     let is_one = |(_, letter): &(usize, char)| !letter.is_ascii();
     let mut letters = text.char_indices().filter(is_one);
@@ -45,7 +42,9 @@ pub(super) fn look_alike(text: &str) -> Option<(usize, String, &'static str)> {
             '\u{202f}' => ("a narrow no-break space", "write a space"),
             '\u{3000}' => ("an ideographic space", "write a space"),
             '\u{200b}' | '\u{2060}' | '\u{feff}' => ("a space without width", "remove it"),
-            '\u{2212}' | '\u{fe63}' | '\u{ff0d}' => ("a minus sign that is no hyphen", "write -"),
+            '\u{2212}' | '\u{fe63}' | '\u{ff0d}' => {
+                ("a minus sign that is not a hyphen", "write -")
+            }
             '\u{2010}'..='\u{2015}' => ("a dash", "write -"),
             '\u{ff0b}' => ("a wide plus sign", "write +"),
             '\u{ff0e}' | '\u{3002}' => ("a wide point", "write ."),
@@ -54,7 +53,7 @@ pub(super) fn look_alike(text: &str) -> Option<(usize, String, &'static str)> {
                 "write spaces between numbers, and decimal points in them",
             ),
             '\u{ff10}'..='\u{ff19}' => ("a wide digit", "write 0 to 9"),
-            letter if letter.is_whitespace() => ("white space of another kind", "write a space"),
+            letter if letter.is_whitespace() => ("unusual white space", "write a space"),
             letter if letter.is_numeric() => ("a digit of another script", "write 0 to 9"),
             _ => return None,
         };
@@ -63,7 +62,7 @@ pub(super) fn look_alike(text: &str) -> Option<(usize, String, &'static str)> {
     })
 }
 
-/// Reads a word that may be infinite, for bounds that need not exist.
+/// Reads a number that may be infinite, for bounds.
 pub(super) fn read_bound(word: &str) -> Result<f64, Refusal> {
     let (sign, name) = match word.strip_prefix('-') {
         Some(rest) => (-1.0, rest),
@@ -75,8 +74,8 @@ pub(super) fn read_bound(word: &str) -> Result<f64, Refusal> {
     read(word, Place::Unknown).map(|number| number.value)
 }
 
-/// The power of ten of the last digit, if the word has the form of a number: sign, digits with at
-/// most one point among them, exponent.
+/// The exponent of ten of the last digit. `None` unless the word is a number: sign, digits with at most one point,
+/// exponent.
 fn last_digit(word: &str) -> Option<i64> {
     let unsigned = word.strip_prefix(['+', '-']).unwrap_or(word);
     let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
@@ -91,7 +90,7 @@ fn last_digit(word: &str) -> Option<i64> {
     Some(exponent - i64::try_from(fraction.len()).ok()?)
 }
 
-/// An exponent, kept within what an `f64` can tell apart.
+/// An exponent, limited to the range that matters for `f64`.
 fn read_exponent(text: &str) -> Option<i64> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
@@ -101,10 +100,10 @@ fn read_exponent(text: &str) -> Option<i64> {
     Some(if text.starts_with('-') { -size } else { size })
 }
 
-/// 10ⁿ to the last bit on every machine, and never 0 or infinite: a resolution of 0 means that the
-/// number was not read from digits.
+/// 10ⁿ, correctly rounded on every platform, and neither 0 nor infinite: a resolution of 0 marks a number that was not
+/// read from digits.
 fn power_of_ten(n: i64) -> f64 {
-    // Most numbers have few digits, and a file has many numbers.
+    // Fast path: most numbers have few digits.
     const USUAL: [f64; 13] = [
         1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12,
     ];
@@ -183,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_finite_number_is_refused_by_name() {
+    fn malformed_numbers_are_errors() {
         assert_eq!(refusal("nan"), "is not finite: \"nan\"");
         assert_eq!(refusal("-NaN"), "is not finite: \"-NaN\"");
         assert_eq!(refusal("inf"), "is infinite: \"inf\"");
@@ -199,12 +198,12 @@ mod tests {
     }
 
     #[test]
-    fn letters_that_look_like_those_of_numbers_are_named() {
+    fn look_alike_characters_are_named() {
         for (word, what) in [
             ("１", "has a wide digit (U+FF11) in it: \"１\""),
             (
                 "\u{2212}1.5",
-                "has a minus sign that is no hyphen (U+2212) in it: \"\u{2212}1.5\"",
+                "has a minus sign that is not a hyphen (U+2212) in it: \"\u{2212}1.5\"",
             ),
             ("\u{2013}1", "has a dash (U+2013) in it: \"\u{2013}1\""),
             (

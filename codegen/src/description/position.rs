@@ -1,17 +1,17 @@
-//! Lines and columns.
+//! Lines and columns of offsets in a text, counted in characters from 1.
 //!
-//! In: a text, once, and offsets into it, as often as wished. Out: places, counted in lines and
-//! characters from 1. A mark every 64 bytes keeps each look-up short, however long the lines are:
-//! a file may well be one line of five megabytes.
+//! A mark every 64 bytes keeps each look-up fast, even if the file is a single line of megabytes.
 
 use crate::error::Place;
 
 /// Bytes between two marks.
 const STRIDE: usize = 64;
 
-/// A text and the places of its bytes.
+/// A text, and the lines and columns of its bytes.
 pub(super) struct Positions<'t> {
     text: &'t str,
+    /// The number of an included file; `None` for the first file.
+    file: Option<u32>,
     /// Line and column of every byte whose offset is a multiple of [`STRIDE`].
     marks: Vec<(u32, u32)>,
 }
@@ -27,25 +27,45 @@ impl<'t> Positions<'t> {
         if text.len().is_multiple_of(STRIDE) {
             marks.push(at);
         }
-        Self { text, marks }
+        Self {
+            text,
+            file: None,
+            marks,
+        }
     }
 
-    /// The text whose places these are.
+    /// The same, for an included file.
+    pub(super) fn of_included(text: &'t str, file: u32) -> Self {
+        Self {
+            file: Some(file),
+            ..Self::new(text)
+        }
+    }
+
+    /// The text.
     pub(super) const fn text(&self) -> &'t str {
         self.text
     }
 
-    /// The place of the character at an offset; of the end for every offset beyond it.
+    /// The place of the character at an offset; offsets beyond the end give the end.
     pub(super) fn place(&self, offset: usize) -> Place {
         let offset = offset.min(self.text.len());
         let mark = offset / STRIDE;
         let passed = &self.text.as_bytes()[mark * STRIDE..offset];
         let (line, column) = after(self.marks[mark], passed);
-        Place::File { line, column }
+        self.at(line, column)
+    }
+
+    /// The place of a line and a column.
+    pub(super) const fn at(&self, line: u32, column: u32) -> Place {
+        match self.file {
+            None => Place::File { line, column },
+            Some(file) => Place::Included { file, line, column },
+        }
     }
 }
 
-/// Where one stands after some more bytes; the second and later bytes of a character count nothing.
+/// The position after some more bytes; continuation bytes of a character do not count.
 fn after((mut line, mut column): (u32, u32), bytes: &[u8]) -> (u32, u32) {
     for &byte in bytes {
         if byte == b'\n' {

@@ -1,6 +1,7 @@
-//! A robot as it was described: links, joints and where everything stands.
+//! A robot as described: links, joints and placements.
 
 use std::ops::Index;
+use std::path::PathBuf;
 
 use proc_macro2::Span;
 
@@ -18,7 +19,7 @@ use crate::number::Number;
 pub struct Description {
     /// The robot's name.
     pub name: Name,
-    /// Where the text came from.
+    /// The source of the text.
     pub source: Source,
     /// The links, in the order of the text.
     pub links: Vec<Link>,
@@ -26,9 +27,11 @@ pub struct Description {
     pub joints: Vec<Joint>,
     /// The joints that close loops, in the order of the text.
     pub loops: Vec<Loop>,
-    /// Doubts that do not stop the work.
+    /// Acceleration of gravity in the frame of the root link [m/s²], if the file has one.
+    pub gravity: Option<[Number; 3]>,
+    /// Warnings.
     pub warnings: Vec<Complaint>,
-    /// What is doubted unless it is asked for.
+    /// Mechanics that are warnings unless the request models them.
     pub unmodelled: Unmodelled,
 }
 
@@ -58,24 +61,29 @@ impl Index<JointId> for Description {
     }
 }
 
-/// Where a description came from.
+/// Source of a description.
 #[derive(Clone, Debug, Default)]
 pub struct Source {
-    /// The file's name as the user gave it, without the folders of this machine; none for tokens.
+    /// The file's name as the user wrote it, without folders of this machine; `None` for tokens.
     pub file: Option<String>,
     /// The token that named the file, for the compiler's messages.
     pub anchor: Option<Span>,
-    /// FNV-1a hash (64 bits) of the file's text in UTF-8; 0 for tokens.
+    /// The names of included files, indexed by the numbers in places.
+    pub included: Vec<String>,
+    /// The paths of further files that were read: included files and meshes. A change of one of them changes the robot.
+    pub beside: Vec<PathBuf>,
+    /// FNV-1a hash (64 bits) of the text in UTF-8, including the further files; 0 for tokens.
     pub hash: u64,
 }
 
 impl Source {
-    /// No mistakes yet, of this text.
+    /// An empty list of errors for this source.
     #[must_use]
     pub fn errors(&self) -> Errors {
         let mut errors = Errors::new();
         if let Some(file) = &self.file {
             errors.set_file(file.clone(), self.anchor);
+            errors.set_included(self.included.clone());
         }
         errors
     }
@@ -86,33 +94,32 @@ impl Source {
 pub struct Link {
     /// The link's name.
     pub name: Name,
-    /// Mass and inertia; none where the text gives none.
+    /// Mass and inertia; `None` if the file has none.
     pub inertial: Option<Inertial>,
 }
 
 /// Mass, centre of mass and inertia tensor of a link.
 #[derive(Clone, Debug)]
 pub struct Inertial {
-    /// From the link's frame to the frame whose origin is the centre of mass and in whose axes
-    /// the tensor is given [m, rad].
+    /// From the link's frame to the frame at the centre of mass, in whose axes the tensor is [m, rad].
     pub origin: Vec<Step>,
     /// Mass \[kg\].
     pub mass: Number,
-    /// The usual inertia tensor about the centre of mass [kg m²]: xx, xy, xz, yy, yz, zz.
+    /// Inertia tensor about the centre of mass [kg m²]: xx, xy, xz, yy, yz, zz.
     pub inertia: [Number; 6],
-    /// Where it stands.
+    /// Its place in the text.
     pub place: Place,
 }
 
-/// One elementary motion of a frame along or about its own axes; a placement is a product of them
-/// from left to right.
+/// An elementary motion of a frame along or about its own axes; a placement is a product of such steps, from left to
+/// right.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
-    /// Along x, y and z \[m\].
+    /// Translation along x, y and z \[m\].
     Translate([Number; 3]),
-    /// About one axis \[rad\].
+    /// Rotation about one axis \[rad\].
     Rotate(Axis, Number),
-    /// By a quaternion x, y, z, w of any length but 0.
+    /// Rotation by a quaternion x, y, z, w of any length but 0.
     Turn([Number; 4]),
 }
 
@@ -127,78 +134,77 @@ pub enum Axis {
     Z,
 }
 
-/// A pair of links and the motion it allows.
+/// A joint between two links.
 #[derive(Clone, Debug)]
 pub struct Joint {
     /// The joint's name.
     pub name: Name,
-    /// What it allows.
+    /// The joint's type.
     pub kind: JointKind,
-    /// The link it hangs on.
+    /// The parent link.
     pub parent: Name,
-    /// The link it carries.
+    /// The child link, which the joint moves.
     pub child: Name,
     /// From the parent's frame to the child's frame at q = 0.
     pub origin: Vec<Step>,
-    /// Direction of the axis in the child's frame, through its origin, not rounded: as written where its length is
-    /// between 0.98 and 2, and else times the power of two that makes it 1 to 2. Another length than 1 that digits
-    /// do not excuse is a warning. Unused for a fixed joint.
+    /// Direction of the axis in the child's frame, through its origin, not rounded: as written if its length is between
+    /// 0.98 and 2, otherwise scaled by a power of two to a length in [1, 2). A length other than 1 that the digits do
+    /// not explain is a warning. Unused for a fixed joint.
     pub axis: [Number; 3],
-    /// The second axis of a joint that has two, likewise.
+    /// The second axis of a joint that has two, in the same form.
     pub second_axis: [Number; 3],
-    /// Range of the coordinate and bound of its rate, where given; of a joint with one coordinate alone.
+    /// Limits, if the file has some; only for a joint with one coordinate.
     pub limits: Option<Limits>,
-    /// The joint whose coordinate moves it, where it has none of its own.
+    /// The mimicked joint, if this one has no coordinate of its own.
     pub mimic: Option<Mimic>,
-    /// What its drive adds to the bodies; modelled where it is asked for.
+    /// Armature, rotors, damping and friction; modelled only on request.
     pub drive: Parts,
-    /// Where the joint is described.
+    /// Its place in the text.
     pub place: Place,
 }
 
-/// A joint between two links that both hang on the base by other joints: frame A is fixed to the first
-/// of them, frame B to the second, and the joint holds them together.
+/// A joint that closes a loop between two links of the tree: it joins frame A on the first link to frame B on the
+/// second.
 #[derive(Clone, Debug)]
 pub struct Loop {
     /// The loop's name.
     pub name: Name,
-    /// What the joint leaves free.
+    /// The type of the joint.
     pub closure: Closure,
     /// The link of frame A.
     pub from: Name,
     /// The link of frame B.
     pub to: Name,
-    /// From the frame of the one link to where the joint is on it.
+    /// From the frame of the first link to frame A.
     pub at: Vec<Step>,
-    /// The same of the other link.
+    /// From the frame of the second link to frame B.
     pub to_at: Vec<Step>,
-    /// The directions that are z of A and z of B, there; both the same where the joint has one axis, and
-    /// unused where it has none.
+    /// The directions that become z of A and of B. Equal if the joint has one axis, unused if it has none.
     pub axes: [[Number; 3]; 2],
 }
 
-/// What a joint makes of the coordinate of another: multiplier · q + offset.
+/// Coordinate of a mimic joint: multiplier · q + offset.
 #[derive(Clone, Debug)]
 pub struct Mimic {
-    /// The joint that has the coordinate, or makes it of that of a third.
+    /// The mimicked joint, which may itself be a mimic joint.
     pub leader: Name,
-    /// What it is multiplied by: \[1, m/rad or rad/m\].
+    /// Multiplier \[1, m/rad or rad/m\].
     pub multiplier: Number,
-    /// What is added then [rad or m].
+    /// Offset [rad or m].
     pub offset: Number,
-    /// Where that is said.
+    /// Its place in the text.
     pub place: Place,
 }
 
 /// Limits of a coordinate.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Smallest value [rad or m].
+    /// Lower limit [rad or m].
     pub lower: f64,
-    /// Largest value [rad or m].
+    /// Upper limit [rad or m].
     pub upper: f64,
-    /// Largest rate [rad/s or m/s]; infinite where not given.
+    /// Maximum velocity [rad/s or m/s]; infinite if the file has none.
     pub velocity: f64,
-    /// Largest torque or force \[N m or N\], which nothing is computed of; infinite where not given.
+    /// Maximum torque or force \[N m or N\], used only as a constant; infinite if the file has none.
     pub effort: f64,
 }

@@ -1,7 +1,7 @@
-//! What is asked for, as it is written in attributes and in the braces of `chain!`.
+//! Reads settings in attributes and in the braces of `chain!`.
 //!
-//! In: `key = value` (or `key: value`), `key(…)` or `key`. Out: a [`Request`] and the file that is
-//! named, if one is. It never looks at the description, so it knows no link from a joint.
+//! The forms are `key = value` (or `key: value`), `key(…)` and `key`. They become a [`Request`] and the path of the
+//! description. Names of links and joints are not resolved here.
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -19,7 +19,7 @@ use crate::request::Request;
 use crate::request::setting::{self, Setting, SettingForm};
 use crate::wording::{known, quoted};
 
-/// The words that describe a robot in place.
+/// The words of inline descriptions.
 const DESCRIBE: [&str; 4] = ["link", "joint", "loop", "denavit_hartenberg"];
 
 /// Words of the attribute: the keys of settings, and the words of an inline description.
@@ -28,18 +28,18 @@ pub(super) fn words() -> Vec<&'static str> {
     keys.chain(DESCRIBE).collect()
 }
 
-/// What was set, and where.
+/// The settings read so far.
 #[derive(Default)]
 pub(super) struct Settings {
     pub(super) request: Request,
-    /// The files that describe the robot; more than one is a mistake.
+    /// The files of descriptions; more than one is an error.
     pub(super) files: Vec<LitStr>,
-    /// The keys that were given.
+    /// The keys read so far.
     pub(super) seen: Vec<Ident>,
 }
 
 impl Settings {
-    /// Where a key was given.
+    /// The place of a key.
     pub(super) fn span(&self, key: &str) -> Option<Span> {
         let found = self.seen.iter().find(|seen| *seen == key);
         found.map(Ident::span)
@@ -60,7 +60,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         return Err(complaint_with_hint(key.span(), message, hint));
     };
     if settings.span(&text).is_some() {
-        let message = format!("the key {} is given twice", quoted(&text));
+        let message = format!("the key {} occurs twice", quoted(&text));
         return Err(complaint(key.span(), message));
     }
     settings.seen.push(key.clone());
@@ -82,13 +82,13 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             *alone(request) = true;
         }
         SettingForm::Drive(part, _) => {
-            let said = tokens::list(&list()?, |input| {
+            let joints = tokens::list(&list()?, |input| {
                 let name = tokens::name(input)?;
                 tokens::separator(input, &key)?;
                 let subject = format!("the {key} of joint {}", quoted(&name.text));
                 Ok((name, part, tokens::one_or_more(input, &subject)?))
             })?;
-            request.drives.extend(said);
+            request.drives.extend(joints);
         }
         SettingForm::External(_) => {
             tokens::list(&list()?, |input| external(input, request))?;
@@ -100,7 +100,7 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         SettingForm::Processor => request.processor = processor(value()?, setting)?,
         SettingForm::Scalar => request.scalar = scalar(value()?)?,
         SettingForm::Runtime => request.runtime = Some(path(value()?, setting)?),
-        // In attributes they stand among links and joints.
+        // In attributes, loops are read with links and joints.
         SettingForm::Loops => {}
     }
     Ok(())
@@ -120,7 +120,7 @@ fn has_value(input: ParseStream) -> bool {
     input.peek(Token![=]) || input.peek(Token![:])
 }
 
-/// That a setting needs another value.
+/// An error of a setting that needs another value.
 fn needs(span: Span, setting: &Setting, what: &str) -> Complaint {
     let message = format!("`{}` needs {what}", setting.key);
     complaint_with_hint(span, message, format!("write {}", setting.example))
@@ -133,7 +133,7 @@ fn string(input: ParseStream, setting: &Setting, what: &str) -> Parsed<LitStr> {
     Ok(input.parse()?)
 }
 
-/// A joint, and a coordinate where one is given.
+/// A joint, with a coordinate if there is one.
 fn position(input: ParseStream, key: &Ident) -> Parsed<(Name, Option<Number>)> {
     let name = tokens::name(input)?;
     if !has_value(input) {
@@ -145,7 +145,7 @@ fn position(input: ParseStream, key: &Ident) -> Parsed<(Name, Option<Number>)> {
     Ok((name, Some(value)))
 }
 
-/// A link, or `frame = 0`.
+/// A link with an external wrench, or `frame = 0`.
 fn external(input: ParseStream, request: &mut Request) -> Parsed<()> {
     let name = tokens::name(input)?;
     if !has_value(input) {
@@ -155,12 +155,12 @@ fn external(input: ParseStream, request: &mut Request) -> Parsed<()> {
     let hint = "write external(gripper), or external(gripper, frame = 0)";
     tokens::separator(input, &Ident::new("frame", Span::call_site()))?;
     let span = input.span();
-    let zero = tokens::number(input, "the frame of the actions")?.value == 0.0;
+    let zero = tokens::number(input, "the frame of the wrenches")?.value == 0.0;
     if name.text == "frame" && zero {
         request.external_in_frame_0 = true;
         return Ok(());
     }
-    let message = "actions are in the frames of their links, or all in frame 0";
+    let message = "external wrenches are in the frames of their links, or all in frame 0";
     Err(complaint_with_hint(span, message, hint))
 }
 
@@ -174,7 +174,7 @@ fn gravity(input: ParseStream, setting: &Setting) -> Parsed<[Number; 3]> {
         return Ok([0.0; 3].map(|zero| number::computed(zero, Place::Token(span))));
     }
     let hint = format!("write {}", setting.example);
-    let message = "gravity is neither a vector nor none";
+    let message = "gravity must be a vector or none";
     Err(complaint_with_hint(span, message, hint))
 }
 
@@ -208,10 +208,10 @@ fn count(input: ParseStream, setting: &Setting, what: &str) -> Parsed<usize> {
     count.ok_or_else(|| needs(span, setting, what))
 }
 
-/// The word that asks for every function that a robot can have.
+/// The word for all functions that the robot can have.
 const ALL: &str = "all";
 
-/// Functions, alone or as `all_of(…)`, or none where `all` are meant; complains of each unknown one.
+/// Functions, alone or as `all_of(…)`; `None` for `all`. Each unknown one is an error.
 fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function>>> {
     let mut items: Vec<Vec<Function>> = Vec::new();
     let mut all: Option<Ident> = None;
@@ -226,7 +226,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         if word == "all_of" {
             let content = in_parentheses(input, "all_of", "all_of(mass_matrix, bias)")?;
             if content.is_empty() {
-                tokens::push(errors, complaint(word.span(), "`all_of` of no functions"));
+                tokens::push(errors, complaint(word.span(), "`all_of` is empty"));
             }
             tokens::list(&content, |input| {
                 let word = tokens::word(input)?;
@@ -237,7 +237,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
             add(&word, &mut item, errors);
         }
         if items.contains(&item) {
-            let message = format!("{} is asked for twice", quoted(&word.to_string()));
+            let message = format!("{} occurs twice", quoted(&word.to_string()));
             tokens::push(errors, complaint(word.span(), message));
         } else if !item.is_empty() {
             items.push(item);
@@ -246,7 +246,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
     })?;
     match all {
         Some(word) if !items.is_empty() => {
-            let message = "`all` is every function";
+            let message = "`all` stands for every function";
             let hint = "name functions, or write generate(all)";
             tokens::push(errors, complaint_with_hint(word.span(), message, hint));
         }
@@ -259,7 +259,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
     Ok(items)
 }
 
-/// The hint that shows how functions are asked for.
+/// Hint with the syntax of `generate`.
 pub(crate) const HOW_TO_ASK: &str = "write generate(inverse_dynamics, mass_matrix), or generate(all) for every function \
                                      that the robot can have";
 
@@ -267,7 +267,7 @@ fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
     let text = word.to_string();
     let problem = match Function::from_name(&text) {
         Some(function) if item.contains(&function) => {
-            complaint(word.span(), format!("{} is asked for twice", quoted(&text)))
+            complaint(word.span(), format!("{} occurs twice", quoted(&text)))
         }
         Some(function) => {
             item.push(function);
@@ -282,7 +282,7 @@ fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
     tokens::push(errors, problem);
 }
 
-/// Words, some with a value; complains of each that is unknown or contradicts another.
+/// Words of a formulation, some with a value; each unknown or contradictory one is an error.
 fn formulation(input: ParseStream, errors: &mut Errors) -> Parsed<Formulation> {
     let mut reader = formulation::Reader::default();
     tokens::list(input, |input| {
@@ -302,7 +302,7 @@ fn formulation(input: ParseStream, errors: &mut Errors) -> Parsed<Formulation> {
     Ok(reader.formulation())
 }
 
-/// A path to the runtime crate, as a string or as tokens.
+/// The path of the runtime crate, as a string or as tokens.
 fn path(input: ParseStream, setting: &Setting) -> Parsed<TokenStream> {
     if !input.peek(LitStr) {
         return Ok(input.call(Path::parse_mod_style)?.into_token_stream());

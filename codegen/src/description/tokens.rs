@@ -1,8 +1,7 @@
-//! The smallest parts of the grammar in Rust code: names, numbers, vectors, lists.
+//! Reads names, numbers, vectors and lists from tokens, each with its place.
 //!
-//! In: tokens. Out: names and numbers that know their token, or one complaint under the token that
-//! is wrong. After a mistake the caller goes on behind the next separator, so that all mistakes of
-//! a macro call are reported at once.
+//! An error is reported under the wrong token. The caller then continues behind the next separator, so that all errors
+//! of a macro call are reported at once.
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -13,7 +12,7 @@ use super::{Name, Number, constant};
 use crate::error::{Complaint, Errors, Place};
 use crate::wording::{known, quoted};
 
-/// What was parsed, or why not.
+/// A parsed value, or an error.
 pub(super) type Parsed<T> = Result<T, Complaint>;
 
 impl From<syn::Error> for Complaint {
@@ -41,7 +40,7 @@ pub(super) fn complaint_with_hint(
     }
 }
 
-/// Takes over one complaint.
+/// Adds an error to the list.
 pub(super) fn push(errors: &mut Errors, complaint: Complaint) {
     match complaint.hint {
         Some(hint) => errors.push_with_hint(complaint.place, complaint.message, hint),
@@ -49,17 +48,17 @@ pub(super) fn push(errors: &mut Errors, complaint: Complaint) {
     }
 }
 
-/// Deeper than anyone writes brackets in brackets, and than parsers of Rust bear it.
+/// Maximum nesting of brackets; deeper ones would overflow the stack of Rust's parsers.
 const DEEPEST: usize = 128;
 
-/// Complains of brackets that nest too deep to be looked into.
+/// Rejects brackets that are nested too deep.
 pub(super) fn check_depth(tokens: &TokenStream) -> Parsed<()> {
-    // Not by recursion, which is what this is about.
+    // Without recursion, which could overflow itself.
     let mut open = vec![tokens.clone().into_iter()];
     while let Some(innermost) = open.last_mut() {
         match innermost.next() {
             Some(TokenTree::Group(group)) if open.len() > DEEPEST => {
-                let message = format!("more than {DEEPEST} brackets within each other");
+                let message = format!("brackets are nested more than {DEEPEST} deep");
                 return Err(complaint(group.span_open(), message));
             }
             Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
@@ -70,13 +69,13 @@ pub(super) fn check_depth(tokens: &TokenStream) -> Parsed<()> {
     Ok(())
 }
 
-/// A word, be it a keyword of Rust or not.
+/// A word, including keywords of Rust.
 pub(super) fn word(input: ParseStream) -> Parsed<Ident> {
     if input.peek(LitStr) {
         let literal: LitStr = input.parse()?;
         let text = literal.value();
         let message = format!("expected a word, not the string {}", quoted(&text));
-        // Only what is a word can be written as one.
+        // The hint fits only if the string is an identifier.
         return Err(match syn::parse_str::<Ident>(&text) {
             Ok(word) => {
                 let hint = format!("write {word}, without quotes");
@@ -88,7 +87,7 @@ pub(super) fn word(input: ParseStream) -> Parsed<Ident> {
     Ok(input.call(Ident::parse_any)?.unraw())
 }
 
-/// A name: a word, or a string for names that are no word.
+/// A name: a word, or a string for a name that is not an identifier.
 pub(super) fn name(input: ParseStream) -> Parsed<Name> {
     let (text, span) = if input.peek(LitStr) {
         let literal: LitStr = input.parse()?;
@@ -116,7 +115,7 @@ pub(super) fn separator(input: ParseStream, key: &Ident) -> Parsed<()> {
         input.parse::<Token![:]>()?;
     } else {
         let message = format!("expected `=` or `:` after `{key}`");
-        // There is nothing to point at where the key is the last word.
+        // If the key is the last word, there is no token after it to point at.
         let span = if input.is_empty() {
             key.span()
         } else {
@@ -179,7 +178,7 @@ fn factor(input: ParseStream, subject: &str) -> Parsed<String> {
     }
 }
 
-/// Numbers in brackets; as many as there are.
+/// A list of numbers in brackets.
 pub(super) fn numbers(input: ParseStream, subject: &str) -> Parsed<(Span, Vec<Number>)> {
     let span = input.span();
     if !input.peek(token::Bracket) {
@@ -190,7 +189,7 @@ pub(super) fn numbers(input: ParseStream, subject: &str) -> Parsed<(Span, Vec<Nu
     Ok((span, list(&content, |input| number(input, subject))?))
 }
 
-/// A number, or numbers in brackets.
+/// A number, or a list of numbers in brackets.
 pub(super) fn one_or_more(input: ParseStream, subject: &str) -> Parsed<Vec<Number>> {
     if !input.peek(token::Bracket) {
         return Ok(vec![number(input, subject)?]);
@@ -202,13 +201,13 @@ pub(super) fn one_or_more(input: ParseStream, subject: &str) -> Parsed<Vec<Numbe
     Ok(numbers)
 }
 
-/// N numbers in brackets.
+/// Exactly `N` numbers in brackets.
 pub(super) fn vector<const N: usize>(input: ParseStream, subject: &str) -> Parsed<[Number; N]> {
     let (span, numbers) = numbers(input, subject)?;
     exactly(numbers, span, subject)
 }
 
-/// N numbers in parentheses.
+/// Exactly `N` numbers in parentheses.
 pub(super) fn arguments<const N: usize>(input: ParseStream, subject: &str) -> Parsed<[Number; N]> {
     let span = input.span();
     let content = parentheses(input)?;
@@ -230,14 +229,14 @@ fn exactly<const N: usize>(numbers: Vec<Number>, span: Span, subject: &str) -> P
     })
 }
 
-/// What stands in parentheses.
+/// The content of parentheses.
 pub(super) fn parentheses(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
     let content;
     syn::parenthesized!(content in input);
     Ok(content)
 }
 
-/// What stands in braces.
+/// The content of braces.
 pub(super) fn braces(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
     let content;
     syn::braced!(content in input);
@@ -250,7 +249,7 @@ fn brackets(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
     Ok(content)
 }
 
-/// Elements between commas.
+/// Elements separated by commas.
 pub(super) fn list<T>(
     input: ParseStream,
     mut element: impl FnMut(ParseStream) -> Parsed<T>,
@@ -265,8 +264,8 @@ pub(super) fn list<T>(
     Ok(elements)
 }
 
-/// The fields of `{ key: value, … }`, where there are braces: `field` reads the value of a key.
-/// Complains of keys that are unknown or given twice, and goes on with the next field.
+/// The fields of `{ key: value, … }`, if there are braces; `field` reads the value of a key. Unknown and repeated keys
+/// are errors, and reading continues with the next field.
 pub(super) fn fields(
     input: ParseStream,
     subject: &str,
@@ -299,7 +298,7 @@ pub(super) fn fields(
         if let Err(complaint) = read() {
             push(errors, complaint);
         } else if content.peek(Ident::peek_any) {
-            // Only the comma is missing: the next field is as good as any.
+            // Only the comma is missing, so the next field can be read.
             let message = "expected `,` between two fields";
             push(errors, complaint(content.span(), message));
             continue;
@@ -311,7 +310,7 @@ pub(super) fn fields(
     Ok(())
 }
 
-/// Skips tokens up to the first of a kind, and that one too.
+/// Skips tokens up to and including the first that fulfils `last`.
 pub(super) fn skip(input: ParseStream, last: impl Fn(&TokenTree) -> bool) {
     while let Ok(token) = input.parse::<TokenTree>() {
         if last(&token) {
@@ -328,7 +327,7 @@ pub(super) fn is_braces(token: &TokenTree) -> bool {
     matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace)
 }
 
-/// Messages with line and column of their tokens, as the tests of the grammar compare them.
+/// Messages with lines and columns of tokens, for the tests of the grammar.
 #[cfg(test)]
 pub(super) fn show(errors: &Errors) -> String {
     let line = |complaint: &Complaint| {

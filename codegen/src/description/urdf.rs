@@ -1,43 +1,44 @@
-//! URDF, the Unified Robot Description Format.
+//! Reads URDF, the Unified Robot Description Format, into a [`Description`].
 //!
-//! In: the text of a file. Out: a [`Description`], as far as it could be read, with a complaint
-//! for every mistake, each at its line and column. Everything that is not mechanics (meshes,
-//! simulators' settings) is passed over; mechanics that are modelled only where they are
-//! asked for (friction, gears) are kept beside a doubt. It never takes time or memory out of proportion to the text, and never
-//! guesses a number that is not there.
+//! Each mistake is an error with line and column. Elements without mechanics (visuals, settings of simulators) are
+//! ignored. Mechanics that are modelled only on request (friction, rotors) are kept, and noted for a warning. Time and
+//! memory are proportional to the text, and no missing number is guessed.
 
 mod closure;
-mod element;
 mod elements;
 mod joint;
 mod limit;
 mod link;
-mod plain;
-mod survey;
+mod placement;
 mod transmission;
-mod xml;
 
 use std::collections::HashSet;
 
 use proc_macro2::Span;
 use roxmltree::Node;
 
-use self::element::Reader;
 use super::fingerprint::fingerprint;
 use super::position::Positions;
+use super::xml::element::Reader;
+use super::xml::{self, plain, survey};
 use super::{Description, Name, Source, Unmodelled, names};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
 #[doc(hidden)]
 pub use self::elements::page;
-#[doc(hidden)]
-pub use self::xml::LARGEST_FILE;
+/// Error and hint for a file with xacro in it.
+const XACRO: (&str, &str) = (
+    "this is a xacro file, which must be expanded to URDF first",
+    "run: xacro robot.urdf.xacro > robot.urdf",
+);
 
-/// Reads the text of a file named `file`; `anchor` is the token that named it, for the compiler.
+/// Hint for a text without the root element.
+const BEGINS: &str = "a URDF file begins with <robot name=\"…\">";
+
+/// Reads the text of the file `file`; `anchor` is the token that named it, for the compiler.
 ///
-/// Where something was pushed, the description holds what could be read all the same: enough to
-/// know how many joints there are, not to be computed with.
+/// A description returned together with errors is partial: good for counting joints, not for computing.
 pub fn read(
     text: &str,
     file: &str,
@@ -47,7 +48,7 @@ pub fn read(
     errors.set_file(file, anchor);
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
     let plain = plain::plain(positions.text());
-    let document = xml::parse(&plain, &positions, errors)?;
+    let document = xml::parse(&plain, &positions, BEGINS, errors)?;
     let mut reader = Reader {
         positions: &positions,
         errors: Errors::new(),
@@ -59,16 +60,14 @@ pub fn read(
     };
     let mut description = robot(&mut reader, document.root_element());
     if description.is_some() {
-        survey::survey(&mut reader, document.root_element());
+        survey::survey(&mut reader, document.root_element(), &elements::URDF);
     }
-    reader
-        .warnings
-        .sort_by_key(|warning| warning.place.line_and_column());
+    reader.warnings.sort_by_key(|warning| warning.place.order());
     let is_whole = || reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
     let call = reader.call.filter(|_| !is_whole());
     if let Some(place) = reader.xacro.or(call) {
-        // Whatever else is wrong is likely to be so because of that.
-        errors.push_with_hint(place, xml::XACRO.0, xml::XACRO.1);
+        // Other errors are probably consequences of this one.
+        errors.push_with_hint(place, XACRO.0, XACRO.1);
         return None;
     }
     errors.append(reader.errors);
@@ -77,6 +76,8 @@ pub fn read(
         description.source = Source {
             file: Some(file.to_owned()),
             anchor,
+            included: Vec::new(),
+            beside: Vec::new(),
             hash: fingerprint(text.as_bytes()),
         };
         description.warnings = reader.warnings;
@@ -87,7 +88,7 @@ pub fn read(
     description
 }
 
-/// Whether there is every link that a joint names.
+/// True if all links exist that joints name.
 fn has_its_links(description: &Description) -> bool {
     let links = description.links.iter().map(|link| &*link.name.text);
     let links: HashSet<_> = links.collect();
@@ -103,19 +104,14 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
     if tag != "robot" {
         let [what, hint] = match tag {
             "sdf" | "world" => [
-                "this is SDF, which describes worlds, and not URDF",
-                "give the URDF that it was made of; or convert it, as by the tools of ROS for SDF, and look at what \
-                 `homogen check` says of the result",
+                "this is SDF, not URDF",
+                "read the URDF that it was made from, or convert it and look at the output of `homogen check`",
             ],
             "mujoco" | "mujocoinclude" => [
-                "this is MJCF, the format of MuJoCo, and not URDF",
-                "give the URDF that it was made of; or convert it, as by mjcf-urdf-simple-converter, and look at what \
-                 `homogen check` says of the result",
+                "this is MJCF, not URDF",
+                "read it as MJCF: #[robot(mjcf = \"…\")], Builder::from_mjcf, or the command line",
             ],
-            _ => [
-                "this is not a URDF",
-                "a URDF file begins with <robot name=\"…\">",
-            ],
+            _ => ["this is not a URDF", BEGINS],
         };
         reader.errors.push_with_hint(
             reader.place(root),
@@ -133,22 +129,22 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
     let mut links = Vec::new();
     let mut joints = Vec::new();
     let mut loops = Vec::new();
-    let mut geared = Vec::new();
+    let mut transmissions = Vec::new();
     for child in Reader::children(root) {
         match child.tag_name().name() {
             "link" => links.extend(link::read(reader, child)),
             "joint" | "drake.joint" => joints.extend(joint::read(reader, child)),
             "loop_joint" => loops.extend(closure::read(reader, child)),
-            "transmission" => geared.extend(transmission::read(reader, child)),
+            "transmission" => transmissions.extend(transmission::read(reader, child)),
             "ros2_control" => {
                 let inner = Reader::children(child).into_iter();
                 let inner = inner.filter(|inner| inner.tag_name().name() == "transmission");
-                geared.extend(inner.filter_map(|inner| transmission::read(reader, inner)));
+                transmissions.extend(inner.filter_map(|inner| transmission::read(reader, inner)));
             }
             _ => {}
         }
     }
-    transmission::mount(reader, geared, &mut joints);
+    transmission::mount(reader, transmissions, &mut joints);
     if links.is_empty() && reader.errors.is_empty() {
         reader
             .errors
@@ -160,12 +156,13 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         links,
         joints,
         loops,
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     })
 }
 
-/// Notes the version; warns of one that is not known.
+/// Reads the version; warns of an unknown one.
 fn version<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>, subject: &str) {
     const KNOWN: [&str; 4] = ["1", "1.0", "1.1", "1.2"];
     let version = root.attribute_node("version");
@@ -179,7 +176,7 @@ fn version<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>, subject: &str) {
         reader.warn(
             reader.value_place(&version),
             format!(
-                "{subject} has the version {}, which is not known: read as 1.1",
+                "{subject} has the unknown version {}, and is read as 1.1",
                 quoted(&written)
             ),
             Some("versions of URDF are 1.0 and 1.1".to_owned()),

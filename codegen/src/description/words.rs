@@ -1,7 +1,4 @@
-//! The words that readers know, by where they may stand.
-//!
-//! In: the readers' own lists. Out: the same, for what explains them to users: a word that is in no
-//! documentation is a mistake of that. It never reads anything.
+//! All words of the grammar, by the place where they are allowed, for tests of the documentation.
 
 use super::inline::{body, closure as loops, composite, joint as joints, table};
 use super::{attributes, denavit_hartenberg, settings};
@@ -12,40 +9,40 @@ use crate::processor::Processor;
 use crate::real::Real;
 use crate::{closure, joint};
 
-/// Where words may stand.
+/// The place where words are allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// In `#[robot(…)]` above a struct, and in the braces of `chain!`.
     Robot,
-    /// In `#[robot(…)]` above a field.
+    /// In `#[robot(…)]` on a field.
     Field,
     /// In the braces of a link.
     Link,
     /// In the braces of a joint.
     Joint,
-    /// Behind the colon of a joint.
+    /// After the colon of a joint.
     JointType,
-    /// Behind `at:`.
+    /// After `at:`.
     Step,
     /// In the braces of a loop.
     Loop,
-    /// Behind the colon of a loop.
+    /// After the colon of a loop.
     LoopType,
     /// In the braces of a row of a table.
     Row,
-    /// At the head of a table in a file.
+    /// In the first line of a table in a file.
     Column,
     /// In `generate(…)`.
     Function,
-    /// Behind `scalar`.
+    /// After `scalar`.
     Scalar,
     /// In `formulation(…)`.
     Formulation,
-    /// Behind `processor`.
+    /// After `processor`.
     Processor,
 }
 
-/// The words of every place.
+/// The words of each place.
 #[must_use]
 pub fn words() -> Vec<(Place, Vec<&'static str>)> {
     let drives = Part::ALL.map(Part::word);

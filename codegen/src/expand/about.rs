@@ -1,8 +1,7 @@
-//! What the doc comments say of a robot.
+//! Facts about a robot for its doc comments.
 //!
-//! In: a chain. Out: an [`About`]: names, what is modelled and
-//! what is not, every doubt with its place. It never says anything of one function: that is its
-//! price and its accuracy.
+//! In: a chain. Out: an [`About`]: names, what is modelled and what is not, and every warning with its place.
+//! Operation counts and accuracy belong to each function.
 
 use std::collections::BTreeSet;
 
@@ -17,14 +16,13 @@ use crate::module::About;
 use crate::space::FrameId;
 use crate::wording::{code, list};
 
-/// What they say.
+/// Collects the facts about a robot.
 pub(super) fn about(chain: &Chain) -> About {
     let (description, formulation) = (&chain.description, chain.request.formulation);
-    let source = &description.source;
     let report = &chain.report;
     About {
         robot: description.name.text.clone(),
-        source: source.file.as_ref().map(|file| (file.clone(), source.hash)),
+        source: description.source.clone(),
         base: report.base.clone(),
         tip: match chain.frames.first() {
             Some(tip) if chain.has_tip => tip.name.clone(),
@@ -70,18 +68,18 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
             "implied by the others where loops are closed: {names}"
         ));
     }
-    let drives = |is: fn(&Drive<Expr>) -> Expr| {
-        let driven = chain.joints.iter();
-        let driven = driven.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());
-        // A joint with several velocities is one.
-        let joints: BTreeSet<&str> = driven.map(|joint| joint.of.as_str()).collect();
+    let having = |is: fn(&Drive<Expr>) -> Expr| {
+        let joints = chain.joints.iter();
+        let joints = joints.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());
+        // A joint with several velocities counts once.
+        let joints: BTreeSet<&str> = joints.map(|joint| joint.of.as_str()).collect();
         joints.len()
     };
     let what = [
-        (drives(|drive| drive.armature), "armature of"),
-        (drives(|drive| drive.damping), "viscous friction of"),
+        (having(|drive| drive.armature), "armature of"),
+        (having(|drive| drive.damping), "viscous friction of"),
         (
-            drives(|drive| drive.friction),
+            having(|drive| drive.friction),
             "Coulomb friction (its sign that of q̇, 0 at rest: a step) of",
         ),
     ];
@@ -142,8 +140,7 @@ fn gravity(chain: &Chain) -> String {
     }
 }
 
-/// How many inertial parameters inverse dynamics reads, of those of the description or of those that
-/// regrouping leaves.
+/// Number of inertial parameters that inverse dynamics reads: those of the description, or the regrouped ones.
 fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
     let graph = chain.graph.clone();
     let layout = Layout {
@@ -151,7 +148,7 @@ fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
         ..Layout::DESCRIBED
     };
     let mut bodies = arrange(&graph, chain, layout);
-    // Each becomes an input of its own, beyond those of struct fields, to be found among what is read.
+    // Each becomes an input of its own, numbered after the struct's fields, so that those read can be counted.
     let fields = chain.nominal.len();
     for (body, field) in bodies.bodies.iter_mut().zip(fields..) {
         let field = u16::try_from(field).expect("fewer than 65536 joints and fields");

@@ -1,8 +1,8 @@
-//! Which functions have no batches, though batches are asked for.
+//! Functions without batches, although batches are requested.
 //!
-//! In: the functions of a module. Out: the names that their batches would have, with the reason: a doubt where the
-//! functions were named, a mistake where the request is strict, and left out where all that there are were meant. It
-//! never decides which functions there are.
+//! In: the functions of a module. Out: the names that their batches would have, with the reason: a warning if the
+//! functions were named, an error if the request is strict, and an entry of what is left out if all functions were
+//! requested.
 
 use crate::chain::Chain;
 use crate::error::{Complaint, Errors, Place};
@@ -10,11 +10,11 @@ use crate::function::Function;
 use crate::module::{About, GeneratedFunction, LeftOut};
 use crate::wording::list;
 
-/// Tells of missing batches.
+/// Reports missing batches.
 ///
 /// # Errors
-/// Where functions were named and the request is strict.
-pub(super) fn tell(
+/// If functions were named and the request is strict.
+pub(super) fn report(
     functions: &[GeneratedFunction],
     chain: &Chain,
     about: &mut About,
@@ -49,11 +49,11 @@ pub(super) fn tell(
     errors.into_result(())
 }
 
-/// The batches that are missing, those for the same reason together; `acted` where actions from outside enter.
-fn missing(functions: &[GeneratedFunction], acted: bool) -> Vec<LeftOut> {
+/// The missing batches, grouped by reason; `acted` if external wrenches are an argument.
+fn missing(functions: &[GeneratedFunction], has_external: bool) -> Vec<LeftOut> {
     let mut missing: Vec<LeftOut> = Vec::new();
     for generated in functions {
-        let Some((reason, hint)) = reason(generated, acted) else {
+        let Some((reason, hint)) = reason(generated, has_external) else {
             continue;
         };
         let name = format!("{}_batch", generated.name());
@@ -70,18 +70,17 @@ fn missing(functions: &[GeneratedFunction], acted: bool) -> Vec<LeftOut> {
     missing
 }
 
-/// Why a function has no batches, and what could be done; none where it has.
+/// The reason why a function has no batch, and a hint; `None` if it has one.
 fn reason(
     generated: &GeneratedFunction,
-    acted: bool,
+    has_external: bool,
 ) -> Option<(&'static str, Option<&'static str>)> {
     match *generated.functions {
         [function] if generated.frame.is_none() => match function {
-            _ if function.has_batches(acted) => None,
-            _ if Function::ALL.contains(&function) => Some((
-                "functions that actions from outside enter have no batches",
-                None,
-            )),
+            _ if function.has_batches(has_external) => None,
+            _ if Function::ALL.contains(&function) => {
+                Some(("functions with external wrenches have no batches", None))
+            }
             _ => Some(("functions of closed loops have no batches", None)),
         },
         [_] => {
@@ -120,7 +119,7 @@ mod tests {
         }
     }
 
-    /// Batches of functions alone and together, of a further frame, under actions.
+    /// Batches of functions alone and together, of a further frame, with external wrenches.
     fn pushed() -> Request {
         use Function::{Bias, BodyJacobian, Gravity, InverseDynamics, MassMatrix};
         Request {
@@ -137,19 +136,19 @@ mod tests {
         }
     }
 
-    fn doubts(request: &Request) -> Module {
+    fn module(request: &Request) -> Module {
         expand(&two_link(), request).expect("an arm")
     }
 
     #[test]
-    fn what_has_no_batch_though_it_was_asked_for_is_named_with_the_reason() {
-        let doubts = doubts(&pushed()).about.located_warnings();
+    fn a_requested_batch_that_does_not_exist_is_named_with_the_reason() {
+        let warnings = module(&pushed()).about.located_warnings();
         let expected = [
             "there is no mass_matrix_and_bias_batch: functions that share their work have no batches",
-            "there is no inverse_dynamics_batch: functions that actions from outside enter have no batches",
+            "there is no inverse_dynamics_batch: functions with external wrenches have no batches",
             "there is no body_jacobian_of_fore_batch: functions of further frames have no batches",
         ];
-        assert_eq!(doubts, expected);
+        assert_eq!(warnings, expected);
         let strict = Request {
             strict: true,
             ..pushed()
@@ -161,21 +160,21 @@ mod tests {
             .lines()
             .filter(|line| line.starts_with("error: "))
             .collect();
-        let expected = expected.map(|doubt| format!("error: {doubt} (refused: strict)"));
+        let expected = expected.map(|warning| format!("error: {warning} (refused: strict)"));
         assert_eq!(lines, expected, "{refused}");
     }
 
     #[test]
-    fn of_all_functions_it_is_told_where_they_are_listed() {
+    fn missing_batches_of_all_functions_are_listed_as_left_out() {
         let all = Request {
             functions: Vec::new(),
             ..pushed()
         };
-        let about = doubts(&all).about;
+        let about = module(&all).about;
         assert!(about.warnings.is_empty(), "{:?}", about.warnings);
         let mut missing = about.left_out.iter();
-        let acted = missing
-            .find(|missing| missing.reason.contains("actions"))
+        let with_external = missing
+            .find(|missing| missing.reason.contains("external wrenches"))
             .expect("there are some");
         let expected = [
             "inverse_dynamics_batch",
@@ -183,11 +182,11 @@ mod tests {
             "inverse_dynamics_derivatives_batch",
             "forward_dynamics_derivatives_batch",
         ];
-        assert_eq!(acted.functions, expected);
+        assert_eq!(with_external.functions, expected);
     }
 
     #[test]
-    fn nothing_is_said_where_all_have_batches_or_none_was_asked_for() {
+    fn there_is_no_report_if_all_have_batches_or_none_was_requested() {
         let gravity = Request {
             functions: vec![vec![Function::Gravity], vec![Function::BodyJacobian]],
             batch: true,
@@ -198,7 +197,7 @@ mod tests {
             ..pushed()
         };
         for request in [gravity, without] {
-            let about = doubts(&request).about;
+            let about = module(&request).about;
             assert!(about.warnings.is_empty() && about.left_out.is_empty());
         }
     }

@@ -1,10 +1,9 @@
-//! Residuals that no joint changes, and loops that cannot close.
+//! Residuals that are constant, and loops that cannot close.
 //!
-//! In: a chain. Out: the chain without the residuals that are zero whatever the joints do, such as those across the
+//! In: a chain. Out: the chain without the residuals that are zero in every configuration, such as those across the
 //! plane of a four-bar, however it is mounted; an error for each residual that is never zero or that joints hardly
-//! change, and for each loop of which nothing is left. Digits decide: a residual that joints change by less than
-//! [`LEAST`] of what they move the links by is taken as zero and reported, with a warning where the rounding of
-//! `f64` does not explain it.
+//! change, and for each loop without residuals left. A residual that joints change by less than [`LEAST`] of the
+//! motion of the links is taken as zero and reported, with a warning if the rounding of `f64` does not explain it.
 
 mod measured;
 
@@ -18,8 +17,8 @@ use measured::{Measured, measured};
 /// Largest residual [m, 1] and largest share of a motion that 10 written digits explain.
 const ROUNDED: f64 = 1e-9;
 
-/// The share of the motion of a loop's links below which a residual is left out: 2⁻¹⁰. Such a constraint can be met
-/// by no joint, but for the digits of axes and offsets that were meant to be parallel or at right angles.
+/// The share of the motion of a loop's links below which a residual is left out: 2⁻¹⁰. Such a residual comes from
+/// rounded digits of axes and offsets that were meant to be parallel or at right angles.
 const LEAST: f64 = 1.0 / 1024.0;
 
 /// The share below which a residual is refused: 2⁻⁶, a misalignment of 0.9°.
@@ -28,7 +27,7 @@ const SLIGHT: f64 = 1.0 / 64.0;
 /// The chain with the residuals that joints can change.
 ///
 /// # Errors
-/// Loops that cannot close, hardly move, or hold nothing; and where `strict` is set, warnings.
+/// Loops that cannot close, hardly move, or constrain nothing; if `strict` is set, warnings too.
 pub fn settled(mut chain: Chain, strict: bool) -> Result<Chain, Errors> {
     if chain.loops.is_empty() {
         return Ok(chain);
@@ -67,12 +66,12 @@ impl Measured {
         self.share <= LEAST
     }
 
-    /// No digits of the description explain the value.
+    /// True if no rounding of the description explains the value.
     fn is_open(&self) -> bool {
         self.is_constant() && self.value.abs() > LEAST * self.size && self.value.abs() > ROUNDED
     }
 
-    /// Joints change it, but less than a constraint can be meant to be changed.
+    /// True if joints change it, but less than can be intended.
     fn is_slight(&self) -> bool {
         !self.is_constant() && self.share <= SLIGHT
     }
@@ -92,7 +91,7 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
         let (residual, value) = (residual(row), measured.value);
         errors.push_with_hint(
             closed.place,
-            format!("loop {name} cannot close: {residual} is {value}{unit} whatever the joints do"),
+            format!("loop {name} cannot close: {residual} is {value}{unit} in every configuration"),
             "put it elsewhere by `at` or `to_at`, or give it a type that leaves this free",
         );
     }
@@ -105,8 +104,8 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
         errors.push_with_hint(
             closed.place,
             format!(
-                "loop {name} blocks the joints: they change {residuals} by at most {share:.0e} of what they move the \
-                 links by"
+                "loop {name} blocks the joints: they change {residuals} by at most {share:.0e} of the \
+                 links' motion"
             ),
             "axes that should be parallel or at right angles are not: write axes and angles with more digits, or \
              give the loop a type that leaves this free",
@@ -114,7 +113,8 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
     }
     let is_whole = !measured.iter().any(Measured::is_open);
     if is_whole && measured.iter().all(Measured::is_constant) {
-        let message = format!("loop {name} holds nothing: it is closed whatever the joints do");
+        let message =
+            format!("loop {name} constrains nothing: it is closed in every configuration");
         errors.push_with_hint(closed.place, message, "leave it out");
     }
 }
@@ -136,7 +136,7 @@ fn warning(closed: &Loop, measured: &[Measured]) -> Option<Complaint> {
     Some(Complaint {
         place: closed.place,
         message: format!(
-            "loop {}: {names} {is} taken as zero, being at most {most:.0e} of what the joints move",
+            "loop {}: {names} {is} taken as zero, being at most {most:.0e} of the joints' motion",
             quoted(&closed.name)
         ),
         hint: Some("write axes, angles and offsets with more digits".to_owned()),

@@ -1,7 +1,6 @@
-//! The chain as numbers, and sums of run-time parameters.
+//! The chain as numbers and sums of run-time parameters.
 //!
-//! In: a chain. Out: the [`ChainData`] that the generic recursions of the runtime read. It never
-//! sees a function.
+//! In: a chain. Out: the [`ChainData`] that the generic recursions of the runtime read.
 
 use crate::chain::{BodyId, Chain, Frame, Joint, Position};
 use crate::expression::{Double, Expr, Term};
@@ -9,10 +8,10 @@ use crate::list::Id;
 use crate::module::{ChainData, DataMotion, LoopData, LoopsData};
 use crate::schedule::schedule;
 
-/// The chain as data: one joint of each with a posture, and of others one for each coordinate.
+/// The chain as data: one joint for a ball, planar or floating joint, and otherwise one for each coordinate.
 pub(super) fn data(chain: &Chain) -> ChainData {
     let narrow = |k: usize| u16::try_from(k).expect("fewer than 65536 joints");
-    // Of each body, the place of the joint that it is of.
+    // For each body, the number of its joint.
     let mut count = 0;
     let places = chain.joints.map(|joint| {
         count += usize::from(!matches!(joint.position, Position::Taken));
@@ -21,11 +20,11 @@ pub(super) fn data(chain: &Chain) -> ChainData {
     let mut joints: Vec<(&Joint, DataMotion)> = Vec::new();
     let mut inertias = Vec::new();
     for (k, joint) in chain.joints.numbered() {
-        let leader = chain.mover(joint.velocity);
+        let mimicked = chain.mover(joint.velocity);
         let motion = match joint.position {
-            Position::Along { .. } if leader == k => Some(DataMotion::Along),
+            Position::Along { .. } if mimicked == k => Some(DataMotion::Along),
             Position::Along { factor, .. } => Some(DataMotion::Follows {
-                leader: places[leader],
+                leader: places[mimicked],
                 multiplier: chain.graph.value(factor).map_or(1.0, Double::to_f64),
             }),
             Position::Posture(posture, _) => Some(DataMotion::Posture(posture)),
@@ -50,7 +49,7 @@ pub(super) fn data(chain: &Chain) -> ChainData {
         results.extend(frame.placement.entries());
     }
     results.extend(chain.gravity.0);
-    let mut driven = Vec::new();
+    let mut actuators = Vec::new();
     for (k, joint) in chain.joints.numbered() {
         let of_joint = places[k];
         let before = places
@@ -61,7 +60,7 @@ pub(super) fn data(chain: &Chain) -> ChainData {
         let is_zero = |entry: &Expr| chain.graph.term(*entry).is_zero();
         if !drive.iter().all(is_zero) {
             results.extend(drive);
-            driven.push((of_joint, narrow(before.count())));
+            actuators.push((of_joint, narrow(before.count())));
         }
     }
     let place = |body: BodyId| places[body];
@@ -79,13 +78,13 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
         external: (chain.external.len(), chain.request.external_in_frame_0),
-        driven,
+        driven: actuators,
         program: schedule(&chain.graph, &results),
         loops: loops(chain, place),
     }
 }
 
-/// The joints that close loops; `place` is where a body is carried.
+/// The loops as data; `place` gives the joint of a body.
 fn loops(chain: &Chain, place: impl Fn(BodyId) -> u16) -> LoopsData {
     let frame = |frame: &Frame| (frame.name.clone(), frame.body.map(&place));
     let loops = chain.loops.iter().map(|closed| LoopData {

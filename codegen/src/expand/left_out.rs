@@ -1,13 +1,13 @@
-//! Functions that are left out, where all that a robot can have were asked for.
+//! Functions that are left out when all functions of a robot were requested.
 //!
-//! In: why a function is refused. Out: what comments and the command line say of it.
+//! In: the reason why a function is refused. Out: the entry for comments and the command line.
 
 use crate::check::is_fault;
 use crate::error::Errors;
 use crate::function::Function;
 use crate::module::LeftOut;
 
-/// The functions that a robot cannot have whose frames nobody asks for.
+/// The functions of a frame, left out because no tip is named.
 pub(super) fn functions_of_a_frame() -> LeftOut {
     let all = Function::ALL.into_iter();
     let of_a_frame = all.filter(|function| function.of_a_frame());
@@ -21,7 +21,7 @@ pub(super) fn functions_of_a_frame() -> LeftOut {
     }
 }
 
-/// Notes a function that the robot cannot have, beside those that it cannot have for the same reason.
+/// Adds a function that the robot cannot have to the others with the same reason.
 pub(super) fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
     let reasons = refusal.complaints().iter();
     let reasons: Vec<String> = reasons.map(|reason| refusal.locate(reason)).collect();
@@ -46,7 +46,7 @@ mod tests {
     use crate::error::{Errors, Place};
 
     #[test]
-    fn a_fault_is_told_apart_from_what_a_robot_cannot_have() {
+    fn a_fault_is_distinguished_from_functions_that_a_robot_cannot_have() {
         let mut unknown = Errors::new();
         unknown.push(Place::Unknown, "nothing has mass");
         let mut left_out = Vec::new();

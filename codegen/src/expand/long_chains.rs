@@ -1,7 +1,7 @@
-//! Chains of so many joints that nothing is computed for each pair of them.
+//! Tests of chains that are too long for a computation for each pair of joints.
 //!
-//! In: chains of revolute joints that stand askew, with full inertias. Out: counts, which are pinned, and pivots of
-//! their mass matrices, by articulated bodies and by factors.
+//! In: chains of revolute joints with skew axes and full inertias. Out: operation counts, which are pinned, and pivots
+//! of their mass matrices, by articulated bodies and by factors.
 
 use std::fmt::Write;
 
@@ -67,7 +67,7 @@ fn operations_are_in_proportion_to_the_joints() {
         [Function::InverseDynamics, Function::ForwardDynamics]
             .map(|function| cost(joints, function))
     });
-    // Four times the joints: 4.06 and 4.08 times the operations, for the first joints cost less than those in the row.
+    // Four times the joints: 4.06 and 4.08 times the operations, since the first joints cost less than the others.
     assert_eq!(
         found,
         [[(10_406, 1), (31_610, 14)], [(42_278, 26), (128_872, 58)]]

@@ -1,16 +1,17 @@
-//! What depends on fields alone, computed once.
+//! Precomputation from struct fields alone, which is done once.
 //!
-//! In: the functions of a module, the fields that they read. Out: them in two parts. It changes no operation.
+//! In: the functions of a module, and the fields that they read. Out: each function in two parts, with the same
+//! operations.
 
 use crate::error::{Errors, Place};
 use crate::module::{GeneratedFunction, Prepared};
 use crate::request::{Parameter, Request};
 use crate::schedule::{Price, part};
 
-/// The parts of functions.
+/// Splits functions into the part that depends on fields alone and the rest.
 ///
 /// # Errors
-/// Where nothing depends on fields alone.
+/// If nothing depends on fields alone.
 pub(super) fn prepared(
     functions: &[GeneratedFunction],
     request: &Request,

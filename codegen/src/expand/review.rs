@@ -1,7 +1,7 @@
-//! What the reviewer of a file reads beside its code.
+//! Data for the reviewer of a file.
 //!
-//! In: a chain, the functions. Out: a [`Review`]: what functions should return, and of
-//! which parameters of which links each inertial number is the sum. It changes nothing of what is printed besides.
+//! In: a chain, the functions. Out: a [`Review`]: expected results of the functions, and each inertial number as a sum
+//! of inertial parameters of links. It affects no other output.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -16,16 +16,16 @@ use crate::module::{GeneratedFunction, Origins, Review, Sum};
 use crate::real::Real;
 use crate::space::{FieldId, ParameterId};
 
-/// How many inertial parameters a link has.
+/// Number of inertial parameters of a link.
 const PARAMETERS: usize = 10;
 
-/// What is less beside the largest factor of a sum is what rounding left.
+/// Factors below this ratio to the largest of a sum are rounding errors.
 const RESIDUE: f64 = 1e-12;
 
 pub(super) fn review(chain: &Chain, functions: &[GeneratedFunction]) -> Review {
     let means = Means::of(&chain.request);
     Review {
-        // Of any type of number there are no numbers.
+        // No test vectors for generic scalars.
         vectors: if means.scalar == Real::Generic {
             Vec::new()
         } else {
@@ -36,7 +36,7 @@ pub(super) fn review(chain: &Chain, functions: &[GeneratedFunction]) -> Review {
     }
 }
 
-/// Where inertial numbers come from, for each layout of functions that have any.
+/// The origins of inertial numbers, for each layout of functions that have any.
 fn origins(chain: &Chain, functions: &[GeneratedFunction]) -> Vec<Origins> {
     let mut layouts: Vec<(Layout, Vec<String>)> = Vec::new();
     let with_mass = functions.iter().filter(|generated| {
@@ -64,7 +64,7 @@ fn origins(chain: &Chain, functions: &[GeneratedFunction]) -> Vec<Origins> {
 
 /// The inertial numbers of each body in the frames of a layout.
 fn bodies(chain: &Chain, layout: Layout) -> Vec<(String, Vec<Sum>)> {
-    // Where the centre of mass decides on a frame, numbers are no linear functions of parameters any more.
+    // A frame at the centre of mass makes the numbers nonlinear in the parameters.
     let is_linear = layout.sliding != Sliding::AtMassCenter;
     let numbers = arranged(chain, layout);
     let forms = is_linear.then(|| arranged(&with_inputs(chain), layout));
@@ -86,12 +86,12 @@ fn bodies(chain: &Chain, layout: Layout) -> Vec<(String, Vec<Sum>)> {
     bodies.collect()
 }
 
-/// The entries of a J, in the order of [`Inertia::entries`].
+/// The entries of J, in the order of [`Inertia::entries`].
 const ENTRIES: [&str; PARAMETERS] = [
     "J_xx", "J_yy", "J_zz", "J_xy", "J_xz", "J_yz", "q_x", "q_y", "q_z", "m",
 ];
 
-/// The same in the order of [`Space::Parameters`](crate::space::Space).
+/// Index of each entry in the order of [`Space::Parameters`](crate::space::Space).
 const PLACES: [usize; PARAMETERS] = [4, 7, 9, 5, 6, 8, 1, 2, 3, 0];
 
 fn terms(chain: &Chain, form: &Form) -> Vec<(f64, String)> {
@@ -107,7 +107,7 @@ fn terms(chain: &Chain, form: &Form) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// Ten digits, the same on every machine.
+/// A number with ten digits, the same on every platform.
 fn shortened(factor: f64) -> f64 {
     format!("{factor:.9e}").parse().unwrap_or(factor)
 }
@@ -139,7 +139,7 @@ fn arranged(chain: &Chain, layout: Layout) -> Vec<Vec<Form>> {
     found.chunks(PARAMETERS).map(<[Form]>::to_vec).collect()
 }
 
-/// The same chain with inertial parameters of links as inputs, counted behind the fields.
+/// The same chain with inertial parameters of links as inputs, numbered after the fields.
 fn with_inputs(chain: &Chain) -> Chain {
     let mut chain = chain.clone();
     let graph = chain.graph.clone();
@@ -189,7 +189,7 @@ impl Form {
         }
     }
 
-    /// The number that it is; none where parameters enter it.
+    /// The constant; NaN if it depends on parameters.
     fn number(&self) -> Double {
         if self.factors.is_empty() {
             self.constant

@@ -1,7 +1,7 @@
-//! What functions cost together, and what the bounds of errors take of the time of an expansion.
+//! Operation counts of functions together, and the share of error bounds in the time of an expansion.
 //!
-//! In: an arm, and for times a humanoid. Out: prices, which are pinned; printed times, of all functions and of their
-//! bounds, which nothing judges.
+//! In: an arm, and for times a humanoid. Out: operation counts, which are pinned; times of the expansion and of its
+//! bounds, which are printed only.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -23,9 +23,9 @@ fn described(robot: &str) -> Description {
     read_text(&text, robot, None, &mut errors).expect("a robot")
 }
 
-/// What a controller in operational space asks for, and what one asks for that knows no better.
+/// The functions of a controller in operational space, with a minimal and a careless request.
 #[test]
-fn what_is_asked_for_together_shares_its_work() {
+fn functions_requested_together_share_their_work() {
     use Function::{
         AccelerationBias, Bias, BodyJacobian, BodyJacobianRate, GeometricJacobian,
         GeometricJacobianRate, MassMatrix, SpatialJacobian, SpatialJacobianRate,
@@ -65,7 +65,7 @@ fn what_is_asked_for_together_shares_its_work() {
     }
 }
 
-/// From the description to what is generated; what has been chosen is bounded once more, by itself.
+/// The time from the description to the module; the chosen plans are bounded again to time the bounds alone.
 #[test]
 #[ignore = "measures: run it by itself"]
 fn share_of_the_bounds_in_the_time_of_an_expansion() {
@@ -94,8 +94,8 @@ fn share_of_the_bounds_in_the_time_of_an_expansion() {
     }
 }
 
-/// (mul, add) of a function with all numbers folded, with a payload in a field, of what is left of that once it
-/// is prepared, and of what was done before.
+/// (mul, add) of a function with all numbers folded, with a payload in a field, of the part left after `prepare`, and
+/// of the prepared part.
 #[test]
 fn a_payload_that_is_prepared_costs_little_more_than_none() {
     let description = described("robots/panda_class.urdf");
@@ -130,7 +130,7 @@ fn a_payload_that_is_prepared_costs_little_more_than_none() {
     let inverse_dynamics = [(305, 278), (344, 334), (308, 283)];
     let gravity = [(49, 30), (58, 45), (50, 32)];
     let mass_matrix = [(182, 168), (217, 222), (182, 169)];
-    // With what it may carry only a dearer form is accurate enough.
+    // With its largest payload only a more expensive formulation is accurate enough.
     let forward_dynamics = [(603, 534), (854, 780), (819, 733)];
     assert_eq!(
         prices,

@@ -1,6 +1,7 @@
-//! What a description and a request mean, with everything that is to be said against them.
+//! Interpretation of a description and a request, with all errors and warnings.
 //!
-//! In: a description and a request. Out: a [`Chain`]; or every mistake of both, and every doubt where the request is strict.
+//! In: a description and a request. Out: a [`Chain`]; or every error of both, and every warning if the request is
+//! strict.
 
 use super::closure::settled;
 use crate::chain::{self, Chain};
@@ -12,11 +13,10 @@ use crate::plan;
 use crate::real::Real;
 use crate::request::Request;
 
-/// The chain of a description, with doubts about the formulation beside those about the robot.
+/// The chain of a description, with warnings about the formulation and about the robot.
 ///
 /// # Errors
-/// Every mistake of the description and of the formulation; every doubt, where the request is
-/// strict.
+/// Every error of the description and of the formulation; every warning, if the request is strict.
 pub fn understand(description: &Description, request: &Request) -> Result<Chain, Errors> {
     check_processor(request)?;
     check_batch(request)?;
@@ -27,34 +27,37 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
         return Err(errors);
     }
     let mut chain = settled(chain::build(description, request)?, request.strict)?;
-    let mut doubts = plan::doubts(&chain, request);
+    let mut warnings = plan::warnings(&chain, request);
     if solves_loops(&chain, request) {
         let Redundancy {
             dependent,
-            warnings,
+            warnings: of_loops,
         } = check::redundancy(&chain);
         chain.report.dependent = dependent;
-        doubts.extend(warnings);
+        warnings.extend(of_loops);
     }
-    if request.strict && !doubts.is_empty() {
+    if request.strict && !warnings.is_empty() {
         let mut errors = chain.description.source.errors();
-        for doubt in doubts {
-            errors.push(doubt.place, format!("{} (refused: strict)", doubt.message));
+        for warning in warnings {
+            errors.push(
+                warning.place,
+                format!("{} (refused: strict)", warning.message),
+            );
         }
         return Err(errors);
     }
-    chain.report.warnings.extend(doubts);
+    chain.report.warnings.extend(warnings);
     Ok(chain)
 }
 
-/// Whether forces or accelerations under loops are asked for.
+/// True if constrained dynamics of closed loops is requested.
 fn solves_loops(chain: &Chain, request: &Request) -> bool {
     let items = request.items(!chain.loops.is_empty());
     let mut functions = items.iter().flatten();
     !chain.loops.is_empty() && functions.any(|function| function.is_constrained())
 }
 
-/// Refuses a type of number that the processor would call a library for.
+/// Rejects a scalar type that the processor has no instructions for.
 fn check_processor(request: &Request) -> Result<(), Errors> {
     let mut errors = Errors::new();
     if !request.processor.has(request.scalar) {
@@ -70,7 +73,7 @@ fn check_processor(request: &Request) -> Result<(), Errors> {
     errors.into_result(())
 }
 
-/// Refuses batches of functions that are not of numbers of any kind, and so not of packs.
+/// Rejects `batch` without generic scalars: its types are packs.
 fn check_batch(request: &Request) -> Result<(), Errors> {
     let mut errors = Errors::new();
     if request.batch && request.scalar != Real::Generic {
@@ -83,7 +86,7 @@ fn check_batch(request: &Request) -> Result<(), Errors> {
     errors.into_result(())
 }
 
-/// Refuses to compute once what there is nothing of.
+/// Rejects `prepare` on a robot without run-time fields.
 fn check_prepare(request: &Request) -> Result<(), Errors> {
     let mut errors = Errors::new();
     if request.prepare && request.parameters.is_empty() {
@@ -96,17 +99,17 @@ fn check_prepare(request: &Request) -> Result<(), Errors> {
     errors.into_result(())
 }
 
-/// The same chain with its base parameters, held against the description.
+/// The same chain with its base parameters, which are compared with the description.
 ///
 /// # Errors
-/// Where they cannot be told apart, or are wrong.
+/// If they cannot be determined, or are wrong.
 pub fn identified(chain: Chain) -> Result<Chain, Errors> {
     let chain = chain.identified();
     judge_base_parameters(&chain)?;
     Ok(chain)
 }
 
-/// The same chain, with its base parameters where a function of them is asked for.
+/// The same chain, with its base parameters if a function of them is requested.
 #[must_use]
 pub fn identified_if_asked(chain: Chain) -> Chain {
     if chain.request.asks_for(Function::BaseRegressor) {

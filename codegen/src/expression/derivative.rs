@@ -1,16 +1,16 @@
-//! Derivatives of expressions, made on the graph that they stand in.
+//! Derivatives of expressions, made on their own graph.
 //!
 //! In: expressions, and a direction of the inputs or a weight of each expression. Out: further expressions of the same
-//! graph, in its canonical form, so that what derivatives and values share is one node. [`along`] goes forward through
-//! the graph, once a direction; [`gradient`] goes backward, once for all inputs. The derivative of a sign is taken for
-//! zero everywhere, also where it jumps.
+//! graph, in its canonical form, so that derivatives and values share nodes. [`along`] goes forward through the graph,
+//! once a direction; [`gradient`] goes backward, once for all inputs. The derivative of a sign is zero everywhere, also
+//! at its step.
 
 use std::collections::BTreeMap;
 
 use super::graph::{Expr, Graph, Input, Node};
 use super::term::Term;
 
-/// The derivative of each result along a direction: what changes of the inputs do to it, to first order.
+/// The derivative of each result along a direction of the inputs.
 ///
 /// `direction` is the change of each input; `None` is no change.
 ///

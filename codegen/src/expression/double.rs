@@ -1,9 +1,9 @@
-//! Numbers of 106 bits that know how wrong they are, for everything that is computed while
-//! generating, so that a number of the description is rounded once, when it becomes a literal.
+//! Numbers of 106 bits with an error bound, for everything that is computed during generation, so that a number of the
+//! description is rounded once, when it becomes a literal.
 //!
-//! In: numbers of `f64`, exactly. Out: an enclosure of what exact arithmetic would give: a centre,
-//! the unevaluated sum of two `f64`, and a radius around it. It never guesses: a number is taken for
-//! zero only where no number of 106 bits tells it from zero, and not because it is small.
+//! In: numbers of `f64`, exactly. Out: an enclosure of the exact result: a centre, the unevaluated sum of two `f64`,
+//! and a radius around it. A number counts as zero only if no number of 106 bits distinguishes it from zero, and not
+//! because it is small.
 //!
 //! Algorithms of Dekker (1971) and Knuth in the forms of Joldeș, Muller and Popescu, "Tight and
 //! rigorous error bounds for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017),
@@ -16,12 +16,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An enclosure.
 ///
-/// What is meant lies within `radius` of `hi + lo`, and is `hi + lo` where the radius is 0: numbers of
-/// `f64` are, sums that cancel to nothing, and little else. The radius of a sum, product, quotient
-/// or root bounds what its operands' radii, its own rounding and underflow amount to. It is infinite
-/// where nothing is known: after an overflow, and of a quotient or root of a number of which not even
-/// the bits of an `f64` are known. So a radius is never more than an `f64` loses of what its number was
-/// made of, and [`Double::is_zero`] forgets nothing that an `f64` beside it could hold.
+/// The exact number lies within `radius` of `hi + lo`, and is `hi + lo` if the radius is 0: so for numbers of `f64`,
+/// sums that cancel to zero, and few others. The radius of a sum, product, quotient or root bounds the effect of its
+/// operands' radii, its own rounding and underflow. It is infinite where nothing is known: after an overflow, and for
+/// a quotient or root of a number of which not even the bits of an `f64` are known. So a radius is never more than an
+/// `f64` loses of the terms of its number, and [`Double::is_zero`] drops nothing that an `f64` beside it could hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Double {
     hi: f64,
@@ -29,14 +28,13 @@ pub struct Double {
     radius: f64,
 }
 
-/// 2⁻⁵³: how much of a number its radius may be where something is divided by it, or its root taken.
+/// 2⁻⁵³: the largest relative radius of a divisor or of the operand of a root.
 const KNOWN: f64 = f64::from_bits((1023 - 53) << 52);
 
-/// 2⁻⁸⁰: how much of a number it may be where a direction is made of it, or how far an angle may be off.
+/// 2⁻⁸⁰: the largest relative radius of an entry of a direction, and the largest radius of an angle.
 const SHARP: f64 = f64::from_bits((1023 - 80) << 52);
 
-/// 2⁻¹⁰⁴, 2⁻¹⁰³ and 2⁻¹⁰¹: more than the relative errors of a sum, of a product, and of a quotient or
-/// root.
+/// 2⁻¹⁰⁴, 2⁻¹⁰³ and 2⁻¹⁰¹: bounds of the relative errors of a sum, of a product, and of a quotient or root.
 const SUM: f64 = f64::from_bits((1023 - 104) << 52);
 const PRODUCT: f64 = f64::from_bits((1023 - 103) << 52);
 const QUOTIENT: f64 = f64::from_bits((1023 - 101) << 52);
@@ -45,7 +43,7 @@ const QUOTIENT: f64 = f64::from_bits((1023 - 101) << 52);
 const SMALL: f64 = f64::from_bits((1023 - 900) << 52);
 const UNDERFLOW: f64 = f64::from_bits(1 << 14);
 
-/// What radii are multiplied by for their own roundings.
+/// Factor of radii for their own roundings.
 const SLACK: f64 = 1.0 + 1e-12;
 
 impl Double {
@@ -66,8 +64,7 @@ impl Double {
         }
     }
 
-    /// An enclosure of a number near `hi + lo`, of which nothing is known unless all three are
-    /// numbers.
+    /// An enclosure of a number near `hi + lo`; nothing is known if one of the three is NaN or infinite.
     fn around((hi, lo): (f64, f64), radius: f64) -> Self {
         let known = hi.is_finite() && lo.is_finite() && radius.is_finite();
         let radius = if known { radius * SLACK } else { f64::INFINITY };
@@ -80,47 +77,46 @@ impl Double {
         self.hi
     }
 
-    /// How far what is meant may be from the centre; infinite where nothing is known.
+    /// The largest distance of the exact number from the centre; infinite if nothing is known.
     #[must_use]
     pub const fn radius(self) -> f64 {
         self.radius
     }
 
-    /// The bits that tell two centres apart; equal for 0 and −0.
+    /// The bits of the centre, for comparisons; equal for 0 and −0.
     #[must_use]
     pub fn bits(self) -> (u64, u64) {
         ((self.hi + 0.0).to_bits(), (self.lo + 0.0).to_bits())
     }
 
-    /// Whether anything is known of it.
+    /// True if the radius is finite.
     #[must_use]
     pub const fn is_known(self) -> bool {
         self.radius.is_finite()
     }
 
-    /// Whether so many of its bits are known that a direction can be made of it. Of what is left of
-    /// larger numbers that cancelled but for their last digits they are not.
+    /// True if enough bits are known for an entry of a direction. They are not for the remainder of larger numbers that
+    /// cancelled up to their last digits.
     #[must_use]
     pub fn is_sharp(self) -> bool {
         self.hi != 0.0 && self.radius <= SHARP * self.hi.abs()
     }
 
-    /// Whether something can be divided by it.
+    /// True if it can be a divisor.
     fn divides(self) -> bool {
         self.hi != 0.0 && self.radius <= KNOWN * self.hi.abs()
     }
 
-    /// Whether it is zero, as far as 106 bits tell: nothing that it can be is farther from zero than
-    /// twice the radius.
+    /// True if it is zero within 106 bits: every number in the enclosure is within twice the radius of zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
         self.is_known() && self.hi.abs() <= self.radius
     }
 
-    /// Whether it is 1, as far as 106 bits tell.
+    /// True if it is 1 within 106 bits.
     ///
-    /// The sine of 1.5707963267948966, a right angle in `f64`, is: it lacks 1.9·10⁻³³, less than the 2⁻¹⁰⁶ that
-    /// an operation is off by. The cosine of that angle, 6·10⁻¹⁷, is a number like any other.
+    /// The sine of 1.5707963267948966, a right angle in `f64`, is 1: it differs by 1.9·10⁻³³, less than the 2⁻¹⁰⁶ of
+    /// one operation. The cosine of that angle, 6·10⁻¹⁷, is not zero.
     #[must_use]
     pub fn is_one(self) -> bool {
         (self - Self::from(1.0)).is_zero()
@@ -153,8 +149,8 @@ impl Double {
         Self::around(centre, radius).scaled(half)
     }
 
-    /// Sine and cosine, by Taylor series after reduction to a quarter turn. Nothing is known of those of
-    /// an angle beyond 2⁵⁰ rad, or of one that is not known to 2⁻⁸⁰ rad.
+    /// Sine and cosine, by Taylor series after reduction to a quarter turn. Nothing is known of the sine of an angle
+    /// beyond 2⁵⁰ rad, or of one that is not known to 2⁻⁸⁰ rad.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         /// π/2 to 212 bits.
@@ -164,7 +160,7 @@ impl Double {
             -1.497_384_904_859_169_8e-33,
             5.562_271_104_316_826e-50,
         ];
-        /// What the four parts lack of π/2.
+        /// A bound of π/2 minus the four parts.
         const BEYOND: f64 = 3e-66;
         const MOST: f64 = f64::from_bits((1023 + 50) << 52);
         if self.hi.is_nan() || self.hi.abs() > MOST || self.radius > SHARP {
@@ -196,7 +192,7 @@ impl Double {
         }
     }
 
-    /// Whether it is a number of `f64`: the sum and the product of two such are exact.
+    /// True if it is a number of `f64`: the sum and the product of two of them are exact.
     fn is_single(self) -> bool {
         self.lo == 0.0 && self.radius == 0.0
     }
@@ -211,7 +207,7 @@ impl Double {
         Self::around((hi, lo), underflow(hi, a == 0.0 || b == 0.0))
     }
 
-    /// n of a number between 2ⁿ and 2ⁿ⁺¹, subnormal or not; −2044 of zero.
+    /// n of a number between 2ⁿ and 2ⁿ⁺¹, subnormal or not; −2044 for zero.
     #[must_use]
     pub fn exponent(self) -> i32 {
         let first = exponent(self.hi);
@@ -237,7 +233,7 @@ impl Double {
     }
 }
 
-/// What underflow may take from a product.
+/// The largest underflow of a product.
 fn underflow(hi: f64, exactly_zero: bool) -> f64 {
     if hi.abs() < SMALL && !exactly_zero {
         UNDERFLOW
@@ -246,13 +242,13 @@ fn underflow(hi: f64, exactly_zero: bool) -> f64 {
     }
 }
 
-/// 2ⁿ, of an exponent between −1022 and 1023.
+/// 2ⁿ for an exponent between −1022 and 1023.
 fn power_of_two(n: i32) -> f64 {
     let biased = u64::try_from(n + 1023).unwrap_or(0);
     f64::from_bits(biased << 52)
 }
 
-/// n of a number between 2ⁿ and 2ⁿ⁺¹; somewhat more of a subnormal one.
+/// n of a number between 2ⁿ and 2ⁿ⁺¹; somewhat more for a subnormal one.
 fn exponent(x: f64) -> i32 {
     let biased = (x.to_bits() >> 52) & 0x7ff;
     i32::try_from(biased)
@@ -262,7 +258,7 @@ fn exponent(x: f64) -> i32 {
 
 /// Sine and 1 − cosine of a small angle.
 fn taylor(x: Double) -> (Double, Double) {
-    /// 2⁻¹¹⁶: what the first term that is left out is below, in relation to the angle.
+    /// 2⁻¹¹⁶: a bound of the first term that is left out, relative to the angle.
     const LEFT_OUT: f64 = f64::from_bits((1023 - 116) << 52);
     let mut sums = [Double::ZERO; 2];
     let mut term = x;
@@ -297,8 +293,7 @@ const fn two_sum(a: f64, b: f64) -> (f64, f64) {
 /// Dekker's product, which needs no fused operation and so gives the same bits on every host.
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134_217_729.0;
-    /// 2⁹⁰⁰ and 2⁶⁰: what is larger than the first is made smaller by the second, lest its
-    /// splitting overflows.
+    /// 2⁹⁰⁰ and 2⁶⁰: numbers above the first are divided by the second, so that their splitting does not overflow.
     const LARGE: f64 = f64::from_bits((1023 + 900) << 52);
     const STEP: f64 = f64::from_bits((1023 + 60) << 52);
     let product = a * b;
@@ -375,7 +370,7 @@ impl Mul for Double {
         } else {
             PRODUCT * hi.abs()
         };
-        // That |a| is larger than its upper half by a factor of 1 + u is part of the slack.
+        // |a| is larger than its upper half by a factor of 1 + u at most, which is part of the slack.
         let radius = self.hi.abs() * other.radius
             + self.radius * (other.hi.abs() + other.radius)
             + rounding
@@ -394,7 +389,7 @@ impl Div for Double {
         let rest = a - b * Self::from(quotient);
         let centre = fast_two_sum(quotient, rest.hi / b.hi);
         let radius = if other.divides() {
-            // |a/b − c/d| ≤ (|a − c| + |c/d| |b − d|) / |b|, and b is d but for a part that is slack.
+            // |a/b − c/d| ≤ (|a − c| + |c/d| |b − d|) / |b|, and b equals d up to a part of the slack.
             (a.radius + quotient.abs() * b.radius) / b.hi.abs() + QUOTIENT * quotient.abs()
         } else {
             f64::INFINITY

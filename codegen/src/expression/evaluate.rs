@@ -1,15 +1,15 @@
-//! Expressions as numbers, in any arithmetic.
+//! Evaluation of expressions in any arithmetic.
 //!
-//! In: a graph, the expressions asked for, and what the inputs are. Out: their values, computed from
-//! the literals up: a constant is as exact as the arithmetic, and not as the 106 bits that
-//! [`Graph::value`] keeps of it. It never rounds, reorders or simplifies anything itself.
+//! In: a graph, the requested expressions, and the values of the inputs. Out: their values, computed from the literals:
+//! a constant is as exact as the arithmetic, not as the 106 bits that [`Graph::value`] keeps of it. Operations are
+//! evaluated as they are, without rounding, reordering or simplification of their own.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
 use super::graph::{Expr, Graph, Input, Node};
 
-/// A type of number that expressions and programs are evaluated in; it may own memory.
+/// A type of numbers for the evaluation of expressions and programs; it may own memory.
 pub trait Arithmetic:
     Clone
     + Add<Output = Self>
@@ -20,7 +20,7 @@ pub trait Arithmetic:
 {
     /// The number nearest to a literal.
     fn literal(value: f64) -> Self;
-    /// `self · factor + term`, rounded once where the arithmetic fuses, and here twice.
+    /// `self · factor + term`, rounded once if the arithmetic fuses; the default rounds twice.
     #[must_use]
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
@@ -40,24 +40,24 @@ pub trait Arithmetic:
 #[derive(Clone, Debug)]
 pub struct Evaluation<T> {
     results: Vec<Expr>,
-    /// What depends on an input, children first.
+    /// The nodes that depend on an input, children first.
     varying: Vec<(Expr, Node)>,
     known: Values<T>,
 }
 
-/// What has been computed of a graph.
+/// Computed values of a graph's nodes.
 #[derive(Clone, Debug)]
 struct Values<T> {
     /// The value of each node.
     nodes: Vec<Option<T>>,
-    /// Sine and cosine of each node that is an angle: found together, needed one by one.
+    /// Sine and cosine of each node that is an angle: computed together, used one by one.
     turns: Vec<Option<(T, T)>>,
 }
 
 /// The values of expressions, for one input.
 ///
 /// # Panics
-/// Where an expression is not of this graph.
+/// If an expression is not of this graph.
 pub fn evaluate<T: Arithmetic>(
     graph: &Graph,
     results: &[Expr],
@@ -70,7 +70,7 @@ impl<T: Arithmetic> Evaluation<T> {
     /// Computes the constants that the expressions need.
     ///
     /// # Panics
-    /// Where an expression is not of this graph.
+    /// If an expression is not of this graph.
     #[must_use]
     pub fn of(graph: &Graph, results: &[Expr]) -> Self {
         let (needed, _) = graph.needed(results);
@@ -91,7 +91,7 @@ impl<T: Arithmetic> Evaluation<T> {
         }
     }
 
-    /// The values of the expressions, in the order in which they were asked for.
+    /// The values of the expressions, in the order of the request.
     pub fn at(&self, input: impl Fn(Input) -> T) -> Vec<T> {
         let mut values = self.known.clone();
         for &(expr, node) in &self.varying {
@@ -204,7 +204,7 @@ mod tests {
         let [one, three] = [1.0, 3.0].map(|x| graph.constant(x));
         let x = graph.input(Input::Variable(Variable::Q, 0));
         let result = (one / three) * x - (one / three).sqrt();
-        // Of single precision, with one rounding an operation.
+        // In single precision, with one rounding an operation.
         let third = 1.0_f32 / 3.0;
         let expected = third * 0.7 - third.sqrt();
         assert_eq!(evaluate(&graph, &[result.expr()], |_| 0.7_f32), [expected]);

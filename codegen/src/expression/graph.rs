@@ -1,4 +1,4 @@
-//! The nodes, and the form they are brought into when they are made.
+//! The nodes, and their canonical form.
 //!
 //! Canonical form, relied on by every later stage:
 //! * no operation on 0, no product with 1, no difference of equals;
@@ -8,7 +8,7 @@
 //!   one that starts with the older operand exists, the other is its `Neg`;
 //! * a product holds at most one constant factor, folded at 106 bits;
 //! * k x ± l x is (k ± l) x, and so where one of k and l is 1;
-//! * nothing looks through a [`Node::Taken`]: what is made of it is the same, whatever it holds.
+//! * no rule applies across a [`Node::Taken`]: the nodes above it are the same, whatever it holds.
 
 #[cfg(test)]
 mod tests;
@@ -21,7 +21,7 @@ use super::label::Label;
 use super::term::Term;
 use crate::space::Variable;
 
-/// A node of a graph.
+/// The number of a node in a graph.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Expr(u32);
 
@@ -31,7 +31,7 @@ impl std::fmt::Debug for Expr {
     }
 }
 
-/// What is known only when the generated code runs.
+/// A value that is known only when the generated code runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Input {
     /// An entry of an argument.
@@ -40,10 +40,10 @@ pub enum Input {
     Parameter(u16, u16),
 }
 
-/// A scalar and how it comes about. Children are older than parents.
+/// A scalar as an operation on older nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// A number that stands for itself, never negative, as the bits of an `f64`.
+    /// A number, never negative, as the bits of an `f64`.
     Literal(u64),
     /// An argument or a run-time parameter.
     Input(Input),
@@ -65,7 +65,7 @@ pub enum Node {
     Sin(Expr),
     /// cos a.
     Cos(Expr),
-    /// a, as the one of several equal computations takes it that has this number.
+    /// a, marked with the number of one of several equal computations.
     Taken(Expr, u16),
 }
 
@@ -78,60 +78,60 @@ pub struct Graph {
 #[derive(Clone, Debug, Default)]
 struct Inner {
     nodes: Vec<Node>,
-    /// The value of each node that no input enters.
+    /// The value of each constant node.
     values: Vec<Option<Double>>,
     labels: Vec<Option<Label>>,
-    /// The nodes that an input enters.
+    /// The nodes that depend on an input.
     memo: HashMap<Node, Expr>,
-    /// All others, by their value, so that 0.5 × 0.5 and 0.25 are one.
+    /// The constants by their value, so that 0.5 × 0.5 and 0.25 are one node.
     constants: HashMap<(u64, u64), Expr>,
 }
 
 impl Graph {
-    /// No nodes yet.
+    /// An empty graph.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The node behind an expression.
+    /// The node of an expression.
     #[must_use]
     pub fn node(&self, expr: Expr) -> Node {
         self.inner.borrow().nodes[expr.index()]
     }
 
-    /// The expression of a node, where it has been made.
+    /// The expression of a node, if it has been made.
     #[must_use]
     pub fn find(&self, node: Node) -> Option<Expr> {
         self.inner.borrow().memo.get(&node).copied()
     }
 
-    /// The value of an expression that no input enters.
+    /// The value of a constant expression.
     #[must_use]
     pub fn value(&self, expr: Expr) -> Option<Double> {
         self.inner.borrow().values[expr.index()]
     }
 
-    /// How many nodes there are.
+    /// The number of nodes.
     #[must_use]
     pub fn len(&self) -> usize {
         self.inner.borrow().nodes.len()
     }
 
-    /// Whether there are none.
+    /// True if there are no nodes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// What the expression is an entry of, if anything.
+    /// The label of an expression, if it is an entry of a quantity.
     #[must_use]
     pub fn label(&self, expr: Expr) -> Option<Label> {
         self.inner.borrow().labels[expr.index()]
     }
 
-    /// Says what the expression is an entry of. The first label stays; inputs and numbers, which
-    /// have their own, take none; what stands behind a sign is the [opposite](Label::opposite).
+    /// Labels an expression as an entry of a quantity. The first label stays. Inputs and numbers take none; the
+    /// operand of a sign gets the [opposite](Label::opposite).
     pub fn set_label(&self, expr: Expr, label: Label) {
         let mut inner = self.inner.borrow_mut();
         let (negative, expr) = inner.strip(expr);
@@ -145,7 +145,7 @@ impl Graph {
         }
     }
 
-    /// A handle that computes.
+    /// A handle for computations.
     #[must_use]
     pub fn term(&self, expr: Expr) -> Term<'_> {
         Term::new(self, expr)
@@ -225,7 +225,7 @@ impl Graph {
 }
 
 impl Node {
-    /// What it acts on.
+    /// Its operands.
     #[must_use]
     pub fn operands(self) -> Vec<Expr> {
         match self {
@@ -242,7 +242,7 @@ impl Node {
 }
 
 impl Expr {
-    /// Its place in the order of the graph.
+    /// Its index in the graph.
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -250,8 +250,8 @@ impl Expr {
 }
 
 impl Inner {
-    /// The expression of that node: a number is known by its 106 bits, however it came about and as
-    /// well as where it came about first, and everything else by what it acts on.
+    /// The expression of a node. A number is identified by its 106 bits, however it was computed, and keeps its first
+    /// expression; every other node is identified by its operands.
     fn intern(&mut self, node: Node, value: Option<Double>) -> Expr {
         let known = match value {
             Some(value) => self.constants.get(&value.bits()),
@@ -289,7 +289,7 @@ impl Inner {
         self.value(expr).is_some_and(Double::is_one)
     }
 
-    /// Whether a minus stands before the expression, and what it stands before.
+    /// True if a minus stands before the expression, and the expression without it.
     fn strip(&self, expr: Expr) -> (bool, Expr) {
         match self.nodes[expr.index()] {
             Node::Neg(inner) => (true, inner),
@@ -364,8 +364,8 @@ impl Inner {
         }
     }
 
-    /// Two constants and what both are factors of, in a and in b, of which one may be 1: k x and l x.
-    /// Gathered before anything else uses them, constants keep digits that a sum of products loses.
+    /// Two constants and their common factor in a and in b: k x and l x, where one of k and l may be 1. Collected
+    /// before other rules, constants keep digits that a sum of products loses.
     fn multiples(&mut self, a: Expr, b: Expr) -> Option<(Expr, Expr, Expr)> {
         let split = |inner: &Self, expr: Expr| match inner.nodes[expr.index()] {
             _ if inner.value(expr).is_some() => None,
@@ -424,7 +424,7 @@ impl Inner {
         self.intern(Node::Sqrt(a), value)
     }
 
-    /// A constant factor does nothing but turn it.
+    /// A constant factor only changes the sign.
     fn sign(&mut self, a: Expr) -> Expr {
         let (negative, a) = self.strip(a);
         if let Some(value) = self.value(a) {
@@ -448,7 +448,7 @@ impl Inner {
         (self.signed(negative, sine), cosine)
     }
 
-    /// Zero is taken for what it is; other numbers are not known any more.
+    /// Zero stays zero; other numbers become opaque.
     fn taken(&mut self, a: Expr, by: u16) -> Expr {
         if self.is_zero(a) {
             a
@@ -457,7 +457,7 @@ impl Inner {
         }
     }
 
-    /// A node whose value may be anything: zero becomes the literal.
+    /// A node that may be negative; zero becomes the literal.
     fn intern_signed(&mut self, node: Node, value: Option<Double>) -> Expr {
         if value.is_some_and(Double::is_zero) {
             self.literal(0.0)

@@ -1,7 +1,7 @@
-//! Labels: which entry of which matrix of the paper a value is.
+//! Labels: the entry of a matrix of the paper that a value is.
 //!
-//! In: block, bodies, frame, component. Out: the same as data, and the identifier that generated code has for it, made
-//! here and nowhere else.
+//! In: block, bodies, frame, component. Out: the label as data, and its identifier in generated code, which is made
+//! only here.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use crate::list::Id;
 /// A block of a matrix, or another quantity whose entries have names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Block {
-    /// An axis of M: its column of that number.
+    /// An axis of M: the column with this index.
     Axis(usize),
     /// The origin of M.
     Origin,
@@ -40,12 +40,12 @@ pub enum Block {
     Factor,
 }
 
-/// The number of a body or a velocity in names, from 1, or 0 for what carries the first body.
+/// The number of a body or a velocity in names, from 1; 0 for the parent of the first body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Numeral(pub usize);
 
 impl Numeral {
-    /// That of what carries the first body.
+    /// The number of the parent of the first body.
     pub const BASE: Self = Self(0);
 }
 
@@ -64,11 +64,11 @@ impl fmt::Display for Numeral {
 /// The bodies of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Of {
-    /// A body, by itself or with all that it carries.
+    /// A body, alone or with all that it carries.
     Body(Numeral),
-    /// A body as seen from frame 0.
+    /// A body relative to frame 0.
     FromBase(Numeral),
-    /// Frame n as seen from that of a body.
+    /// Frame n relative to a body's frame.
     TipFrom(Numeral),
     /// Row and column.
     Pair(Numeral, Numeral),
@@ -77,11 +77,11 @@ pub enum Of {
 /// A vector or matrix of the paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Quantity {
-    /// Which one.
+    /// Its letter and part.
     pub block: Block,
     /// Its bodies.
     pub of: Of,
-    /// The frame that its entries are in, where the name has one.
+    /// The frame of its axes, if the name has one.
     pub frame: Option<Numeral>,
 }
 
@@ -103,14 +103,14 @@ pub enum Component {
 pub struct Label {
     /// The quantity.
     pub quantity: Quantity,
-    /// Which entry.
+    /// The entry.
     pub component: Component,
     /// True if the value is the opposite of the entry.
     pub negative: bool,
 }
 
 impl Block {
-    /// The quantity of that block.
+    /// The quantity of a block.
     #[must_use]
     pub const fn of(self, of: Of) -> Quantity {
         Quantity {
@@ -143,7 +143,7 @@ impl Quantity {
 }
 
 impl Label {
-    /// That of the value with the other sign.
+    /// The label of the value with the other sign.
     #[must_use]
     pub const fn opposite(self) -> Self {
         Self {

@@ -1,5 +1,4 @@
-//! A handle to an expression that computes with the usual operators, so that the matrices read
-//! like the mathematics they are.
+//! Handles of expressions with the usual operators, so that formulas over matrices read as in mathematics.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -7,7 +6,7 @@ use super::double::Double;
 use super::graph::{Expr, Graph};
 use super::label::Label;
 
-/// An expression together with the graph it lives in.
+/// An expression together with its graph.
 #[derive(Clone, Copy)]
 pub struct Term<'g> {
     graph: &'g Graph,
@@ -25,32 +24,32 @@ impl<'g> Term<'g> {
         self.expr
     }
 
-    /// The graph it lives in.
+    /// Its graph.
     #[must_use]
     pub const fn graph(self) -> &'g Graph {
         self.graph
     }
 
-    /// The value, where no input enters it.
+    /// The value, if it is constant.
     #[must_use]
     pub fn value(self) -> Option<Double> {
         self.graph.value(self.expr)
     }
 
-    /// Whether it is known to be zero.
+    /// True if it is a constant that is zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
         self.value().is_some_and(Double::is_zero)
     }
 
-    /// The same, as the one of several computations takes it that has this number, so that they become equal,
-    /// step by step: no rule looks through it, and no sign floats out. Zero stays a zero that rules see.
+    /// The same value, marked with the number of one of several computations, so that these become equal, step by
+    /// step: no rule applies across it, and no sign moves out of it. Zero stays zero.
     #[must_use]
     pub fn taken_by(self, number: u16) -> Self {
         Self::new(self.graph, self.graph.taken(self.expr, number))
     }
 
-    /// Says what it is an entry of.
+    /// Labels it as an entry of a quantity.
     pub fn label(self, label: Label) {
         self.graph.set_label(self.expr, label);
     }

@@ -1,4 +1,4 @@
-//! H₀,tip₍₀₎, the acceleration matrix of a frame, without gravity.
+//! H₀,tip₍₀₎: the acceleration matrix of a frame, without gravity.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(base: &str, frame: &str) -> String {
     format!(
-        "Acceleration matrix H₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), pole at its \
+        "Acceleration matrix H₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), reference point at its \
          origin, without gravity; 1/s², m/s²."
     )
 }

@@ -1,4 +1,4 @@
-//! H₀,tip₍₀₎ at q̈ = 0: what velocities alone make of the acceleration matrix of a frame, without gravity.
+//! H₀,tip₍₀₎ at q̈ = 0: the velocity-dependent part of the acceleration matrix of a frame, without gravity.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -22,8 +22,8 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(base: &str, frame: &str) -> String {
     format!(
-        "Acceleration matrix H₀,ₜ₍₀₎ of {frame} at q̈ = 0 in the axes of {base} (frame 0), pole at its \
-         origin, without gravity; 1/s², m/s²."
+        "Acceleration matrix H₀,ₜ₍₀₎ of {frame} at q̈ = 0 in the axes of {base} (frame 0), reference point at \
+         its origin, without gravity; 1/s², m/s²."
     )
 }
 
@@ -35,7 +35,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     scene.acceleration(|_| scene.state.zero())
 }
 
-/// Carried inwards by itself; outwards as dynamics has it, where that is asked for beside it.
+/// From the end effector inwards, which costs less alone; from the base outwards, which shares work with dynamics.
 fn ways() -> Vec<Way> {
     let pose = Carried::Outwards;
     vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]

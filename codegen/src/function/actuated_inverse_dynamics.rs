@@ -1,4 +1,4 @@
-//! Torques and forces of the joints that are driven, where loops move the others.
+//! Inverse dynamics of the actuated joints of a robot with loops, which move the other joints.
 
 use super::definition::{Definition, Property, Truth};
 use super::tally::{self, Size, Tally};
@@ -21,14 +21,14 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Torques and forces τ of the joints that are driven, zero for all others, which produce q̈ against \
-     gravity where the loops are held together and q, q̇ and q̈ keep them closed; N m, N. What the others need \
-     comes from the loops, as far as they can give it (least squares)."
+    "Torques and forces τ of the actuated joints, zero for all others, that produce q̈ against gravity; q, q̇ \
+     and q̈ must keep the loops closed; N m, N. The forces of the loops move the other joints, as far as they can \
+     (least squares)."
         .to_owned()
 }
 
 fn dense(size: Size) -> Tally {
-    // Without the loops, and at most as many equations as joints.
+    // Inverse dynamics without loops, the Jacobian, and at most as many equations as joints.
     let cubes = size.joints.pow(3);
     let parts = tally::torques(size).plus(constraint_jacobian::dense(size));
     parts.and(cubes, cubes)

@@ -1,4 +1,4 @@
-//! What torques are for the base parameters: those columns of the regressor that do not depend on each other.
+//! The base regressor: linearly independent columns of the regressor, one for each base parameter.
 
 use super::definition::{Definition, Truth};
 use super::{quantities, regressor};
@@ -19,8 +19,8 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Base regressor Y(q, q̇, q̈) of τ = Y π, by rows, where π are the base parameters: all that torques can tell of \
-     the inertial parameters, each by the column of the one that leads it."
+    "Base regressor Y(q, q̇, q̈) of τ = Y π, by rows, where π are the base parameters: the linear combinations \
+     of inertial parameters that torques determine. Each has the column of its leading parameter."
         .to_owned()
 }
 

@@ -1,4 +1,4 @@
-//! The Jacobian in the frame of the tip: columns L₁ … L_N, pole at its origin.
+//! The body Jacobian: columns L₁ … L_N in the end effector's frame, reference point at its origin.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -24,8 +24,8 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(_: &str, frame: &str) -> String {
     format!(
-        "Body Jacobian of {frame}: screws L of the joints in the axes of {frame}, pole at its \
-         origin."
+        "Body Jacobian of {frame}: screws L of the joints in the axes of {frame}, reference point \
+         at its origin."
     )
 }
 

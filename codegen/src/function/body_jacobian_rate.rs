@@ -1,5 +1,5 @@
-//! The rate of the entries of the Jacobian in the frame of the tip, which moves: columns L̇₁ … L̇_N, pole at
-//! its origin.
+//! The time derivative of the entries of the body Jacobian: columns L̇₁ … L̇_N in the moving frame of the end effector,
+//! reference point at its origin.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -29,8 +29,8 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(_: &str, frame: &str) -> String {
     format!(
-        "Rate of the entries of the body Jacobian of {frame}: L̇ of the joints as seen in the moving \
-         axes of {frame}, pole at its origin."
+        "Time derivative of the entries of the body Jacobian of {frame}: L̇ of the joints in the moving axes of \
+         {frame}, reference point at its origin."
     )
 }
 

@@ -1,4 +1,5 @@
-//! The centre of mass of all that joints move: Σ J has its first moments and the mass in the last column (paper, eq. 16).
+//! The centre of mass of all bodies that joints move. The last column of Σ J has the first moments and the mass (paper,
+//! eq. 16).
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -11,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "center_of_mass",
     sentence: |base, _| {
         format!(
-            "Centre of mass of what joints move, in {base} (frame 0); m. What is fixed to {base} is not counted."
+            "Centre of mass of all bodies that joints move, in {base} (frame 0); m. Bodies fixed to {base} are not included."
         )
     },
     arguments: &[Variable::Q],

@@ -1,5 +1,5 @@
-//! What each joint adds to the velocity of the centre of mass of all that joints move: the last column of Σ L J of
-//! what it carries.
+//! The Jacobian of the centre of mass of all bodies that joints move: the last column of Σ L J over the bodies that each
+//! joint carries, divided by the mass.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "center_of_mass_jacobian",
     sentence: |base, _| {
         format!(
-            "Jacobian of the centre of mass of what joints move: its velocity at a unit rate of each joint, in the axes of {base} (frame 0)."
+            "Jacobian of the centre of mass of all bodies that joints move: its velocity at unit velocity of each degree of freedom, in the axes of {base} (frame 0)."
         )
     },
     arguments: &[Variable::Q],
@@ -30,7 +30,7 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn dense(size: Size) -> Tally {
-    // A composite J and L J a column, and three divisions.
+    // For each column a composite J, L J, and three divisions.
     let column = KINEMATIC.plus(INERTIA).plus(Tally::of(1, 0, 1)).and(3, 0);
     column.times(size.joints)
 }
@@ -41,7 +41,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     scene.gathered(&center.columns(scene.way.pose).map(|column| column.0))
 }
 
-/// Each column is carried through the joints, or turned by the pose of its body.
+/// Each column is transformed joint by joint, or rotated by the pose of its body.
 fn ways() -> Vec<Way> {
     let pose = Carried::Outwards;
     vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]

@@ -1,4 +1,4 @@
-//! The velocity of the centre of mass of all that joints move: Σ W J has the linear momenta in the last column.
+//! The velocity of the centre of mass of all bodies that joints move. The last column of Σ W J has the linear momentum.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "center_of_mass_velocity",
     sentence: |base, _| {
         format!(
-            "Velocity of the centre of mass of what joints move, in the axes of {base} (frame 0); m/s."
+            "Velocity of the centre of mass of all bodies that joints move, in the axes of {base} (frame 0); m/s."
         )
     },
     arguments: &[Variable::Q, Variable::Qd],

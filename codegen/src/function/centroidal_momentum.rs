@@ -1,4 +1,4 @@
-//! The momentum Γ = Σ skew\[W J\] of all that joints move, about their centre of mass.
+//! The momentum Γ = Σ skew\[W J\] of all bodies that joints move, about their centre of mass.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "centroidal_momentum",
     sentence: |base, _| {
         format!(
-            "Momentum Γ of what joints move about their centre of mass, in the axes of {base} (frame 0); kg m²/s, kg m/s."
+            "Momentum Γ of all bodies that joints move, about their centre of mass, in the axes of {base} (frame 0); kg m²/s, kg m/s."
         )
     },
     arguments: &[Variable::Q, Variable::Qd],

@@ -1,4 +1,4 @@
-//! What the momentum about the centre of mass changes by at q̈ = 0: the rate of its matrix times q̇, Σ skew\[H J\].
+//! The rate of change of the centroidal momentum at q̈ = 0: Ȧ q̇ = Σ skew\[H J\], with A the centroidal momentum matrix.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "centroidal_momentum_bias",
     sentence: |base, _| {
         format!(
-            "Rate of the centroidal momentum of what joints move at q̈ = 0, the matrix' rate times q̇, in the axes of {base} (frame 0); N m, N."
+            "Rate of change Ȧ q̇ of the centroidal momentum at q̈ = 0, with the centroidal momentum matrix A of all bodies that joints move, in the axes of {base} (frame 0); N m, N."
         )
     },
     arguments: &[Variable::Q, Variable::Qd],

@@ -1,4 +1,4 @@
-//! What each joint adds to the momentum about the centre of mass: skew\[L J\] of all that it carries.
+//! The centroidal momentum matrix: for each joint Σ skew\[L J\] over the bodies that it carries.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -11,7 +11,7 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "centroidal_momentum_matrix",
     sentence: |base, _| {
         format!(
-            "Centroidal momentum matrix: momentum Γ of what joints move about their centre of mass at a unit rate of each joint, in the axes of {base} (frame 0)."
+            "Centroidal momentum matrix: momentum Γ of all bodies that joints move about their centre of mass, at unit velocity of each degree of freedom, in the axes of {base} (frame 0)."
         )
     },
     arguments: &[Variable::Q],
@@ -28,7 +28,7 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn dense(size: Size) -> Tally {
-    // A composite J, L J and a change of frame a column.
+    // For each column a composite J, L J and a change of frame.
     let column = KINEMATIC.plus(INERTIA).plus(Tally::of(3, 0, 2));
     column.times(size.joints).and(3, 0)
 }

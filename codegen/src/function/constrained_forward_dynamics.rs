@@ -1,5 +1,4 @@
-//! Joint accelerations that forces and torques produce where loops are held together, and what holds them
-//! together meanwhile.
+//! Forward dynamics of a robot with loops: joint accelerations and constraint forces.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -23,16 +22,16 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Joint accelerations q̈ that τ produces against gravity where the loops are held together, and the \
-     multipliers λ that hold them: M q̈ + h = τ + Jᵗ λ and J q̈ + γ = 0, with J and γ of constraint_jacobian and \
-     constraint_bias; rad/s², m/s² and N, N m. λ are forces on B along the axes of A, for products of axes torques; \
-     along a rod its force, positive where it pushes. A residual that depends on those before it to some nine \
-     digits (five in f32) is left out, and its multiplier is zero."
+    "Joint accelerations q̈ that τ produces against gravity with closed loops, and the constraint forces \
+     (multipliers) λ: M q̈ + h = τ + Jᵗ λ and J q̈ + γ = 0, with J and γ of constraint_jacobian and \
+     constraint_bias; rad/s², m/s² and N, N m. λ are forces on B along the axes of A, torques for products of \
+     axes, and the force along a rod, positive in compression. A residual that depends on those before it within \
+     about nine digits (five in f32) is left out, and its multiplier is zero."
         .to_owned()
 }
 
 pub(super) fn dense(size: Size) -> Tally {
-    // Without the loops, and for each joint a column of what they do, at most as many.
+    // Forward dynamics without loops, Jacobian and bias, and at most as many residuals as joints.
     let cubes = size.joints.pow(3);
     let parts = forward_dynamics::dense(size).plus(constraint_jacobian::dense(size));
     parts.plus(constraint_bias::dense(size)).and(cubes, cubes)

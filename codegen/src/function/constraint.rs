@@ -1,4 +1,4 @@
-//! The residuals of the loops: entries of M of one frame as seen from the other.
+//! The residuals of the loops: entries of the pose M of one frame of a loop in the other.
 
 use super::definition::{Definition, Truth};
 use super::quantities;
@@ -20,8 +20,8 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Residuals of the loops, zero where they are closed: of frames A and B of each, lengths along the \
-     axes of A in m, products of an axis of A and one of B; of a rod (d² − l²)/2l."
+    "Residuals of the loops, zero if they are closed. For frames A and B of a loop: lengths along the axes of A \
+     in m, products of an axis of A and one of B; for a rod (d² − l²)/2l."
         .to_owned()
 }
 

@@ -1,4 +1,4 @@
-//! Accelerations of the residuals of the loops at q̈ = 0: entries of H M.
+//! Second time derivatives of the residuals of the loops at q̈ = 0: entries of H M.
 
 use super::definition::{Definition, Truth};
 use super::quantities;
@@ -20,8 +20,7 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Accelerations of the residuals of the loops at q̈ = 0, the rate of their Jacobian times q̇; 1/s², \
-     m/s²."
+    "Second time derivatives J̇ q̇ of the residuals of the loops at q̈ = 0, with their Jacobian J; 1/s², m/s²."
         .to_owned()
 }
 

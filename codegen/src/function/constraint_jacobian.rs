@@ -1,4 +1,4 @@
-//! What velocities change the residuals of the loops by: entries of L M for each joint.
+//! The Jacobian of the residuals of the loops: entries of L M for each joint.
 
 use super::definition::{Definition, Truth};
 use super::quantities;

@@ -1,4 +1,4 @@
-//! The Coriolis matrix: what the rates are for torques and forces, by the Christoffel symbols of M.
+//! The Coriolis matrix by the Christoffel symbols of M: C q̇ are the Coriolis and centrifugal torques and forces.
 
 use super::definition::{Definition, Property, Truth};
 use super::tally::{Size, Tally, VELOCITY};
@@ -26,7 +26,7 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn dense(size: Size) -> Tally {
-    // Beside M, for both halves, W J of each body, and L̇ J + L W J of each column.
+    // Twice the work of M, W J of each body, and L̇ J + L W J of each column.
     let velocity = VELOCITY.plus(Tally::of(1, 0, 1));
     let column = Tally::of(4, 0, 2);
     let parts = mass_matrix::dense(size).times(2);

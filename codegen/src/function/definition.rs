@@ -1,4 +1,4 @@
-//! What is to be known of a function: a value of this type stands in the file of each.
+//! Definition of a function: a value of this type is in the file of each function.
 
 use super::tally::{Size, Tally};
 use crate::dense::{Approximate, Dense};
@@ -6,72 +6,71 @@ use crate::expression::Term;
 use crate::model::{Scene, Way};
 use crate::space::{FrameId, Outcome, Variable};
 
-/// What the results of a function are held against, whatever way they were found.
+/// Reference for the results of a function, independent of the algorithm.
 #[derive(Clone, Copy)]
 pub(crate) enum Truth {
-    /// What dense matrices make of a state; of the frame of that index where it is of one.
+    /// Value by dense matrices, at a state and for a frame.
     Value(fn(&Dense, FrameId) -> Vec<Approximate>),
-    /// The same, of robots that have mass: without any there is no such thing.
+    /// The same, defined only for robots with mass.
     OfMass(fn(&Dense, FrameId) -> Vec<Approximate>),
-    /// The same of what is solved for where loops hold joints together, and so small a part of the whole is
-    /// nothing.
+    /// Solution of the dynamics of loops by dense matrices; the number is the relative pivot below which a
+    /// residual counts as dependent.
     Constrained(fn(&Dense, f64) -> Vec<Approximate>),
-    /// An equation that they solve, in which that is given.
+    /// Equation that the results solve, with these given data.
     Solution(Given),
 }
 
-/// What a solution is found for.
+/// Given data of an equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Given {
-    /// τ, of which accelerations are the solution.
+    /// τ; the solution is q̈.
     Torques,
-    /// M, of which each column of the inverse is one, from the diagonal up: each for another M.
+    /// M; the solution is each column of M⁻¹ from its diagonal entry on, each for a different perturbed M.
     MassMatrix,
-    /// ∂τ/∂q and ∂τ/∂q̇ at the accelerations of τ, which decide these, of which each column of the derivatives of
-    /// accelerations is one.
+    /// ∂τ/∂q and ∂τ/∂q̇ at the q̈ that τ produces; the solution is each column of ∂q̈/∂q and ∂q̈/∂q̇.
     TorqueDerivatives,
 }
 
-/// A property of a function that others do not have.
+/// Property of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Property {
-    /// It is about a frame, the tip's or a further one, and not about the whole robot.
+    /// Belongs to a frame, of the end effector or another link, and not to the whole robot.
     Frame,
-    /// Masses and moments of inertia are numbers of it, and not factors of its result.
+    /// Masses and inertias are part of its expressions; false for regressors, whose columns they multiply.
     Mass,
-    /// External forces enter it.
+    /// External wrenches enter it.
     External,
-    /// It depends on which joints are actuated.
+    /// Depends on which joints are actuated.
     Actuation,
-    /// It is of moving bodies alone: armature and friction do not enter it.
+    /// Excludes armature and friction of joints.
     BodiesAlone,
 }
 
-/// Everything that is known of a function.
+/// Definition of a function.
 pub(super) struct Definition {
-    /// The name in generated code, in attributes and on the command line.
+    /// Name in generated code, in attributes and on the command line.
     pub(super) name: &'static str,
-    /// What it computes, with the letters of the paper, by the names of frame 0 and of the frame that it
-    /// is of.
+    /// Sentence about its result, with the letters of the paper; the arguments are the names of frame 0 and of the
+    /// function's frame.
     pub(super) sentence: fn(&str, &str) -> String,
-    /// What it is a function of, in the order of its parameters.
+    /// Arguments in the order of parameters, without external wrenches.
     pub(super) arguments: &'static [Variable],
-    /// Its result.
+    /// Result.
     pub(super) result: Outcome,
-    /// What distinguishes it from others.
+    /// Properties.
     pub(super) properties: &'static [Property],
-    /// What every expansion is held against.
+    /// Reference for the check.
     pub(super) truth: Truth,
-    /// The ways to compute it between which only the count decides.
+    /// Equivalent algorithms, among which the one with the fewest operations is chosen.
     pub(super) ways: fn() -> Vec<Way>,
-    /// What it costs by dense 4×4 matrices.
+    /// Cost by dense 4×4 matrices.
     pub(super) dense: fn(Size) -> Tally,
-    /// Its results, in the order of its quantities.
+    /// Expressions of its results, in the order of its quantities.
     pub(super) build: for<'g> fn(&Scene<'_, 'g>) -> Vec<Term<'g>>,
 }
 
 impl Definition {
-    /// No alternatives.
+    /// A single algorithm.
     pub(super) fn one_way() -> Vec<Way> {
         vec![Way::PLAIN]
     }

@@ -1,4 +1,4 @@
-//! Joint accelerations that forces and torques produce.
+//! Forward dynamics: joint accelerations that torques and forces produce.
 
 use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{self, Size, Tally};
@@ -36,7 +36,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     accelerations(scene).into()
 }
 
-/// q̈; articulated bodies are taken where each has a velocity of its own.
+/// q̈ by the mass matrix or by articulated bodies.
 pub(super) fn accelerations<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<'g>> {
     match scene.way.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(

@@ -1,5 +1,5 @@
-//! What changes of q, q̇ and τ do to the joint accelerations that τ produces: of M q̈ + … = τ with q̈ as it is,
-//! ∂q̈ = M⁻¹ (∂τ − what inverse dynamics changes by).
+//! Derivatives of forward dynamics by q, q̇ and τ: ∂q̈ = M⁻¹ (∂τ − ∂ID), with ∂ID the derivative of inverse dynamics at
+//! constant q̈.
 
 use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
@@ -29,7 +29,7 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn dense(size: Size) -> Tally {
-    // Besides q̈, M⁻¹ and the derivatives of τ two products of matrices.
+    // q̈, M⁻¹, the derivatives of τ, and two products of matrices.
     let parts = inverse_dynamics_derivatives::dense(size).plus(forward_dynamics::dense(size));
     let cubes = 3 * size.joints.pow(3);
     parts.and(cubes, cubes)
@@ -57,7 +57,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     by_rows.chain(Vec::from(inverse.clone())).collect()
 }
 
-/// A b.
+/// The product A b.
 fn product<'g>(
     a: &Square<VelocityId, Term<'g>>,
     b: &List<VelocityId, Term<'g>>,

@@ -1,4 +1,4 @@
-//! M₀,tip, the pose of a frame.
+//! M₀,tip: the pose of a frame.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -31,7 +31,8 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     pose::forward_kinematics(&scene.link_path(), scene.way.pose)
 }
 
-/// Two columns make the third, whichever it is; and carried outwards a pose shares the work of Jacobians.
+/// Any column of the rotation is the cross product of the two others. From the base outwards, a pose shares work with
+/// Jacobians.
 fn ways() -> Vec<Way> {
     let carried = (0..3).map(|column| Carried::Inwards {
         by_product: Some(column),

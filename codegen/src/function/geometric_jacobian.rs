@@ -1,4 +1,4 @@
-//! The Jacobian in the axes of frame 0: columns L₁ … L_N, pole at the origin of the tip.
+//! The geometric Jacobian: columns L₁ … L_N in the axes of frame 0, reference point at the end effector's origin.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -27,7 +27,7 @@ pub(super) const DEFINITION: Definition = Definition {
 fn sentence(base: &str, frame: &str) -> String {
     format!(
         "Geometric Jacobian of {frame}: screws L of the joints in the axes of {base} (frame 0), \
-         pole at the origin of {frame}."
+         reference point at the origin of {frame}."
     )
 }
 

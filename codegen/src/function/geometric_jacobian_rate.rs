@@ -1,5 +1,5 @@
-//! The rate of the Jacobian in the axes of frame 0: columns L̇₁ … L̇_N, pole at the origin of the tip, which
-//! moves.
+//! The time derivative of the geometric Jacobian: columns L̇₁ … L̇_N in the axes of frame 0, reference point at the
+//! moving origin of the end effector.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -18,7 +18,7 @@ pub(super) const DEFINITION: Definition = Definition {
     truth: Truth::Value(|dense, frame| {
         let tip = dense.pose(frame).column();
         let (w, _) = dense.motion(frame, Motion::Coasting);
-        // The pole moves by W P, and takes the axes along unturned.
+        // The reference point moves by W P; the axes keep their directions.
         let mut pole = Matrix::zero();
         pole.set_column(w.times(&Matrix::translation(tip)).column());
         let back = Matrix::translation(tip.map(|entry| -entry));
@@ -33,8 +33,8 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(base: &str, frame: &str) -> String {
     format!(
-        "Rate of the geometric Jacobian of {frame}: L̇ of the joints in the axes of {base} (frame \
-         0), pole at the moving origin of {frame}."
+        "Time derivative of the geometric Jacobian of {frame}: L̇ of the joints in the axes of {base} \
+         (frame 0), reference point at the moving origin of {frame}."
     )
 }
 
@@ -43,7 +43,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     scene.columns(&rates)
 }
 
-/// The pole is seen from each body, or all bodies about the pole.
+/// The reference point is transformed to each body, or each body to the reference point.
 fn ways() -> Vec<Way> {
     let pose = Carried::Outwards;
     vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]

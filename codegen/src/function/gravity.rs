@@ -1,4 +1,4 @@
-//! Inverse dynamics at rest.
+//! Gravity torques: inverse dynamics at rest.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;

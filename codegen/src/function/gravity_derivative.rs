@@ -1,4 +1,4 @@
-//! What a change of q does to the joint torques and forces that hold the robot at rest.
+//! The derivative of gravity torques by q.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -26,7 +26,7 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 fn dense(size: Size) -> Tally {
-    // A composite J a joint, and −Tr(H_g J Lᵢᵗ Lₘᵗ) an entry.
+    // For each joint a composite J, for each entry −Tr(H_g J Lᵢᵗ Lₘᵗ).
     let joint = KINEMATIC.plus(INERTIA).plus(Tally::of(2, 0, 1));
     let entry = Tally::default().and(16, 15);
     let entries = entry.times(size.joints * (size.joints + 1) / 2);

@@ -1,5 +1,4 @@
-//! What changes of q and q̇ do to the joint torques and forces that produce q̈. What a change of q̈ does is
-//! the mass matrix.
+//! Derivatives of inverse dynamics by q and q̇. The derivative by q̈ is the mass matrix.
 
 use super::definition::{Definition, Property, Truth};
 use super::tally::{Size, Tally};
@@ -27,7 +26,7 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 pub(super) fn dense(size: Size) -> Tally {
-    // Two matrices, of which each entry is one of a composite matrix, as those of M are.
+    // Two matrices, whose entries cost as much as two of M each.
     let parts = mass_matrix::dense(size).times(4);
     parts.plus(tally::torques(size))
 }

@@ -1,5 +1,4 @@
-//! The kinetic energy ½ Σ Tr(W J Wᵗ) (paper, eq. 22), body by body in the frames of the links, and that of
-//! the joints' armatures.
+//! The kinetic energy ½ Σ Tr(W J Wᵗ) (paper, eq. 22), in the frames of the links, and that of the armatures.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -30,7 +29,7 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn dense(size: Size) -> Tally {
-    // Of W J the trace with W alone is left.
+    // W J, and the trace of its product with Wᵗ alone.
     let energy = Tally::of(1, 0, 0).and(16, 16);
     let link = KINEMATIC.plus(INERTIA).plus(VELOCITY).plus(energy);
     link.times(size.joints).and(1, 0)

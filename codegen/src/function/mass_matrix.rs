@@ -24,7 +24,7 @@ fn sentence(_: &str, _: &str) -> String {
 }
 
 pub(super) fn dense(size: Size) -> Tally {
-    // A composite J and L J a column, and Tr(Lᵢ J Lₘᵗ) an entry.
+    // For each column a composite J and L J, for each entry Tr(Lᵢ J Lₘᵗ).
     let column = KINEMATIC.plus(INERTIA).plus(Tally::of(1, 0, 1));
     let entry = Tally::default().and(16, 15);
     let entries = entry.times(size.joints * (size.joints + 1) / 2);

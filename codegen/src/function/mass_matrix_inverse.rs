@@ -35,7 +35,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     inverse(scene).into()
 }
 
-/// M⁻¹; articulated bodies are taken where each has a velocity of its own.
+/// M⁻¹ by the mass matrix or by articulated bodies.
 pub(super) fn inverse<'g>(scene: &Scene<'_, 'g>) -> Square<VelocityId, Term<'g>> {
     match scene.way.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::mass_matrix_inverse(

@@ -1,4 +1,4 @@
-//! The momentum Γ = Σ skew\[W J\] of all that joints move (paper, eqs. 20 and 26).
+//! The momentum Γ = Σ skew\[W J\] of all bodies that joints move (paper, eqs. 20 and 26).
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -12,7 +12,7 @@ pub(super) const DEFINITION: Definition = Definition {
     name: "momentum",
     sentence: |base, _| {
         format!(
-            "Momentum Γ₍₀₎ of what joints move, in the axes of {base} (frame 0), pole at its origin; kg m²/s, kg m/s."
+            "Momentum Γ₍₀₎ of all bodies that joints move, in the axes of {base} (frame 0), reference point at its origin; kg m²/s, kg m/s."
         )
     },
     arguments: &[Variable::Q, Variable::Qd],

@@ -1,5 +1,5 @@
 //! The potential energy −Σ Tr(H_g J) (paper, § 4.5) of all bodies that joints move, zero at the origin of
-//! frame 0: their first moments, carried inwards as one.
+//! frame 0, by composite first moments.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -12,7 +12,7 @@ use crate::space::Variable;
 pub(super) const DEFINITION: Definition = Definition {
     name: "potential_energy",
     sentence: |base, _| {
-        format!("Potential energy of gravity, zero where {base} (frame 0) has its origin; J.")
+        format!("Potential energy of gravity, zero at the origin of {base} (frame 0); J.")
     },
     arguments: &[Variable::Q],
     result: quantities::ENERGY,
@@ -37,7 +37,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let joints = scene.joints();
     let mut masses = joints.map(|joint| joint.inertia.mass);
     let mut moments = joints.map(|joint| joint.inertia.q);
-    // What no joint moves, regrouping has left to the base.
+    // Regrouping has moved first moments to the base.
     let mut moment = scene.bodies.base.q;
     for (k, joint) in joints.numbered().rev() {
         let (q, mass) = (moments[k], masses[k]);

@@ -1,4 +1,4 @@
-//! The quantities that several functions return, with their units.
+//! Results that several functions return, with their units.
 
 use crate::space::{Entity, Kind, Outcome, Part, Quantity, Space};
 
@@ -33,7 +33,7 @@ pub(super) const SCREWS: Outcome = Outcome::One(Quantity {
     },
 });
 
-/// The rate of a screw for each velocity.
+/// The time derivative of a screw for each velocity.
 pub(super) const SCREW_RATES: Outcome = Outcome::One(Quantity {
     over: &[Space::Velocities],
     entity: Entity::Screw,
@@ -57,7 +57,7 @@ pub(super) const POINT_RATE: Outcome = Outcome::One(Quantity {
     units: |_| vec!["m/s"; 3],
 });
 
-/// What each velocity adds to that of a point.
+/// The velocity of a point at unit velocity of each degree of freedom.
 pub(super) const POINT_RATES: Outcome = Outcome::One(Quantity {
     over: &[Space::Velocities],
     entity: Entity::Vector,
@@ -71,7 +71,7 @@ pub(super) const MOMENTUM: Outcome = Outcome::One(Quantity {
     units: |_| ["kg m²/s", "kg m/s"].map(|unit| [unit; 3]).concat(),
 });
 
-/// What each velocity adds to a momentum matrix.
+/// The momentum matrix at unit velocity of each degree of freedom.
 pub(super) const MOMENTA: Outcome = Outcome::One(Quantity {
     over: &[Space::Velocities],
     entity: Entity::Momentum,
@@ -81,7 +81,7 @@ pub(super) const MOMENTA: Outcome = Outcome::One(Quantity {
     },
 });
 
-/// An action matrix.
+/// A wrench matrix.
 pub(super) const ACTION: Outcome = Outcome::One(Quantity {
     over: &[],
     entity: Entity::Action,
@@ -101,50 +101,56 @@ pub(super) const FORCES: Outcome = Outcome::One(vector(|of| vec![by_one(of, "N m
 /// Joint accelerations.
 pub(super) const SECOND_RATES: Outcome = Outcome::One(ACCELERATIONS);
 
-/// What torques and forces are for accelerations.
+/// Mass matrix: torques and forces by accelerations.
 pub(super) const INERTIAS: Outcome =
     Outcome::One(matrix(|of| vec![by_two(of, ["kg m²", "kg m", "kg"])]));
 
-/// What accelerations are for torques and forces.
+/// Inverse mass matrix: accelerations by torques and forces.
 pub(super) const INVERSE_INERTIAS: Outcome = Outcome::One(MOBILITIES);
 
-/// What changes of coordinates and of rates do to joint torques and forces.
-pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(&[
-    Part {
-        name: "dq",
-        about: "∂τ/∂q, a row for each force; N m, N, N/m.",
-        quantity: STIFFNESSES,
-    },
-    Part {
-        name: "dqd",
-        about: "∂τ/∂q̇, a row for each force; N m s, N s, N s/m.",
-        quantity: DAMPINGS,
-    },
-]);
+/// Derivatives of joint torques and forces by coordinates and velocities.
+pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(
+    "TorqueDerivatives",
+    &[
+        Part {
+            name: "dq",
+            about: "∂τ/∂q, a row for each force; N m, N, N/m.",
+            quantity: STIFFNESSES,
+        },
+        Part {
+            name: "dqd",
+            about: "∂τ/∂q̇, a row for each force; N m s, N s, N s/m.",
+            quantity: DAMPINGS,
+        },
+    ],
+);
 
-/// What changes of coordinates, of rates and of torques and forces do to joint accelerations.
-pub(super) const ACCELERATION_DERIVATIVES: Outcome = Outcome::Parts(&[
-    Part {
-        name: "dq",
-        about: "∂q̈/∂q, a row for each acceleration; 1/s², 1/(m s²), m/s².",
-        quantity: matrix(|of| vec![by_row_and_column(of, ["1/s²", "1/(m s²)", "m/s²"])]),
-    },
-    Part {
-        name: "dqd",
-        about: "∂q̈/∂q̇, a row for each acceleration; 1/s, 1/(m s), m/s.",
-        quantity: matrix(|of| vec![by_row_and_column(of, ["1/s", "1/(m s)", "m/s"])]),
-    },
-    Part {
-        name: "dtau",
-        about: "∂q̈/∂τ = M⁻¹, by rows; 1/(kg m²), 1/(kg m), 1/kg.",
-        quantity: MOBILITIES,
-    },
-]);
+/// Derivatives of joint accelerations by coordinates, velocities, and torques and forces.
+pub(super) const ACCELERATION_DERIVATIVES: Outcome = Outcome::Parts(
+    "AccelerationDerivatives",
+    &[
+        Part {
+            name: "dq",
+            about: "∂q̈/∂q, a row for each acceleration; 1/s², 1/(m s²), m/s².",
+            quantity: matrix(|of| vec![by_row_and_column(of, ["1/s²", "1/(m s²)", "m/s²"])]),
+        },
+        Part {
+            name: "dqd",
+            about: "∂q̈/∂q̇, a row for each acceleration; 1/s, 1/(m s), m/s.",
+            quantity: matrix(|of| vec![by_row_and_column(of, ["1/s", "1/(m s)", "m/s"])]),
+        },
+        Part {
+            name: "dtau",
+            about: "∂q̈/∂τ = M⁻¹, by rows; 1/(kg m²), 1/(kg m), 1/kg.",
+            quantity: MOBILITIES,
+        },
+    ],
+);
 
-/// What torques and forces are for coordinates.
+/// Derivative of torques and forces by coordinates.
 pub(super) const STIFFNESS: Outcome = Outcome::One(STIFFNESSES);
 
-/// What torques and forces are for rates.
+/// Matrix that gives torques and forces from velocities.
 pub(super) const DAMPING: Outcome = Outcome::One(DAMPINGS);
 
 const ACCELERATIONS: Quantity = vector(|of| vec![by_one(of, "rad/s²", "m/s²")]);
@@ -155,10 +161,10 @@ const DAMPINGS: Quantity = matrix(|of| vec![by_two(of, ["N m s", "N s", "N s/m"]
 
 const MOBILITIES: Quantity = matrix(|of| vec![by_two(of, ["1/(kg m²)", "1/(kg m)", "1/kg"])]);
 
-/// What torques and forces are for inertial parameters.
+/// Regressor: torques and forces by inertial parameters.
 pub(super) const REGRESSOR: Outcome = of_parameters(&[Space::Velocities, Space::Parameters]);
 
-/// What they are for base parameters.
+/// Base regressor: torques and forces by base parameters.
 pub(super) const BASE_REGRESSOR: Outcome =
     of_parameters(&[Space::Velocities, Space::BaseParameters]);
 
@@ -167,7 +173,7 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
         over,
         entity: Entity::Number,
         units: |of| {
-            let [turning, sliding] = match of[1] {
+            let [rotation, translation] = match of[1] {
                 Kind::Moment(0) => ["m²/s²", "m/s²"],
                 Kind::Moment(1) => ["m/s²", "1/s²"],
                 Kind::Drive { order: 2, .. } => ["1/s²", "m/s²"],
@@ -175,33 +181,36 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
                 Kind::Drive { .. } => ["1", "1"],
                 _ => ["1/s²", "1/(m s²)"],
             };
-            vec![by_one(of, turning, sliding)]
+            vec![by_one(of, rotation, translation)]
         },
     })
 }
 
-/// What is zero where loops are closed.
+/// Residuals of the loops.
 pub(super) const RESIDUALS: Outcome = Outcome::One(of_loops(|of| vec![by_one(of, "1", "m")]));
 
-/// Second rates of residuals.
+/// Second time derivatives of the residuals.
 pub(super) const RESIDUAL_ACCELERATIONS: Outcome =
     Outcome::One(of_loops(|of| vec![by_one(of, "1/s²", "m/s²")]));
 
-/// Joint accelerations, and what holds loops together: torques for products of axes, forces for lengths.
-pub(super) const CONSTRAINED_MOTION: Outcome = Outcome::Parts(&[
-    Part {
-        name: "qdd",
-        about: "q̈, the joint accelerations; rad/s², m/s².",
-        quantity: ACCELERATIONS,
-    },
-    Part {
-        name: "multipliers",
-        about: "λ, what holds the loops together, one for each residual; N m, N.",
-        quantity: of_loops(|of| vec![by_one(of, "N m", "N")]),
-    },
-]);
+/// Joint accelerations and constraint forces: torques for products of axes, forces for lengths.
+pub(super) const CONSTRAINED_MOTION: Outcome = Outcome::Parts(
+    "ConstrainedAccelerations",
+    &[
+        Part {
+            name: "qdd",
+            about: "q̈, the joint accelerations; rad/s², m/s².",
+            quantity: ACCELERATIONS,
+        },
+        Part {
+            name: "multipliers",
+            about: "λ, the constraint forces of the loops, one for each residual; N m, N.",
+            quantity: of_loops(|of| vec![by_one(of, "N m", "N")]),
+        },
+    ],
+);
 
-/// What velocities change residuals by.
+/// Jacobian of the residuals.
 pub(super) const RESIDUAL_RATES: Outcome = Outcome::One(Quantity {
     over: &[Space::Constraints, Space::Velocities],
     entity: Entity::Number,
@@ -239,14 +248,14 @@ const fn matrix(units: fn(&[Kind]) -> Vec<&'static str>) -> Quantity {
     }
 }
 
-fn by_one(of: &[Kind], turning: &'static str, sliding: &'static str) -> &'static str {
+fn by_one(of: &[Kind], rotation: &'static str, translation: &'static str) -> &'static str {
     match of[0] {
-        Kind::Slide => sliding,
-        _ => turning,
+        Kind::Slide => translation,
+        _ => rotation,
     }
 }
 
-/// Of two entries that turn, of which one does, of which none does.
+/// Unit of an entry of two rotations, of one rotation and one translation, and of two translations.
 fn by_two(of: &[Kind], [both, one, none]: [&'static str; 3]) -> &'static str {
     match [of[0], of[1]] {
         [Kind::Slide, Kind::Slide] => none,
@@ -255,11 +264,11 @@ fn by_two(of: &[Kind], [both, one, none]: [&'static str; 3]) -> &'static str {
     }
 }
 
-/// Of two entries that are alike, of a row that turns and a column that slides, and the other way round.
-fn by_row_and_column(of: &[Kind], [alike, sliding, turning]: [&'static str; 3]) -> &'static str {
+/// Unit of an entry whose row and column are alike, of a rotation by a translation, and of a translation by a rotation.
+fn by_row_and_column(of: &[Kind], [alike, mixed, inverse]: [&'static str; 3]) -> &'static str {
     match [of[0], of[1]] {
-        [Kind::Turn, Kind::Slide] => sliding,
-        [Kind::Slide, Kind::Turn] => turning,
+        [Kind::Turn, Kind::Slide] => mixed,
+        [Kind::Slide, Kind::Turn] => inverse,
         _ => alike,
     }
 }

@@ -1,4 +1,5 @@
-//! What torques are for the inertial parameters of the links: τ = Y π, since Φ = skew\[H J\] (paper, eq. 25) is linear in J.
+//! The regressor Y of τ = Y π for the inertial parameters π of the links, since Φ = skew\[H J\] (paper, eq. 25) is linear
+//! in J.
 
 use super::definition::{Definition, Truth};
 use super::quantities;
@@ -20,14 +21,14 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Regressor Y(q, q̇, q̈) of τ = Y π, by rows. π lists for each link that a joint moves, with all that \
-     is fixed to it and in its own frame, m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz: its mass in kg, first moments \
+    "Regressor Y(q, q̇, q̈) of τ = Y π, by rows. π lists for each link that a joint moves, with everything \
+     that is fixed to it, in the link's frame, m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz: its mass in kg, first moments \
      ∫r dm in kg m and second moments ∫rrᵗ dm in kg m², zero or not."
         .to_owned()
 }
 
 pub(super) fn dense(size: Size) -> Tally {
-    // Of each parameter of a link J and Φ, which all joints of a chain feel that are inboard.
+    // For each parameter of a link J and Φ, which loads all inboard joints of a chain.
     let parameter = INERTIA.plus(ACTION);
     let powers = Tally::default()
         .and(6, 5)

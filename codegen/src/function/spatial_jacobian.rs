@@ -1,4 +1,4 @@
-//! The Jacobian in frame 0: columns L₁ … L_N, pole at its origin.
+//! The spatial Jacobian: columns L₁ … L_N in the axes of frame 0, reference point at its origin.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
 fn sentence(base: &str, frame: &str) -> String {
     format!(
         "Spatial Jacobian of {frame}: screws L of the joints in the axes of {base} (frame 0), \
-         pole at its origin."
+         reference point at its origin."
     )
 }
 

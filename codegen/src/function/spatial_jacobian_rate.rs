@@ -1,4 +1,4 @@
-//! The rate of the Jacobian in frame 0: columns L̇₁ … L̇_N, pole at its origin.
+//! The time derivative of the spatial Jacobian: columns L̇₁ … L̇_N in the axes of frame 0, reference point at its origin.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -21,8 +21,8 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(base: &str, frame: &str) -> String {
     format!(
-        "Rate of the spatial Jacobian of {frame}: L̇ of the joints in the axes of {base} (frame 0), \
-         pole at its origin."
+        "Time derivative of the spatial Jacobian of {frame}: L̇ of the joints in the axes of {base} \
+         (frame 0), reference point at its origin."
     )
 }
 

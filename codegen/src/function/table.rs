@@ -1,7 +1,6 @@
-//! The table of functions: how what stands in the file of each is asked for.
+//! Methods of [`Function`] that read its [`Definition`].
 //!
-//! In: a [`Function`]. Out: its name, what it is said to compute, arguments, result, price of dense
-//! matrices, and its expressions. It knows none of it itself.
+//! In: a [`Function`]. Out: name, documentation, arguments, result, cost by dense matrices, and expressions.
 
 use super::Function;
 use super::definition::{Definition, Given, Property, Truth};
@@ -29,39 +28,39 @@ macro_rules! definitions {
 every_function!(definitions);
 
 impl Function {
-    /// The name in generated code, in attributes and on the command line.
+    /// Name in generated code, in attributes and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.definition().name
     }
 
-    /// The function of that name.
+    /// The function with this name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         let mut all = Self::ALL.into_iter().chain(Self::OF_LOOPS);
         all.find(|function| function.name() == name)
     }
 
-    /// The names of all.
+    /// Names of all functions.
     pub fn names() -> Vec<&'static str> {
         let all = Self::ALL.into_iter().chain(Self::OF_LOOPS);
         all.map(Self::name).collect()
     }
 
-    /// Whether only a robot with loops can have it.
+    /// True if it needs a robot with loops.
     #[must_use]
     pub fn is_of_loops(self) -> bool {
         Self::OF_LOOPS.contains(&self)
     }
 
-    /// What it computes, with the letters of the paper; `base` is what frame 0 is called, `frame` the
-    /// frame that it is of.
+    /// Sentence about its result, with the letters of the paper; `base` is the name of frame 0, `frame` that of the
+    /// function's frame.
     #[must_use]
     pub fn sentence(self, base: &str, frame: &str) -> String {
         (self.definition().sentence)(base, frame)
     }
 
-    /// What it is a function of, in the order of its parameters.
+    /// Arguments in the order of parameters, without external wrenches.
     #[must_use]
     pub const fn arguments(self) -> &'static [Variable] {
         self.definition().arguments
@@ -71,51 +70,52 @@ impl Function {
         self.definition().properties.contains(&property)
     }
 
-    /// Whether external forces enter it.
+    /// True if external wrenches enter it.
     #[must_use]
     pub fn takes_actions(self) -> bool {
         self.has(Property::External)
     }
 
-    /// Whether masses and moments of inertia are numbers of it, and not factors of its result.
+    /// True if masses and inertias are part of its expressions; false for regressors, whose columns they multiply.
     #[cfg(feature = "files")]
     pub(crate) fn has_mass(self) -> bool {
         self.has(Property::Mass)
     }
 
-    /// Whether the runtime has batches of it: of none of closed loops, nor of any that actions from outside enter.
+    /// True if the runtime has batches of it: neither functions of loops nor functions with external wrenches.
+    /// `acted`: the robot has external wrenches.
     #[must_use]
     pub fn has_batches(self, acted: bool) -> bool {
         Self::ALL.contains(&self) && !(acted && self.takes_actions())
     }
 
-    /// What it is a function of, where actions from outside are among the lists of a robot or not.
+    /// Arguments in the order of parameters. `actions`: the robot has external wrenches.
     #[must_use]
     pub fn arguments_with(self, actions: bool) -> Vec<Variable> {
-        let taken = (actions && self.takes_actions()).then_some(Variable::Actions);
-        self.arguments().iter().copied().chain(taken).collect()
+        let external = (actions && self.takes_actions()).then_some(Variable::Actions);
+        self.arguments().iter().copied().chain(external).collect()
     }
 
-    /// Its result.
+    /// Result.
     #[must_use]
     pub const fn result(self) -> Outcome {
         self.definition().result
     }
 
-    /// The spaces of its result beside those of coordinates and velocities, whose lengths its trait has to know.
+    /// Spaces of its result other than coordinates and velocities; their lengths are parameters of its trait.
     pub(crate) fn further(self) -> impl Iterator<Item = Space> {
         let over = self.result().parts().flat_map(|(_, part)| part.over);
         over.copied()
             .filter(|space| !matches!(space, Space::Coordinates | Space::Velocities))
     }
 
-    /// Whether it solves for what forces do to accelerations of joints that no loop holds together.
+    /// True if its result solves an equation, without loops: forward dynamics, the inverse mass matrix, and derivatives.
     #[must_use]
     pub const fn solves(self) -> bool {
         matches!(self.truth(), Truth::Solution(_))
     }
 
-    /// Whether an inverse of the mass matrix is among its results: then it is the last of them.
+    /// True if the inverse of the mass matrix is among its results; then it is the last.
     #[must_use]
     pub const fn inverts(self) -> bool {
         matches!(
@@ -124,56 +124,56 @@ impl Function {
         )
     }
 
-    /// Whether it is of robots that have mass alone.
+    /// True if it needs a robot with mass.
     #[must_use]
     pub const fn is_of_mass(self) -> bool {
         matches!(self.truth(), Truth::OfMass(_))
     }
 
-    /// Whether it depends on which joints are actuated.
+    /// True if it depends on which joints are actuated.
     #[must_use]
     pub fn wants_drives(self) -> bool {
         self.has(Property::Actuation)
     }
 
-    /// Whether it solves for what forces and loops do together.
+    /// True if it solves for the motion under the constraints of loops.
     #[must_use]
     pub const fn is_constrained(self) -> bool {
         matches!(self.truth(), Truth::Constrained(_))
     }
 
-    /// Whether it is of moving bodies alone: armature and friction do not enter it.
+    /// True if it excludes armature and friction of joints.
     #[must_use]
     pub fn is_of_bodies(self) -> bool {
         self.has(Property::BodiesAlone)
     }
 
-    /// What every expansion of it is held against.
+    /// Reference for the check of every expansion.
     pub(crate) const fn truth(self) -> Truth {
         self.definition().truth
     }
 
-    /// Whether it is about a frame (the tip's, or a further one) rather than about the whole robot.
+    /// True if it belongs to a frame, of the end effector or another link, and not to the whole robot.
     #[must_use]
     pub fn of_a_frame(self) -> bool {
         self.has(Property::Frame)
     }
 
-    /// The ways to compute it between which only the count decides.
+    /// Equivalent algorithms, among which the one with the fewest operations is chosen.
     #[must_use]
     pub fn ways(self) -> Vec<Way> {
         (self.definition().ways)()
     }
 
-    /// Multiplications and additions by dense 4×4 matrices, for so many joints, of which `path` lead to
-    /// the frame that it is of. Divisions count as multiplications.
+    /// Multiplications and additions by dense 4×4 matrices. `path`: the number of joints, of all `joints`, that lead to
+    /// the frame of the function. Divisions count as multiplications.
     #[must_use]
     pub fn dense(self, joints: usize, path: usize) -> (usize, usize) {
         let Tally { mul, add } = (self.definition().dense)(Size { joints, path });
         (mul, add)
     }
 
-    /// Its results in the order of its quantities; of that frame where it is of one.
+    /// Expressions of its results, in the order of its quantities. `frame` is read by functions of a frame.
     #[must_use]
     pub fn build<'g>(
         self,

@@ -1,9 +1,7 @@
-//! What a function costs when it is computed as the paper writes it: dense 4×4 matrices in frame 0,
-//! every product multiplied out, nothing known to be zero.
+//! Cost of a function by dense 4×4 matrices in frame 0, with every product multiplied out and no known zeros.
 //!
-//! In: products of matrices, and how many joints a function is about. Out: multiplications and
-//! additions. It is the yardstick printed beside a price, and takes the sines and cosines and all
-//! constant matrices as given.
+//! In: numbers of products, and of joints. Out: multiplications and additions, which comments print beside the operation
+//! count for comparison. Sines, cosines and constant matrices are not counted.
 
 /// Operations of dense matrices.
 #[derive(Clone, Copy, Default)]
@@ -13,7 +11,7 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    /// Products, products with a number, and sums of 4×4 matrices.
+    /// Cost of products, of products with a number, and of sums of 4×4 matrices.
     pub(super) const fn of(products: usize, scalings: usize, sums: usize) -> Self {
         Self {
             mul: 64 * products + 16 * scalings,
@@ -52,27 +50,27 @@ pub(super) const VELOCITY: Tally = Tally::of(0, 1, 1);
 pub(super) const ACCELERATION: Tally = Tally::of(2, 3, 3);
 /// J₍₀₎ = M J Mᵗ.
 pub(super) const INERTIA: Tally = Tally::of(2, 0, 0);
-/// Φ = skew\[(H − H_g) J\] added to what is outboard, and L ⊗ Φ.
+/// Φ = skew\[(H − H_g) J\], its addition to the wrench of outboard links, and L ⊗ Φ.
 pub(super) const ACTION: Tally = Tally::of(1, 0, 3).and(6, 5);
 /// A pose and its screw.
 pub(super) const KINEMATIC: Tally = POSE.plus(SCREW);
-/// What moves: with its velocity and acceleration.
+/// Pose, screw, velocity and acceleration.
 pub(super) const MOVING: Tally = KINEMATIC.plus(VELOCITY).plus(ACCELERATION);
 
-/// How many joints a function is about, and how many of them lead to the frame that it is of.
+/// Number of joints of the robot, and of those that lead to the frame of the function.
 #[derive(Clone, Copy)]
 pub(super) struct Size {
     pub(super) joints: usize,
     pub(super) path: usize,
 }
 
-/// Screws of frame 0, taken to another frame or pole.
+/// Screws of frame 0, changed to another frame or reference point.
 pub(super) fn screws_elsewhere(size: Size) -> Tally {
     let column = KINEMATIC.plus(SCREW);
     column.times(size.path).plus(Tally::of(1, 0, 0))
 }
 
-/// The rates of screws of frame 0, taken to another frame or pole that moves.
+/// Time derivatives of screws of frame 0, changed to a moving frame or reference point.
 pub(super) fn screw_rates_elsewhere(size: Size) -> Tally {
     let against = Tally::of(0, 0, 1);
     let column = (KINEMATIC.plus(VELOCITY))
@@ -81,7 +79,7 @@ pub(super) fn screw_rates_elsewhere(size: Size) -> Tally {
     column.times(size.path).plus(Tally::of(1, 0, 0))
 }
 
-/// The torques and forces of a motion.
+/// Torques and forces of a motion.
 pub(super) fn torques(size: Size) -> Tally {
     MOVING.plus(INERTIA).plus(ACTION).times(size.joints)
 }

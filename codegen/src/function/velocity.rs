@@ -1,4 +1,4 @@
-//! W₀,tip₍₀₎, the velocity matrix of a frame.
+//! W₀,tip₍₀₎: the velocity matrix of a frame.
 
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
@@ -22,8 +22,8 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(base: &str, frame: &str) -> String {
     format!(
-        "Velocity matrix W₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), pole at its \
-         origin; rad/s, m/s."
+        "Velocity matrix W₀,ₜ₍₀₎ of {frame} in the axes of {base} (frame 0), reference point \
+         at its origin; rad/s, m/s."
     )
 }
 

@@ -1,10 +1,10 @@
-//! Turns about its axis, without limits.
+//! Rotation about an axis, without limits.
 
 use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "continuous",
-    freedoms: &[Freedom::turn("angle", Along::Axis)],
+    freedoms: &[Freedom::rotation("angle", Along::Axis)],
     posture: None,
     make: |_| JointKind::Continuous,
 };

@@ -1,12 +1,12 @@
-//! Turns about its axis and slides along it, each for itself.
+//! Rotation about an axis and translation along it, independent of each other.
 
 use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "cylindrical",
     freedoms: &[
-        Freedom::turn("angle", Along::Axis),
-        Freedom::slide("shift", Along::Axis),
+        Freedom::rotation("angle", Along::Axis),
+        Freedom::translation("shift", Along::Axis),
     ],
     posture: None,
     make: |_| JointKind::Cylindrical,

@@ -1,30 +1,30 @@
-//! What a joint's drive adds to the bodies that it moves: reflected inertia and friction.
+//! Armature, rotors, damping and friction of joints.
 //!
-//! In: the numbers that are said of it. Out: [`Parts`], in the words in which they are said, and the
-//! [`Drive`] of one velocity. It knows no motor: torques and rates are those of the joint.
+//! [`Parts`] holds the described numbers of a joint, [`Drive`] the resulting terms of one velocity. Motors are not
+//! modelled beyond their inertia: torques and rates are those of the joint.
 
 use crate::expression::Term;
 use crate::number::Number;
 
-/// A number that can be said of a joint's drive.
+/// A described quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Part {
-    /// Inertia that the joint feels beside that of the bodies [kg m², of a slide kg].
+    /// Inertia at the joint in addition to the bodies [kg m², of a translation kg].
     Armature,
-    /// Inertia of the motor's rotor about its own axis \[kg m²\]; the joint feels it times the square of
-    /// the ratio.
+    /// Inertia of a rotor about its own axis \[kg m²\]; reflected at the joint, it is multiplied by the square of the
+    /// ratio.
     Rotor,
-    /// Turns of the rotor for each of the joint; of a slide rad/m.
+    /// Turns of the rotor for one of the joint; of a translation rad/m.
     Ratio,
-    /// Viscous friction: torque for each rate [N m s/rad, N s/m].
+    /// Viscous friction [N m s/rad, N s/m].
     Damping,
-    /// Coulomb friction: torque against the motion, however slow it is [N m, N].
+    /// Coulomb friction: a torque or force against the motion, independent of the velocity [N m, N].
     Friction,
 }
 
 impl Part {
-    /// All of them.
+    /// All quantities.
     pub const ALL: [Self; 5] = [
         Self::Armature,
         Self::Rotor,
@@ -33,7 +33,7 @@ impl Part {
         Self::Friction,
     ];
 
-    /// What it is called in every reader.
+    /// Its key in all formats.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -45,56 +45,56 @@ impl Part {
         }
     }
 
-    /// The part of that name.
+    /// The quantity with a key.
     #[must_use]
     pub fn from_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|part| part.word() == word)
     }
 
-    /// Whether it takes power from the robot, and is not an inertia.
+    /// True for friction, false for inertias.
     #[must_use]
     pub const fn resists(self) -> bool {
         matches!(self, Self::Damping | Self::Friction)
     }
 }
 
-/// What is said of a joint: of each part nothing, one number for all of the joint's velocities, or one for
-/// each; and of motors beyond the first.
+/// The described numbers of a joint: for each quantity none, one for all of the joint's velocities, or one for each;
+/// and further motors.
 #[derive(Clone, Debug, Default)]
 pub struct Parts {
     numbers: [Vec<Number>; Part::ALL.len()],
     further: Vec<Motor>,
 }
 
-/// A motor, as far as it is told.
+/// A motor as described.
 #[derive(Clone, Copy, Debug)]
 pub struct Motor {
-    /// The inertia of its rotor \[kg m²\].
+    /// Inertia of its rotor \[kg m²\].
     pub rotor: Option<Number>,
-    /// Turns of the rotor for each of the joint; of a slide rad/m. One where it is not told.
+    /// Turns of the rotor for one of the joint; of a translation rad/m. 1 if it is not written.
     pub ratio: Option<Number>,
 }
 
 impl Parts {
-    /// What is said of a part.
+    /// The numbers of a quantity.
     #[must_use]
     pub fn of(&self, part: Part) -> &[Number] {
         &self.numbers[part as usize]
     }
 
-    /// Motors beside the one whose rotor and ratio are parts: what they reflect adds to it.
+    /// Motors beyond the first; their reflected inertias are added.
     #[must_use]
     pub fn further(&self) -> &[Motor] {
         &self.further
     }
 
-    /// Adds a motor: the first with a rotor becomes the rotor and the ratio.
+    /// Adds a motor: the first with a rotor sets the rotor and the ratio.
     pub fn mount(&mut self, motor: Motor) {
         let [rotor, ratio] = [Part::Rotor, Part::Ratio].map(|part| self.of(part).first().copied());
         let first = Motor { rotor, ratio };
         let value = |number: Option<Number>| number.map(|number| number.value);
         if rotor.is_some() || (ratio.is_some() && motor.rotor.is_none()) {
-            // A gear without a rotor reflects nothing, and is often told once for each interface.
+            // A gear without a rotor reflects nothing, and files often repeat it for each interface.
             if motor.rotor.is_some() || value(motor.ratio) != value(ratio) {
                 self.further.push(motor);
             }
@@ -109,25 +109,25 @@ impl Parts {
         }
     }
 
-    /// Says something of a part, in place of what was said before.
+    /// Sets the numbers of a quantity.
     pub fn say(&mut self, part: Part, numbers: Vec<Number>) {
         self.numbers[part as usize] = numbers;
     }
 }
 
-/// What one velocity of a joint meets beside the bodies.
+/// Armature and friction of one velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct Drive<T> {
-    /// Reflected inertia: takes `armature` q̈.
+    /// Reflected inertia: the torque `armature` q̈.
     pub armature: T,
-    /// Viscous friction: takes `damping` q̇.
+    /// Viscous friction: the torque `damping` q̇.
     pub damping: T,
-    /// Coulomb friction: takes `friction` sign q̇, nothing at rest.
+    /// Coulomb friction: the torque `friction` sign q̇, zero at rest.
     pub friction: T,
 }
 
 impl<T> Drive<T> {
-    /// The same with other numbers.
+    /// Applies a function to each number.
     #[must_use]
     pub fn map<U>(self, mut of: impl FnMut(T) -> U) -> Drive<U> {
         Drive {
@@ -145,10 +145,10 @@ impl<T> Drive<T> {
 }
 
 impl<'g> Drive<Term<'g>> {
-    /// The force or torque that friction takes at a rate.
+    /// The torque or force that friction requires at a rate.
     #[must_use]
     pub fn resistance(self, rate: Term<'g>) -> Term<'g> {
-        // What no friction is multiplied by is not made.
+        // The sign is not computed if there is no Coulomb friction.
         let mut force = self.damping * rate;
         if !self.friction.is_zero() {
             force = force + self.friction * rate.sign();

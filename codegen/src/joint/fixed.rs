@@ -1,4 +1,4 @@
-//! Holds its links together.
+//! No motion.
 
 use super::{Definition, JointKind};
 

@@ -1,26 +1,24 @@
-//! How a body moves by one coordinate, about or along an axis of its own frame.
-//!
-//! In: the axis, or an inertia. Out: the screw of the motion, and the part of an inertia that it leaves as it
-//! is.
+//! Motion of a body by one coordinate, about or along an axis of its own frame: its screw, and the part of an inertia
+//! that it leaves unchanged.
 
 use super::Movement;
 use crate::expression::{Expr, Term};
 use crate::matrix::{Inertia, Screw, Symmetric, Vector};
 use crate::space::Kind;
 
-/// What a body may do against the one it hangs on.
+/// Motion of a body relative to its parent.
 #[derive(Clone, Copy, Debug)]
 pub enum Motion {
-    /// Turn about the axis.
+    /// Rotation about the axis.
     Revolute,
-    /// Slide along it.
+    /// Translation along it.
     Prismatic,
-    /// Do both, with a translation per angle [m/rad].
+    /// Both, with a translation per angle [m/rad].
     Screw(Expr),
 }
 
 impl Motion {
-    /// That of a freedom, where a helical one has this pitch.
+    /// The motion of a degree of freedom; `pitch` is called for a screw.
     #[must_use]
     pub fn of(movement: Movement, pitch: impl FnOnce() -> Expr) -> Self {
         match movement {
@@ -30,7 +28,7 @@ impl Motion {
         }
     }
 
-    /// What its coordinate measures.
+    /// Kind of its coordinate.
     #[must_use]
     pub const fn kind(self) -> Kind {
         match self {
@@ -39,13 +37,13 @@ impl Motion {
         }
     }
 
-    /// Whether the body keeps its axes.
+    /// True if the body keeps its orientation.
     #[must_use]
     pub const fn slides(self) -> bool {
         matches!(self, Self::Prismatic)
     }
 
-    /// How far it slides along its axis at a coordinate, where it does.
+    /// Translation along the axis at a coordinate, if there is one.
     pub fn slide<'g>(self, q: impl FnOnce() -> Term<'g>) -> Option<Term<'g>> {
         match self {
             Self::Revolute => None,
@@ -57,7 +55,7 @@ impl Motion {
         }
     }
 
-    /// L about or along an axis of length 1 through the origin.
+    /// L about or along a unit axis through the origin.
     #[must_use]
     pub fn screw(self, axis: Vector<Term<'_>>) -> Screw<Term<'_>> {
         let graph = axis.x().graph();
@@ -72,10 +70,9 @@ impl Motion {
         }
     }
 
-    /// The part of an inertia that is the same in every position, seen from the body that carries it, where
-    /// the axis is z:
-    /// * turning about z moves no mass that lies on z: m, ∫z, ∫z²;
-    /// * sliding along z changes no second moment of a body without mass and first moments;
+    /// The part of an inertia that does not change with the coordinate, in the frame of the parent, for the axis z:
+    /// * a rotation about z moves no mass that lies on z: m, ∫z, ∫z²;
+    /// * a translation along z changes no second moment of a body without mass and first moments;
     /// * a screw does both, so that only ∫z² of such a body remains.
     #[must_use]
     pub fn invariant(self, inertia: Inertia<Term<'_>>) -> Inertia<Term<'_>> {

@@ -1,13 +1,13 @@
-//! Slides in the plane across its axis, and turns about the axis.
+//! Translation in the plane perpendicular to an axis, and rotation about the axis.
 
 use super::{Along, Definition, Freedom, JointKind, Posture};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "planar",
     freedoms: &[
-        Freedom::slide("vx", Along::Frame(0)),
-        Freedom::slide("vy", Along::Frame(1)),
-        Freedom::turn("wz", Along::Frame(2)),
+        Freedom::translation("vx", Along::Frame(0)),
+        Freedom::translation("vy", Along::Frame(1)),
+        Freedom::rotation("wz", Along::Frame(2)),
     ],
     posture: Some(Posture::Planar),
     make: |_| JointKind::Planar,

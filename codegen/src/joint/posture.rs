@@ -1,8 +1,7 @@
-//! Where the freedoms of a joint together have taken its body, as coordinates that are no angles and
-//! shifts one after the other.
+//! Coordinates of joints whose degrees of freedom have no coordinates of their own: planar, spherical, floating.
 //!
-//! In: coordinates. Out: their names and kinds, and the displacement Q that they are. The layouts of
-//! `Spherical` and `Floating` are Pinocchio's, so that states can be exchanged as they are.
+//! Defines names and kinds of the coordinates, and the displacement Q that they describe. The orders of `Spherical` and
+//! `Floating` are Pinocchio's, so that states can be exchanged unchanged.
 
 #[cfg(feature = "files")]
 mod steps;
@@ -11,19 +10,19 @@ use crate::expression::Term;
 use crate::matrix::{Pose, Rotation, Vector};
 use crate::space::Kind;
 
-/// What the coordinates of a joint are whose velocities are seen in the frame of the moved body.
+/// Coordinates of a joint whose velocities are in the frame of the moved body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Posture {
     /// x, y and the angle about z.
     Planar,
-    /// A quaternion of unit length, its scalar last.
+    /// A unit quaternion, scalar last.
     Spherical,
-    /// x, y, z and such a quaternion.
+    /// x, y, z and a unit quaternion, scalar last.
     Floating,
 }
 
 impl Posture {
-    /// The names and kinds of its coordinates.
+    /// Names and kinds of the coordinates.
     #[must_use]
     pub const fn coordinates(self) -> &'static [(&'static str, Kind)] {
         const FLOATING: [(&str, Kind); 7] = [
@@ -47,7 +46,7 @@ impl Posture {
         }
     }
 
-    /// How many velocities there are with them.
+    /// Number of velocities.
     #[must_use]
     pub const fn velocities(self) -> usize {
         match self {
@@ -56,19 +55,19 @@ impl Posture {
         }
     }
 
-    /// How far it takes the origin of the body at most, where each coordinate has a range \[m\].
+    /// Maximum distance of the body's origin from its rest position, for given ranges of the coordinates \[m\].
     #[must_use]
     pub fn reach(self, range: impl Fn(usize) -> [f64; 2]) -> f64 {
         let kinds = self.coordinates().iter().enumerate();
-        let slides = kinds.filter(|(_, (_, kind))| matches!(kind, Kind::Slide));
-        let farthest = slides.map(|(entry, _)| {
+        let translations = kinds.filter(|(_, (_, kind))| matches!(kind, Kind::Slide));
+        let farthest = translations.map(|(entry, _)| {
             let [least, most] = range(entry);
             least.abs().max(most.abs())
         });
         farthest.map(|far| far * far).sum::<f64>().sqrt()
     }
 
-    /// Q: from where the body is at rest to where these coordinates have taken it.
+    /// Q: the displacement from rest to these coordinates.
     #[must_use]
     pub fn displacement<'g>(self, q: impl Fn(usize) -> Term<'g>) -> Pose<Term<'g>> {
         match self {
@@ -76,9 +75,9 @@ impl Posture {
                 rotation: Rotation::about_z(q(2).sin_cos()),
                 translation: Vector([q(0), q(1), q(0).graph().constant(0.0)]),
             },
-            Self::Spherical => Pose::rotation(turned([q(0), q(1), q(2)], q(3))),
+            Self::Spherical => Pose::rotation(rotation_matrix([q(0), q(1), q(2)], q(3))),
             Self::Floating => Pose {
-                rotation: turned([q(3), q(4), q(5)], q(6)),
+                rotation: rotation_matrix([q(3), q(4), q(5)], q(6)),
                 translation: Vector([q(0), q(1), q(2)]),
             },
         }
@@ -86,8 +85,8 @@ impl Posture {
 }
 
 impl Posture {
-    /// The rates of its coordinates where its velocity `k` is 1 and the others are zero: a column of N in q̇ = N v.
-    /// Velocities are those of the moved body in its own frame, linear ones before angular ones.
+    /// The rates of the coordinates if velocity `k` is 1 and the others are 0: a column of N in q̇ = N v. Velocities
+    /// are those of the moved body in its own frame, linear before angular.
     #[must_use]
     pub fn rates<'g>(self, k: usize, q: impl Fn(usize) -> Term<'g>) -> Vec<Term<'g>> {
         let constant = |value: f64| q(0).graph().constant(value);
@@ -100,7 +99,7 @@ impl Posture {
             }
             (Self::Spherical, _) => rotating([0, 1, 2].map(&q), q(3), k).into(),
             (Self::Floating, 0..3) => {
-                let axis = turned([3, 4, 5].map(&q), q(6)).column(k);
+                let axis = rotation_matrix([3, 4, 5].map(&q), q(6)).column(k);
                 axis.0.into_iter().chain([zero; 4]).collect()
             }
             (Self::Floating, _) => {
@@ -111,7 +110,7 @@ impl Posture {
     }
 }
 
-/// The rates of a quaternion v, w whose frame rotates about its own axis `k` by 1 rad/s: ½ (w e + v × e, −v·e).
+/// The rates of a quaternion v, w whose frame rotates about its own axis `k` at 1 rad/s: ½ (w e + v × e, −v·e).
 fn rotating<'g>(v: [Term<'g>; 3], w: Term<'g>, k: usize) -> [Term<'g>; 4] {
     let [next, last] = [(k + 1) % 3, (k + 2) % 3];
     let half = w.graph().constant(0.5);
@@ -122,8 +121,8 @@ fn rotating<'g>(v: [Term<'g>; 3], w: Term<'g>, k: usize) -> [Term<'g>; 4] {
     rates
 }
 
-/// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w of unit length.
-fn turned<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Rotation<Term<'g>> {
+/// R = 1 + 2 w v̲ + 2 v̲² of a unit quaternion v, w.
+fn rotation_matrix<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Rotation<Term<'g>> {
     let one = w.graph().constant(1.0);
     let [twice_x, twice_y, twice_z] = [x + x, y + y, z + z];
     let (xx, yy, zz) = (twice_x * x, twice_y * y, twice_z * z);

@@ -1,10 +1,10 @@
-//! Slides along its axis.
+//! Translation along an axis.
 
 use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "prismatic",
-    freedoms: &[Freedom::slide("shift", Along::Axis)],
+    freedoms: &[Freedom::translation("shift", Along::Axis)],
     posture: None,
     make: |_| JointKind::Prismatic,
 };

@@ -1,4 +1,4 @@
-//! Turns about its axis and slides along it, in a fixed ratio.
+//! Rotation about an axis and translation along it, in a fixed ratio.
 
 use super::{Along, Definition, Freedom, JointKind, Movement};
 

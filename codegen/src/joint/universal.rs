@@ -1,12 +1,12 @@
-//! Turns about its first axis, and about the second, which the first one turns (Cardan's).
+//! Rotation about a first axis, and about a second one that the first rotation moves (Cardan joint).
 
 use super::{Along, Definition, Freedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "universal",
     freedoms: &[
-        Freedom::turn("first", Along::Axis),
-        Freedom::turn("second", Along::Second),
+        Freedom::rotation("first", Along::Axis),
+        Freedom::rotation("second", Along::Second),
     ],
     posture: None,
     make: |_| JointKind::Universal,

@@ -1,7 +1,7 @@
 //! Bodies with their frames, which may be moved.
 //!
-//! In: a chain. Out: its bodies, each frame turned so that its joint's axis is z where the joint has one
-//! coordinate, and what replaces a frame by another one. It never chooses one.
+//! In: a chain. Out: its bodies, with z along the joint's axis if the joint has one coordinate; and a function that
+//! replaces a frame by another one.
 
 use crate::chain::base_parameters::BaseParameters;
 use crate::chain::{BodyId, Chain, Frame, Position};
@@ -17,22 +17,22 @@ use crate::space::{FrameId, ParameterId, VelocityId};
 pub struct Bodies<'g> {
     /// Parents before children, as in the chain.
     pub bodies: List<BodyId, Body<'g>>,
-    /// J in frame 0 of what regrouping left to the base.
+    /// J in frame 0 of the parameters that regrouping moved to the base.
     pub base: Inertia<Term<'g>>,
-    /// The columns of the regressor that the base regressor has, where base parameters are asked for.
+    /// The columns of the base regressor, as columns of the regressor, if base parameters are requested.
     pub base_columns: Vec<ParameterId>,
-    /// Whether the regressor has columns of drives behind those of links.
+    /// True if the regressor has columns of armature, damping and friction after those of links.
     pub identifies_drives: bool,
-    /// The frames asked for, and behind them A and B of each loop: the joint whose body carries it, and M
-    /// from that body to it.
+    /// The requested frames, followed by A and B of each loop: the joint whose body carries it, and M of the frame in
+    /// that body's frame.
     pub frames: List<FrameId, (Option<BodyId>, Pose<Term<'g>>)>,
     /// The loops.
     pub loops: Vec<Closed<'g>>,
-    /// Which velocities are driven, where loops move the others.
+    /// The velocities with an actuator, if loops move the others.
     pub actuated: List<VelocityId, bool>,
-    /// The links on which something acts from outside, in the same way.
+    /// The links with an external wrench, in the same form.
     pub external: Vec<(Option<BodyId>, Pose<Term<'g>>)>,
-    /// Whether those actions are in frame 0.
+    /// True if those wrenches are in frame 0.
     pub external_in_frame_0: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
     pub gravity: Vector<Term<'g>>,
@@ -43,46 +43,46 @@ pub struct Bodies<'g> {
 pub struct Closed<'g> {
     /// Frames A and B.
     pub frames: [FrameId; 2],
-    /// What it closes.
+    /// Its residuals.
     pub rows: Vec<Row>,
-    /// The length of a rod \[m\]; of a joint with two axes, the cosine of their angle.
+    /// The length of a rod \[m\]; for a universal loop, the cosine of the angle between its axes.
     pub size: Term<'g>,
 }
 
-/// A body, moved about or along an axis of its frame.
+/// A body that moves about or along an axis of its frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Body<'g> {
-    /// The body it hangs on; none for the fixed base.
+    /// The parent body; `None` for the fixed base.
     pub parent: Option<BodyId>,
-    /// What its joint lets it do.
+    /// The motion of its joint.
     pub motion: Motion,
-    /// About or along which axis of its frame: z, but where the joint has taken the frame anywhere.
+    /// The axis of its frame: z, unless the joint has several coordinates without axes of their own.
     pub axis: usize,
-    /// What its displacement is a function of.
+    /// The coordinates that determine its displacement.
     pub position: Position,
-    /// Its place among the velocities.
+    /// Its index among the velocities.
     pub velocity: VelocityId,
-    /// M from the parent's frame to this one at q + offset = 0.
+    /// M of this frame in the parent's, at q + offset = 0.
     pub placement: Pose<Term<'g>>,
-    /// Sine and cosine of what is added to q to give the angle about z.
+    /// Sine and cosine of the offset that is added to q.
     pub offset: Option<(Term<'g>, Term<'g>)>,
     /// J of the body in its frame.
     pub inertia: Inertia<Term<'g>>,
-    /// M from this frame to that of the link that the body is; none for one between two coordinates of a joint.
+    /// M of its link's frame in this one; `None` for a body between two coordinates of a joint.
     pub link: Option<Pose<Term<'g>>>,
-    /// What is modelled of its joint's drive.
+    /// Armature, damping and friction of its joint.
     pub drive: Drive<Term<'g>>,
 }
 
 impl Body<'_> {
-    /// Whether one coordinate moves it along its axis: another frame than its own will do then, anywhere that
-    /// the motion leaves as it is.
+    /// True if one coordinate moves it along its axis. Its frame can then be any other one that the motion leaves
+    /// unchanged.
     #[must_use]
     pub const fn has_own_axis(&self) -> bool {
         matches!(self.position, Position::Along { .. })
     }
 
-    /// What its rate is the product of with its velocity; none where it is that velocity.
+    /// The factor of its velocity; `None` if there is no factor.
     #[must_use]
     pub const fn factor(&self) -> Option<Expr> {
         match self.position {
@@ -91,13 +91,13 @@ impl Body<'_> {
         }
     }
 
-    /// Whether that lets it slide, and never turns it.
+    /// True if its only motion is a translation.
     #[must_use]
     pub const fn slides_alone(&self) -> bool {
         self.has_own_axis() && self.motion.slides()
     }
 
-    /// Whether that turns it.
+    /// True if its only motion is a rotation, or a screw motion.
     #[must_use]
     pub const fn turns_alone(&self) -> bool {
         self.has_own_axis() && !self.motion.slides()
@@ -105,12 +105,12 @@ impl Body<'_> {
 }
 
 impl<'g> Bodies<'g> {
-    /// The first body that hangs on body `k`.
+    /// The first child of body `k`.
     pub(super) fn first_child(&self, k: BodyId) -> Option<BodyId> {
         self.bodies.find(|child| child.parent == Some(k))
     }
 
-    /// Replaces frame `k` by one seen from it at `to`, which the joint's motion must not move.
+    /// Replaces frame `k` by the one with pose `to` in it, which the joint's motion must leave unchanged.
     pub(super) fn move_frame(&mut self, k: BodyId, to: Pose<Term<'g>>) {
         let from = to.inverse();
         let body = &mut self.bodies[k];
@@ -130,19 +130,19 @@ impl<'g> Bodies<'g> {
     }
 }
 
-/// The bodies as described, each frame turned so that its joint's axis is z.
+/// The bodies as described, each frame rotated so that z is its joint's axis.
 pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     let term = |expr| graph.term(expr);
-    let turns = chain.joints.map(|joint| match joint.position {
+    let rotations = chain.joints.map(|joint| match joint.position {
         Position::Along { .. } => Pose::rotation(Rotation::with_z(joint.axis.map(term))),
         Position::Posture(..) | Position::Taken => Pose::identity(graph),
     });
     let seen_from = |parent: Option<BodyId>, pose: Pose<Term<'g>>| match parent {
-        Some(parent) => turns[parent].inverse() * pose,
+        Some(parent) => rotations[parent].inverse() * pose,
         None => pose,
     };
-    let bodies = (chain.joints.iter().zip(&turns))
-        .map(|(joint, &turn)| Body {
+    let bodies = (chain.joints.iter().zip(&rotations))
+        .map(|(joint, &rotation)| Body {
             parent: joint.parent,
             motion: joint.motion,
             axis: match joint.position {
@@ -151,10 +151,10 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             },
             position: joint.position,
             velocity: joint.velocity,
-            placement: seen_from(joint.parent, joint.placement.map(term) * turn),
+            placement: seen_from(joint.parent, joint.placement.map(term) * rotation),
             offset: None,
-            inertia: joint.inertia.map(term).change_frame(turn.inverse()),
-            link: (joint.link.as_ref()).map(|(_, link)| turn.inverse() * link.map(term)),
+            inertia: joint.inertia.map(term).change_frame(rotation.inverse()),
+            link: (joint.link.as_ref()).map(|(_, link)| rotation.inverse() * link.map(term)),
             drive: joint.drive.map(term),
         })
         .collect();
@@ -184,7 +184,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     }
 }
 
-/// Which axis of the frame a direction is.
+/// The axis of the frame with a direction.
 fn along(direction: Vector<Term<'_>>) -> usize {
     let is = |&k: &usize| direction.0[k].value().is_some_and(Double::is_one);
     (0..3)

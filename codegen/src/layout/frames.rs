@@ -1,18 +1,15 @@
 //! Frames that make entries of the placements 0 or 1.
 //!
-//! In: a direction, a placement or an inertia. Out: where its frame should go. It never knows a body, and
-//! never moves one.
+//! In: a direction, a placement or an inertia. Out: the pose of the better frame in the given one.
 
 use crate::expression::Term;
 use crate::matrix::{Inertia, Pose, Rotation, Symmetric, Vector};
 
-/// Squared sine of the angle below which two axes have no normal that is worth having: its foot
-/// stands so far away that digits are lost there, and for an angle of some 1e-16 all of them. Six
-/// degrees.
+/// Squared sine of the angle between two axes below which no common normal is used: its foot is so far away that digits
+/// are lost there, and for an angle of some 1e-16 all of them. Six degrees.
 const NEARLY_PARALLEL: f64 = 0.01;
 
-/// From a frame to the one whose x is the common normal of its z and the z of `next`, and whose
-/// origin is the foot of that normal.
+/// The frame with x along the common normal of z and the z of `next`, and with its origin at the foot of that normal.
 pub(super) fn common_normal<'g>(next: &Pose<Term<'g>>) -> Pose<Term<'g>> {
     let direction = next.rotation.column(2);
     let graph = direction.x().graph();
@@ -20,7 +17,7 @@ pub(super) fn common_normal<'g>(next: &Pose<Term<'g>>) -> Pose<Term<'g>> {
     let [x, y, cosine] = direction.0;
     let to = next.translation;
     if x.is_zero() && y.is_zero() {
-        // Parallel: the normal points to the next axis; its foot may be anywhere.
+        // Parallel axes: the normal points to the next axis; its foot may be anywhere.
         let normal = Vector([to.x(), to.y(), zero]).normalized();
         return normal.map_or_else(
             || Pose::identity(graph),
@@ -44,13 +41,13 @@ pub(super) fn common_normal<'g>(next: &Pose<Term<'g>>) -> Pose<Term<'g>> {
     }
 }
 
-/// About z, so that x comes to point in a direction of the xy plane.
+/// The rotation about z that maps x to a direction of the xy plane.
 fn about_z_towards(direction: Vector<Term<'_>>) -> Rotation<Term<'_>> {
     Rotation::about_z((direction.y(), direction.x()))
 }
 
-/// About z, so that q_y vanishes; or, where the centre of mass is on the axis, J_xy. None where
-/// that is so already, or where it depends on a run-time parameter.
+/// The rotation about z that makes q_y zero or, if the centre of mass is on the axis, J_xy. `None` if it is zero
+/// already, or if it depends on a run-time parameter.
 pub(super) fn towards_mass_center<'g>(inertia: &Inertia<Term<'g>>) -> Option<Pose<Term<'g>>> {
     let [x, y, _] = inertia.q.0;
     let Symmetric([xx, yy, _, xy, ..]) = inertia.second;
@@ -69,8 +66,7 @@ pub(super) fn towards_mass_center<'g>(inertia: &Inertia<Term<'g>>) -> Option<Pos
     Some(Pose::rotation(about_z_towards(direction)))
 }
 
-/// Along the bisector of x and a direction of the xy plane: tan ψ/2 = s / (1 + c), or (1 − c) / s where
-/// 1 + c would cancel.
+/// The bisector of x and a direction of the xy plane: tan ψ/2 = s / (1 + c), or (1 − c) / s where 1 + c would cancel.
 fn half(direction: Vector<Term<'_>>) -> Vector<Term<'_>> {
     let [cosine, sine, zero] = direction.0;
     let one = zero.graph().constant(1.0);
@@ -82,11 +78,11 @@ fn half(direction: Vector<Term<'_>>) -> Vector<Term<'_>> {
     }
 }
 
-/// Sine and cosine of an angle about z, and the rotation that is left without it.
+/// Sine and cosine of an angle about z, and the rotation without it.
 pub(super) type Split<'g> = ((Term<'g>, Term<'g>), Rotation<Term<'g>>);
 
-/// Takes a rotation about z off the right side of a placement, to be added to q, where that leaves fewer
-/// products: R = R' Rz(β). Sine and cosine of β, and R'.
+/// Splits a rotation about z off the right side of a placement, to be added to q, if that leaves fewer products:
+/// R = R' Rz(β). Returns sine and cosine of β, and R'.
 pub(super) fn split_offset(rotation: Rotation<Term<'_>>) -> Option<Split<'_>> {
     let simple = |entry: Term<'_>| {
         entry

@@ -1,14 +1,14 @@
-//! Base parameters: mass that no joint can feel goes to the other side of it.
+//! Regrouping: inertia that has no effect on a joint moves to the inner side of the joint.
 //!
-//! In: the bodies with their frames. Out: the same bodies with as many parameters zero as the joint
-//! between two bodies allows (structure rule 4), which changes no torque. It works on scalars of 106 bits, which
-//! are rounded once, when they become literals. The result is not a physical inertia: a function
-//! that needs one takes the bodies as they were before.
+//! In: the bodies with their frames. Out: the same bodies with as many parameters zero as the joint between two bodies
+//! allows (structure rule 4), which changes no torque. It works on scalars of 106 bits, which are rounded once, when
+//! they become literals. The result is not a physical inertia: functions that need one take the bodies without
+//! regrouping.
 
 use super::Bodies;
 use crate::chain::BodyId;
 
-/// Moves inboard what the joint of body `k` lets pass; to be called from the last body to the first.
+/// Moves the inertia of body `k` that its joint allows to the parent. Call it from the last body to the first.
 pub fn pass_inboard(bodies: &mut Bodies<'_>, k: BodyId) {
     let body = bodies.bodies[k];
     let passes = body.motion.invariant(body.inertia);

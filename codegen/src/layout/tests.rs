@@ -1,5 +1,5 @@
-//! The same results from every choice of frames and every formulation, to the last digits of
-//! 106 bits; and from a joint that is locked as from one that stands still there.
+//! Tests that every layout and every formulation gives the same results, to the last digits of 106 bits, and that a
+//! locked joint is one at rest.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ use crate::space::{FrameId, Variable};
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
 const TOLERANCE: f64 = 1e-28;
 
-/// An arbitrary state: no two entries alike, none of them special.
+/// An arbitrary state: all entries differ, and none is special.
 fn state(input: Input) -> Double {
     let entry = |k: u16, step: f64| Double::from((f64::from(k) + 1.0) * step) / Double::from(3.0);
     match input {
@@ -50,11 +50,11 @@ fn difference(results: &[Double], expected: &[Double]) -> f64 {
     };
     let mut differences = results.iter().zip(expected).map(|(x, y)| *x - *y);
     let size = largest(&mut expected.iter().copied());
-    // What is nothing but zeros is so in every layout.
+    // Results that are all zero must be zero in every layout.
     largest(&mut differences) / if size == 0.0 { 1.0 } else { size }
 }
 
-/// Every way to place the frames, whether it is worth counting or not.
+/// Every layout, including those that no plan compares.
 fn layouts() -> Vec<Layout> {
     let mut layouts = Vec::new();
     for normals in [false, true] {
@@ -79,7 +79,7 @@ fn layouts() -> Vec<Layout> {
     layouts
 }
 
-/// Every way to compute a function, whether only the count decides between them or not.
+/// Every algorithm of a function, including those that only the operation count chooses.
 fn ways(function: Function) -> Vec<Way> {
     let forms = [
         Forward::UNREFINED,
@@ -97,7 +97,7 @@ fn ways(function: Function) -> Vec<Way> {
     }
 }
 
-/// The ways that only a formulation leads to.
+/// The algorithms that only a formulation selects.
 fn formulations(function: Function) -> Vec<Way> {
     let apart = [vec![Way::IN_FRAME_0], ways(function)].concat();
     let merged = apart.iter().map(|&way| Way {
@@ -107,7 +107,7 @@ fn formulations(function: Function) -> Vec<Way> {
     [vec![Way::IN_FRAME_0], merged.collect()].concat()
 }
 
-/// The layouts that differ most.
+/// The two layouts that differ most.
 fn extremes() -> [Layout; 2] {
     let most = Layout {
         normals: true,
@@ -142,7 +142,7 @@ fn compare(name: &str, chain: &Chain, layouts: &[Layout], ways: fn(Function) -> 
     }
 }
 
-/// A tree with every kind of joint about oblique axes, whose numbers have many digits.
+/// A tree with every type of joint about oblique axes, whose numbers have many digits.
 const OBLIQUE: &str = include_str!("oblique.txt");
 
 fn robot(file: &str, tip: &str) -> Chain {
@@ -187,8 +187,8 @@ fn a_tree_of_oblique_axes_has_the_same_torques_in_every_layout() {
     agree("tree", &fine(OBLIQUE));
 }
 
-/// A tree whose axes are parallel to those before them, or opposite, in two groups that slides and
-/// screws belong to; the second one branches.
+/// A tree whose axes are parallel to those before them, or opposite, in two groups with prismatic and screw joints; the
+/// second one branches.
 const PARALLEL: &str = "
     struct Tree { tip: tool, gravity: [1.1, -2.3, 8.7] }
     link base;
@@ -238,7 +238,7 @@ fn a_tree_with_fields_has_the_same_torques_in_every_layout() {
 }
 
 #[test]
-fn a_locked_joint_is_one_that_stands_still() {
+fn a_locked_joint_is_a_joint_at_rest() {
     let joints = ["one", "two", "three", "four", "five", "six"];
     let free = fine(OBLIQUE);
     let (graph, way) = (free.graph.clone(), Way::PLAIN);
@@ -247,7 +247,7 @@ fn a_locked_joint_is_one_that_stands_still() {
         let lock = format!("tip: tool, lock({joint} = 0.3)");
         let locked = fine(&OBLIQUE.replace("tip: tool", &lock));
         assert_eq!(locked.joints.len(), joints.len() - 1);
-        // The state of the joints that are left, with the locked one among them at rest.
+        // The state of the remaining joints, with the locked one among them at rest.
         let held = u16::try_from(k).expect("few joints");
         let shift = |of: u16| (of != held).then(|| of - u16::from(of > held));
         let still = |input| match input {
@@ -278,7 +278,7 @@ fn a_locked_joint_is_one_that_stands_still() {
 }
 
 #[test]
-fn regrouping_takes_from_a_body_what_its_joint_does_not_feel() {
+fn regrouping_removes_the_parameters_without_effect_on_the_joint() {
     let (mut chain, layout) = (
         fine(OBLIQUE),
         Layout {
@@ -286,7 +286,7 @@ fn regrouping_takes_from_a_body_what_its_joint_does_not_feel() {
             ..Layout::DESCRIBED
         },
     );
-    // The numbers of a body by what its joint is: m, q_z, J_zz; all second moments; J_zz.
+    // The zero parameters of a body, by its joint: m, q_z, J_zz; all second moments; J_zz.
     let graph = std::mem::take(&mut chain.graph);
     let bodies = arrange(&graph, &chain, layout).bodies;
     for body in bodies {

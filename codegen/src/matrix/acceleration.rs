@@ -1,5 +1,5 @@
-//! H, the acceleration matrix (paper, eq. 7), carried by its parts: to rotate ω and ω̇ and rebuild
-//! G costs a third of rotating G.
+//! H, the acceleration matrix (paper, eq. 7), kept as ω, ω̇ and a₀: rotating ω and ω̇ and rebuilding G costs a third of
+//! rotating G.
 
 use super::{Rotation, Vector};
 use crate::expression::{Block, Graph, Numeral, Of, Term};
@@ -16,7 +16,7 @@ pub struct Acceleration<E> {
 }
 
 impl<'g> Acceleration<Term<'g>> {
-    /// Of a frame that does not turn and whose origin accelerates by `a`.
+    /// The acceleration of a frame that does not rotate and whose origin accelerates by `a`.
     #[must_use]
     pub fn linear(a: Vector<Term<'g>>) -> Self {
         let zero = Vector::zero(graph_of(a));
@@ -27,7 +27,7 @@ impl<'g> Acceleration<Term<'g>> {
         }
     }
 
-    /// Says which body's motion as seen from frame 0 it is, in which frame.
+    /// Labels it as the motion of a body relative to frame 0, in a frame.
     pub fn label(self, body: Numeral, frame: Numeral) {
         let of = Of::FromBase(body);
         self.omega
@@ -38,7 +38,7 @@ impl<'g> Acceleration<Term<'g>> {
             .label(Block::LinearAcceleration.of(of).seen_in(frame));
     }
 
-    /// The block G = ω̲̇ + ω̲², row by row.
+    /// The block G = ω̲̇ + ω̲², by rows.
     #[must_use]
     pub fn g(self) -> [[Term<'g>; 3]; 3] {
         let [x, y, z] = self.omega.0;
@@ -78,7 +78,7 @@ impl<'g> Acceleration<Term<'g>> {
         }
     }
 
-    /// The same motion told by another point of the body.
+    /// The same motion with another point of the body as the pole.
     #[must_use]
     pub fn move_pole(self, pole: Vector<Term<'g>>) -> Self {
         Self {

@@ -1,15 +1,15 @@
-//! Axes x and y across a third: of the plane in which a planar joint moves, and of a joint that closes a loop.
+//! Axes x and y orthogonal to a third one: of the plane of a planar joint, and of a joint that closes a loop.
 //!
-//! x is along (c², a², b²), where the third axis is (a, b, c), as far as that is across it, and y completes the
-//! frame. Of the axes ±x, ±y and ±z, x is y, z and x in turn. No rule can be continuous for all directions; this
-//! one is but at ±(1, 1, 1), where (c², a², b²) has no part across: there x is along (1, 0, 0), as far as that is.
-//! In: a direction of length 1. Out: whether it is there.
+//! x is the orthogonal part of (c², a², b²), normalized, where the third axis is (a, b, c), and y completes the frame.
+//! For the third axes ±x, ±y and ±z, x is y, z and x in turn. No rule is continuous for all directions; this one is,
+//! except at ±(1, 1, 1), where (c², a², b²) has no orthogonal part: there (1, 0, 0) is used.
+//! In: a direction of length 1. Out: true if it is one of these two.
 
-/// By how much the entries of a direction may differ that is taken for ±(1, 1, 1): what is nearer has too few digits
-/// across it.
+/// Largest difference between entries of a direction that counts as ±(1, 1, 1): a direction nearer to it leaves too few
+/// digits of the orthogonal part.
 const NEAR: f64 = 1e-6;
 
-/// Whether (c², a², b²) has no part across (a, b, c) to speak of.
+/// True if the part of (c², a², b²) that is orthogonal to (a, b, c) is negligible.
 #[must_use]
 pub fn is_diagonal([a, b, c]: [f64; 3]) -> bool {
     [a - b, b - c, c - a]

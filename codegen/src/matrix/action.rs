@@ -1,11 +1,11 @@
-//! Φ, the action matrix (paper, eq. 14): a force and a couple.
+//! Φ, the action matrix (paper, eq. 14) of a wrench: a force and a couple.
 
 use std::ops::{Add, Sub};
 
 use super::{Acceleration, Inertia, Pose, Screw, Vector};
 use crate::expression::{Block, Numeral, Of, Term};
 
-/// An action Φ: c̲, f; −fᵗ, 0.
+/// A wrench Φ: c̲, f; −fᵗ, 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Action<E> {
     /// Couple about the origin of the frame [N m].
@@ -15,7 +15,7 @@ pub struct Action<E> {
 }
 
 impl<'g> Action<Term<'g>> {
-    /// What gives a body of inertia J the acceleration H: Φ = skew\[H J\] (eqs. 18 and 25).
+    /// The wrench that gives a body of inertia J the acceleration H: Φ = skew\[H J\] (eqs. 18 and 25).
     #[must_use]
     pub fn of(h: Acceleration<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let g = h.g();
@@ -23,19 +23,18 @@ impl<'g> Action<Term<'g>> {
         let [xx, yy, zz, xy, xz, yz] = j.second.0;
         // The diagonal of G enters by differences, in each of which one square of ω cancels.
         let [ox, oy, oz] = h.omega.0.map(|entry| entry * entry);
-        let turning = Vector([
+        let couple = Vector([
             gzx * xy + gzy * yy - gyz * zz - gyx * xz + (oz - oy) * yz,
             gxy * yz + gxz * zz - gzx * xx - gzy * xy + (ox - oz) * xz,
             gyx * xx + gyz * xz - gxy * yy - gxz * yz + (oy - ox) * xy,
         ]);
         Self {
-            c: turning + j.q.cross(h.a),
+            c: couple + j.q.cross(h.a),
             f: Vector(g.map(|row| Vector(row).dot(j.q))) + h.a * j.mass,
         }
     }
 
-    /// What starts a body of inertia J along a screw from rest, per unit of acceleration:
-    /// skew\[L J\].
+    /// The wrench that accelerates a body of inertia J along a screw from rest, per unit of acceleration: skew\[L J\].
     #[must_use]
     pub fn of_screw(l: Screw<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let (c, f) = j.skew(l.u, l.b);
@@ -52,7 +51,7 @@ impl<'g> Action<Term<'g>> {
         }
     }
 
-    /// M⁻¹ Φ M⁻ᵗ: as seen from a frame at a pose.
+    /// M⁻¹ Φ M⁻ᵗ: the wrench in the frame at a pose.
     #[must_use]
     pub fn seen_from(self, pose: Pose<Term<'g>>) -> Self {
         let back = pose.rotation.transposed();
@@ -62,22 +61,22 @@ impl<'g> Action<Term<'g>> {
         }
     }
 
-    /// L Φ + Φ Lᵗ: how the action changes that is moved along a screw.
+    /// L Φ + Φ Lᵗ: the derivative of a wrench that moves along a screw.
     #[must_use]
-    pub fn turned(self, screw: Screw<Term<'g>>) -> Self {
+    pub fn moved_along(self, screw: Screw<Term<'g>>) -> Self {
         Self {
             c: screw.u.cross(self.c) + screw.b.cross(self.f),
             f: screw.u.cross(self.f),
         }
     }
 
-    /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the action at unit rate.
+    /// The pseudo scalar product L ⊗ Φ = u·c + b·f: the power of the wrench at unit velocity.
     #[must_use]
     pub fn along(self, screw: Screw<Term<'g>>) -> Term<'g> {
         screw.u.dot(self.c) + screw.b.dot(self.f)
     }
 
-    /// The same about another pole.
+    /// The same wrench about another pole.
     #[must_use]
     pub fn about(self, pole: Vector<Term<'g>>) -> Self {
         Self {
@@ -93,7 +92,7 @@ impl<'g> Action<Term<'g>> {
         [cx, cy, cz, fx, fy, fz]
     }
 
-    /// Says which body's action it is, in which frame.
+    /// Labels it as the wrench on a body, in a frame.
     pub fn label(self, body: Numeral, frame: Numeral) {
         self.c
             .label(Block::Couple.of(Of::Body(body)).seen_in(frame));

@@ -1,5 +1,5 @@
-//! Y = W J = ∫ṖPᵗdm, the moments of velocity: what J is to mass, Y is to its flow. The momentum matrix
-//! is its skew part, Γ = Y − Yᵗ (paper, eq. 13), and Ṁ and the Coriolis terms read the rest.
+//! Y = W J = ∫ṖPᵗdm, the moments of velocity: J has the moments of mass, Y those of its flow. The momentum matrix is
+//! its skew part, Γ = Y − Yᵗ (paper, eq. 13); Ṁ and the Coriolis terms use the rest.
 
 use std::ops::Add;
 
@@ -16,9 +16,9 @@ pub struct Flow<E> {
 }
 
 impl<'g> Flow<Term<'g>> {
-    /// W J of a motion that turns about the origin of the frame.
+    /// W J of a rotation about the origin of the frame.
     #[must_use]
-    pub fn of_turn(omega: Vector<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
+    pub fn of_rotation(omega: Vector<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         let columns = j.second.rows().map(|column| omega.cross(Vector(column)));
         Self {
             n: Rotation::from_columns(columns),
@@ -35,7 +35,7 @@ impl<'g> Flow<Term<'g>> {
         }
     }
 
-    /// The same after a turn about z, with four multiplications for the plane and four for each other
+    /// The same after a rotation about z, with four multiplications for the plane and four for each other
     /// pair: with w = s(a − d) + c(b + b') the block (a, b; b', d) becomes
     /// (a − sw, cw − b'; cw − b, d + sw).
     #[must_use]
@@ -46,21 +46,20 @@ impl<'g> Flow<Term<'g>> {
         }
         let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = self.n.0;
         let w = sine * (xx - yy) + cosine * (xy + yx);
-        let (turned, across) = (sine * w, cosine * w);
-        let turn = |x: Term<'g>, y: Term<'g>| [cosine * x - sine * y, sine * x + cosine * y];
-        let ([xz, yz], [zx, zy]) = (turn(xz, yz), turn(zx, zy));
+        let (along, across) = (sine * w, cosine * w);
+        let rotate = |x: Term<'g>, y: Term<'g>| [cosine * x - sine * y, sine * x + cosine * y];
+        let ([xz, yz], [zx, zy]) = (rotate(xz, yz), rotate(zx, zy));
         Self {
             n: Rotation([
-                [xx - turned, across - yx, xz],
-                [across - xy, yy + turned, yz],
+                [xx - along, across - yx, xz],
+                [across - xy, yy + along, yz],
                 [zx, zy, zz],
             ]),
             p: Rotation::about_z(angle) * self.p,
         }
     }
 
-    /// The same flow seen from a frame with parallel axes in which the origin is at t:
-    /// T Y Tᵗ = N + p tᵗ, p.
+    /// The same flow in a frame with parallel axes in which the origin is at t: T Y Tᵗ = N + p tᵗ, p.
     #[must_use]
     pub fn translate(self, t: Vector<Term<'g>>) -> Self {
         Self {
@@ -69,7 +68,7 @@ impl<'g> Flow<Term<'g>> {
         }
     }
 
-    /// The flow of the same bodies where all of them are faster by v: with v qᵗ and m v more.
+    /// The flow of the same bodies if all velocities grow by v: v qᵗ and m v are added.
     #[must_use]
     pub fn faster(self, v: Vector<Term<'g>>, j: Inertia<Term<'g>>) -> Self {
         Self {
@@ -78,9 +77,9 @@ impl<'g> Flow<Term<'g>> {
         }
     }
 
-    /// skew\[X Y\] for X = u̲, b; 0, 0, of which b has no part in it.
+    /// skew\[X Y\] for X = u̲, b; 0, 0, which does not depend on b.
     #[must_use]
-    pub fn turned_by(self, u: Vector<Term<'g>>) -> Action<Term<'g>> {
+    pub fn rotated_by(self, u: Vector<Term<'g>>) -> Action<Term<'g>> {
         // u̲ N + Nᵗ u̲ is the cross matrix of (Tr(N) 1 − N) u.
         Action {
             c: without_trace(self.n) * u,

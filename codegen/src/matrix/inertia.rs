@@ -1,4 +1,4 @@
-//! J, the pseudo-inertia (paper, eq. 16): the mass of a body and where it is.
+//! J, the pseudo-inertia (paper, eq. 16): mass, first and second moments of a body.
 
 use std::ops::{Add, Sub};
 
@@ -21,13 +21,13 @@ pub struct Inertia<E> {
 }
 
 impl<E: Copy> Symmetric<E> {
-    /// Row by row.
+    /// The matrix by rows.
     pub const fn rows(self) -> [[E; 3]; 3] {
         let [xx, yy, zz, xy, xz, yz] = self.0;
         [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     }
 
-    /// Of a matrix known to be symmetric.
+    /// The upper triangle of a matrix that is known to be symmetric.
     pub const fn from_rows([[xx, xy, xz], [_, yy, yz], [_, _, zz]]: [[E; 3]; 3]) -> Self {
         Self([xx, yy, zz, xy, xz, yz])
     }
@@ -38,8 +38,8 @@ impl<'g> Symmetric<Term<'g>> {
         Self([graph.constant(0.0); 6])
     }
 
-    /// From the usual inertia tensor: ∫rrᵗdm = ½ Tr(I) − I (after eq. 16). Of a tensor given as
-    /// xx, xy, xz, yy, yz, zz.
+    /// From the usual inertia tensor: ∫rrᵗdm = ½ Tr(I) − I (after eq. 16). The tensor is given as xx, xy, xz, yy, yz,
+    /// zz.
     #[must_use]
     pub fn from_tensor([xx, xy, xz, yy, yz, zz]: [Term<'g>; 6]) -> Self {
         let half = xx.graph().constant(0.5);
@@ -64,10 +64,10 @@ impl<'g> Symmetric<Term<'g>> {
         }
         let [xx, yy, zz, xy, xz, yz] = self.0;
         let w = sine * (xx - yy) + cosine * (xy + xy);
-        let turned = sine * w;
+        let along = sine * w;
         Self([
-            xx - turned,
-            yy + turned,
+            xx - along,
+            yy + along,
             zz,
             cosine * w - xy,
             cosine * xz - sine * yz,
@@ -75,16 +75,16 @@ impl<'g> Symmetric<Term<'g>> {
         ])
     }
 
-    /// R S Rᵗ for a rotation about z, with nothing subtracted but what a product of inertia takes: the block
+    /// R S Rᵗ for a rotation about z, with no subtraction except for the product of inertia: the block
     /// (a, b, h) becomes (c²a + s²b − 2sch, s²a + c²b + 2sch, sc(a − b) + (c² − s²)h).
     #[must_use]
     pub fn rotate_in_full_about_z(self, (sine, cosine): (Term<'g>, Term<'g>)) -> Self {
-        let turned = self.rotate_about_z((sine, cosine));
+        let rotated = self.rotate_about_z((sine, cosine));
         if sine.is_zero() {
-            return turned;
+            return rotated;
         }
         let [xx, yy, _, xy, _, _] = self.0;
-        let [_, _, zz, _, xz, yz] = turned.0;
+        let [_, _, zz, _, xz, yz] = rotated.0;
         let (ss, cc, sc) = (sine * sine, cosine * cosine, sine * cosine);
         let across = sc * (xy + xy);
         Self([
@@ -104,7 +104,7 @@ impl<'g> Symmetric<Term<'g>> {
         Self([ax * bx, ay * by, az * bz, ax * by, ax * bz, ay * bz])
     }
 
-    /// Makes a row and the column of that number null.
+    /// Sets a row and the column with the same index to zero.
     pub fn clear(&mut self, axis: usize, zero: Term<'g>) {
         for k in [[0, 3, 4], [1, 3, 5], [2, 4, 5]][axis] {
             self.0[k] = zero;
@@ -127,7 +127,7 @@ impl<'g> Symmetric<Term<'g>> {
 }
 
 impl<E: Copy> Inertia<E> {
-    /// Entry by entry.
+    /// Applies a function to each entry.
     pub fn map<F: Copy>(self, mut f: impl FnMut(E) -> F) -> Inertia<F> {
         Inertia {
             second: Symmetric(self.second.0.map(&mut f)),
@@ -144,7 +144,7 @@ impl<E: Copy> Inertia<E> {
 }
 
 impl<'g> Inertia<Term<'g>> {
-    /// Of nothing.
+    /// The inertia of no mass.
     pub fn zero(graph: &'g Graph) -> Self {
         Self {
             second: Symmetric::zero(graph),
@@ -153,7 +153,7 @@ impl<'g> Inertia<Term<'g>> {
         }
     }
 
-    /// Of a mass at the origin with second moments about it.
+    /// The inertia of a mass at the origin with second moments about it.
     #[must_use]
     pub fn central(mass: Term<'g>, second: Symmetric<Term<'g>>) -> Self {
         Self {
@@ -189,7 +189,7 @@ impl<'g> Inertia<Term<'g>> {
         }
     }
 
-    /// The same, with the second moments turned [in full](Symmetric::rotate_in_full_about_z).
+    /// The same, with the second moments rotated [in full](Symmetric::rotate_in_full_about_z).
     #[must_use]
     pub fn rotate_in_full_about_z(self, angle: (Term<'g>, Term<'g>)) -> Self {
         Self {
@@ -221,15 +221,15 @@ impl<'g> Inertia<Term<'g>> {
     ) -> (Vector<Term<'g>>, Vector<Term<'g>>) {
         let [x, y, z] = u.0;
         let [xx, yy, zz, xy, xz, yz] = self.second.0;
-        let turning = Vector([
+        let angular = Vector([
             x * (yy + zz) - y * xy - z * xz,
             y * (xx + zz) - x * xy - z * yz,
             z * (xx + yy) - x * xz - y * yz,
         ]);
-        (turning + self.q.cross(b), u.cross(self.q) + b * self.mass)
+        (angular + self.q.cross(b), u.cross(self.q) + b * self.mass)
     }
 
-    /// Says which body's inertia it is, in which frame.
+    /// Labels it as the inertia of a body, in a frame.
     pub fn label(self, body: Numeral, frame: Numeral) {
         let whole = Block::Inertia.of(Of::Body(body)).seen_in(frame);
         let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];

@@ -1,4 +1,4 @@
-//! M, the position matrix (paper, eq. 1): where a frame is, seen from another.
+//! M, the position matrix (paper, eq. 1): the pose of a frame in another.
 
 use std::array;
 use std::ops::{Add, Mul};
@@ -8,7 +8,7 @@ use super::vector::towards_one;
 use crate::expression::{Double, Graph, Term};
 use crate::matrix::across::is_diagonal;
 
-/// A rotation matrix R, row by row.
+/// A rotation matrix R, by rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Rotation<E>(pub [[E; 3]; 3]);
 
@@ -22,7 +22,7 @@ pub struct Pose<E> {
 }
 
 impl<E: Copy> Rotation<E> {
-    /// Entry by entry.
+    /// Applies a function to each entry.
     pub fn map<F>(self, mut f: impl FnMut(E) -> F) -> Rotation<F> {
         Rotation(self.0.map(|row| row.map(&mut f)))
     }
@@ -45,12 +45,12 @@ impl<E: Copy> Rotation<E> {
 }
 
 impl<'g> Rotation<Term<'g>> {
-    /// No rotation.
+    /// The identity.
     pub fn identity(graph: &'g Graph) -> Self {
         Self::about_z((graph.constant(0.0), graph.constant(1.0)))
     }
 
-    /// About z by an angle of which sine and cosine are given.
+    /// A rotation about z by an angle with this sine and cosine.
     #[must_use]
     pub fn about_z((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
@@ -62,8 +62,8 @@ impl<'g> Rotation<Term<'g>> {
         ])
     }
 
-    /// The third column is the given direction; made of the axes themselves where it can: about one of them,
-    /// the two columns before it are those that follow it in turn.
+    /// A rotation whose third column is a direction. For a coordinate axis, the first two columns are the next two
+    /// axes in turn.
     #[must_use]
     pub fn with_z(direction: Vector<Term<'g>>) -> Self {
         let graph = direction.x().graph();
@@ -88,9 +88,9 @@ impl<'g> Rotation<Term<'g>> {
         Self::from_columns([x, direction.cross(x), direction])
     }
 
-    /// The third column is the given direction, a b c. The first is along c² a² b² as far as that is across it, which
-    /// makes of the axes those that follow them in turn, and turns no further than the direction does, but near
-    /// ±(1, 1, 1): see [`across`](crate::matrix::across).
+    /// A rotation whose third column is a direction (a, b, c). The first is the orthogonal part of (c², a², b²),
+    /// normalized: for a coordinate axis the next one in turn. It rotates no further than the direction does, except
+    /// near ±(1, 1, 1): see [`across`](crate::matrix::across).
     #[must_use]
     pub fn across(direction: Vector<Term<'g>>) -> Self {
         let graph = direction.x().graph();
@@ -108,7 +108,7 @@ impl<'g> Rotation<Term<'g>> {
         Self::from_columns([y.cross(direction), y, direction])
     }
 
-    /// By a quaternion x, y, z, w of any length; none of one that is zero, or depends on an input.
+    /// The rotation by a quaternion x, y, z, w of any length; `None` if it is zero, or depends on an input.
     #[must_use]
     pub fn of_quaternion(entries: [Term<'g>; 4]) -> Option<Self> {
         let mut size = 0.0_f64;
@@ -141,7 +141,7 @@ impl<'g> Rotation<Term<'g>> {
         ]))
     }
 
-    /// About x by an angle of which sine and cosine are given.
+    /// A rotation about x by an angle with this sine and cosine.
     #[must_use]
     pub fn about_x((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
@@ -153,7 +153,7 @@ impl<'g> Rotation<Term<'g>> {
         ])
     }
 
-    /// About y by an angle of which sine and cosine are given.
+    /// A rotation about y by an angle with this sine and cosine.
     #[must_use]
     pub fn about_y((sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let graph = sine.graph();
@@ -182,7 +182,7 @@ impl Mul for Rotation<Term<'_>> {
     }
 }
 
-/// Of any 3×3 matrices.
+/// The sum of any 3×3 matrices.
 impl Add for Rotation<Term<'_>> {
     type Output = Self;
 
@@ -194,7 +194,7 @@ impl Add for Rotation<Term<'_>> {
 }
 
 impl<E: Copy> Pose<E> {
-    /// Entry by entry.
+    /// Applies a function to each entry.
     pub fn map<F: Copy>(self, mut f: impl FnMut(E) -> F) -> Pose<F> {
         Pose {
             rotation: self.rotation.map(&mut f),
@@ -212,7 +212,7 @@ impl<E: Copy> Pose<E> {
 }
 
 impl<'g> Pose<Term<'g>> {
-    /// The frame itself.
+    /// The identity.
     pub fn identity(graph: &'g Graph) -> Self {
         Self {
             rotation: Rotation::identity(graph),
@@ -220,7 +220,7 @@ impl<'g> Pose<Term<'g>> {
         }
     }
 
-    /// Parallel axes, another origin.
+    /// The pose of a frame with parallel axes and another origin.
     #[must_use]
     pub fn translation(translation: Vector<Term<'g>>) -> Self {
         Self {
@@ -229,7 +229,7 @@ impl<'g> Pose<Term<'g>> {
         }
     }
 
-    /// The same origin, other axes.
+    /// The pose of a frame with the same origin and other axes.
     #[must_use]
     pub fn rotation(rotation: Rotation<Term<'g>>) -> Self {
         Self {
@@ -248,7 +248,7 @@ impl<'g> Pose<Term<'g>> {
         }
     }
 
-    /// A point of the frame, seen from the other.
+    /// The coordinates in the other frame of a point of the frame.
     #[must_use]
     pub fn point(self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
         self.rotation * point + self.translation

@@ -8,14 +8,14 @@ use crate::expression::Term;
 /// A screw axis L: u̲, b; 0, 0 with b = −u̲ p + pitch u for a point p of the axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Screw<E> {
-    /// Direction of the axis; null for a translation.
+    /// Direction of the axis; zero for a translation.
     pub u: Vector<E>,
-    /// Velocity of the pole at unit rate.
+    /// Velocity of the pole at unit velocity of the joint.
     pub b: Vector<E>,
 }
 
 impl<'g> Screw<Term<'g>> {
-    /// The same screw seen from the frame in which the pose is given: M L M⁻¹ (eq. 8).
+    /// The same screw in the frame in which the pose is given: M L M⁻¹ (eq. 8).
     #[must_use]
     pub fn change_frame(self, pose: Pose<Term<'g>>) -> Self {
         let u = pose.rotation * self.u;

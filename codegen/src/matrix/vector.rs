@@ -10,7 +10,7 @@ use crate::expression::{Component, Graph, Quantity, Term};
 pub struct Vector<E>(pub [E; 3]);
 
 impl<E: Copy> Vector<E> {
-    /// Entry by entry.
+    /// Applies a function to each entry.
     pub fn map<F>(self, f: impl FnMut(E) -> F) -> Vector<F> {
         Vector(self.0.map(f))
     }
@@ -32,12 +32,12 @@ impl<E: Copy> Vector<E> {
 }
 
 impl<'g> Vector<Term<'g>> {
-    /// A vector of numbers.
+    /// A constant vector.
     pub fn constant(graph: &'g Graph, entries: [f64; 3]) -> Self {
         Self(entries.map(|entry| graph.constant(entry)))
     }
 
-    /// The null vector.
+    /// The zero vector.
     pub fn zero(graph: &'g Graph) -> Self {
         Self::constant(graph, [0.0; 3])
     }
@@ -57,9 +57,8 @@ impl<'g> Vector<Term<'g>> {
         Self([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
     }
 
-    /// The vector of length 1 in its direction, scaled by a power of two before anything is squared;
-    /// none where it depends on an input, or is zero or no more than what rounding left of larger
-    /// numbers.
+    /// The vector of length 1 in its direction, scaled by a power of two before squares are computed. `None` if it
+    /// depends on an input, is zero, or is a rounding error of larger numbers.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         let mut size = 0.0_f64;
@@ -74,13 +73,13 @@ impl<'g> Vector<Term<'g>> {
         Some(scaled.map(|entry| entry / length))
     }
 
-    /// Whether every entry is known to be zero.
+    /// True if every entry is a constant that is zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
         self.0.iter().all(|entry| entry.is_zero())
     }
 
-    /// Says which quantity it is.
+    /// Labels it as a quantity.
     pub fn label(self, quantity: Quantity) {
         for (k, entry) in self.0.into_iter().enumerate() {
             entry.label(quantity.entry(Component::Along(k)));
@@ -88,7 +87,7 @@ impl<'g> Vector<Term<'g>> {
     }
 }
 
-/// A power of two that makes a number about as large as 1, as far as its exponent reaches.
+/// A power of two that scales a number to about 1, within the range of exponents.
 pub(super) fn towards_one(size: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     let exponent = (size.to_bits() & EXPONENT).clamp(1 << 52, 2045 << 52);
@@ -133,12 +132,12 @@ mod tests {
     use crate::expression::Double;
 
     #[test]
-    fn a_unit_vector_made_one_again_is_known_as_well_as_before() {
+    fn a_unit_vector_normalized_again_is_known_as_well_as_before() {
         let graph = Graph::new();
         let described = Vector::constant(&graph, [0.6, 0.0, 0.8]);
         let mut direction = described.normalized().expect("a direction");
         let radius = |vector: Vector<Term<'_>>| vector.z().value().map_or(1.0, Double::radius);
-        // The second time it may come out as another number of 106 bits.
+        // The second result may be a different number of 106 bits.
         direction = direction.normalized().expect("a direction");
         let before = radius(direction);
         for _ in 0..100 {
@@ -149,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn a_written_number_stays_exact_beside_one_that_comes_out_like_it() {
+    fn a_written_number_stays_exact_beside_an_equal_computed_one() {
         let graph = Graph::new();
         let written = graph.constant(1.0);
         let three = Vector::constant(&graph, [0.1, 0.2, 0.3]);

@@ -33,7 +33,7 @@ impl<'g> Velocity<Term<'g>> {
         }
     }
 
-    /// Says what it is the motion of, in which frame.
+    /// Labels it as the motion of bodies, in a frame.
     pub fn label(self, of: Of, frame: Numeral) {
         self.omega
             .label(Block::AngularVelocity.of(of).seen_in(frame));
@@ -49,7 +49,7 @@ impl<'g> Velocity<Term<'g>> {
         }
     }
 
-    /// The same motion told by another point of the body.
+    /// The same motion with another point of the body as the pole.
     #[must_use]
     pub fn move_pole(self, pole: Vector<Term<'g>>) -> Self {
         Self {
@@ -58,7 +58,7 @@ impl<'g> Velocity<Term<'g>> {
         }
     }
 
-    /// The rate of a screw that the body takes along, L̇ = W L − L W: that of M L M⁻¹ where Ṁ = W M.
+    /// The derivative of a screw that is fixed to the body, L̇ = W L − L W: that of M L M⁻¹ with Ṁ = W M.
     #[must_use]
     pub fn rate_of(self, screw: Screw<Term<'g>>) -> Screw<Term<'g>> {
         Screw {

@@ -1,20 +1,19 @@
 //! Equal computations for several columns.
 //!
-//! In: columns, and what is made of each. Out: the columns that were made, those with the same zeros one after the
-//! other and step by step the same, so that they can be written once for all of them. It never looks at what is
-//! computed.
+//! In: columns, and a function of each. Out: the results, with columns that have the same zeros one after the other and
+//! computed by the same steps, so that the steps can be written once for all of them.
 
 use crate::expression::Term;
 use crate::list::List;
 use crate::space::VelocityId;
 
-/// How many operations columns have to save by being the same: a column takes one or two for each square of its
-/// length, and shares none any more with others that it is a multiple of.
+/// Minimum operations saved for columns to share a loop: a column takes one or two for each square of its length, and
+/// no longer shares operations with others that it is a multiple of.
 const WORTH: usize = 300;
 
 type Column<'g> = List<VelocityId, Term<'g>>;
 
-/// What `of` makes of each column; one whose zeros too few others have is taken as it is.
+/// The function `of` of each column; columns whose zeros too few others have are not marked.
 pub fn alike<'g>(
     columns: &[Column<'g>],
     of: impl Fn(&Column<'g>) -> Column<'g>,
@@ -28,19 +27,19 @@ pub fn alike<'g>(
         let others = zeros.iter().filter(|other| **other == zeros[k]).count() - 1;
         others * columns[k].len().pow(2) >= WORTH
     };
-    // All are taken before anything is made of the first: changes of signs stand before all of them.
-    let taken = columns.iter().zip(0_u16..).enumerate();
-    let taken = taken.map(|(k, (column, number))| {
+    // All are marked before the first result is computed, so that changes of signs precede all of them.
+    let marked = columns.iter().zip(0_u16..).enumerate();
+    let marked = marked.map(|(k, (column, number))| {
         is_worth(k).then(|| column.map(|entry| entry.taken_by(number)))
     });
-    let taken: Vec<Option<Column<'g>>> = taken.collect();
+    let marked: Vec<Option<Column<'g>>> = marked.collect();
     let mut made: Vec<Option<Column<'g>>> = vec![None; columns.len()];
     for first in 0..columns.len() {
-        if taken[first].is_none() {
+        if marked[first].is_none() {
             made[first] = Some(of(&columns[first]));
         }
         for k in first..columns.len() {
-            if let (Some(column), None, true) = (&taken[k], &made[k], zeros[k] == zeros[first]) {
+            if let (Some(column), None, true) = (&marked[k], &made[k], zeros[k] == zeros[first]) {
                 made[k] = Some(of(column));
             }
         }
@@ -63,10 +62,10 @@ mod tests {
         graph.input(Input::Variable(Variable::Q, k))
     }
 
-    /// How long columns are: as long as is worth it for two.
+    /// Length of the columns: the shortest that pays for two.
     const LENGTH: u16 = 18;
 
-    /// Columns of which the second is the first but for signs, and the third has a zero.
+    /// Columns of which the second is the first up to signs, and the third has a zero.
     fn columns<'g>(graph: &'g Graph) -> Vec<List<VelocityId, Term<'g>>> {
         let [a, b, zero] = [q(graph, 1), q(graph, 2), graph.constant(0.0)];
         let of_each: [&dyn Fn(u16, Term<'g>) -> Term<'g>; 3] = [
@@ -81,7 +80,7 @@ mod tests {
         of_each.map(column).into()
     }
 
-    /// Each entry less the last one l times.
+    /// Each entry minus l times the last one.
     fn solved<'g>(graph: &'g Graph, x: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         let last = x.iter().copied().last().expect("entries");
         x.map(|&entry| entry - q(graph, 0) * last)
@@ -103,7 +102,7 @@ mod tests {
         schedule(&graph, &results)
     }
 
-    /// The kinds of operations that the entries of two columns are the results of.
+    /// The kinds of operations whose results are the entries of two columns.
     fn kinds(program: &Program) -> [Vec<Discriminant<Operation>>; 2] {
         let kind = |result: &Operand| match *result {
             Operand::Step(step) => discriminant(&program.steps[step as usize].operation),
@@ -114,16 +113,16 @@ mod tests {
     }
 
     #[test]
-    fn columns_with_the_same_zeros_are_computed_the_same() {
+    fn columns_with_the_same_zeros_are_computed_by_the_same_steps() {
         let [first, second] = kinds(&program(false));
         assert_eq!(first, second);
-        // By themselves signs float out.
+        // Unmarked, signs move outwards.
         let [first, second] = kinds(&program(true));
         assert_ne!(first, second);
     }
 
     #[test]
-    fn nothing_else_changes() {
+    fn other_columns_are_unchanged() {
         let [alike, each] = [program(false), program(true)].map(|program| {
             run::<f64>(&program, |input| match input {
                 Input::Variable(Variable::Q, k) => f64::from(k).sin() + 0.3,

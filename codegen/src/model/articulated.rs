@@ -1,9 +1,8 @@
-//! Joint accelerations by the articulated-body recursion (Featherstone 1983): what a body and all
-//! that hangs on it loosely opposes to an acceleration, carried inwards; accelerations outwards, or
-//! the inverse of the mass matrix from what unit forces do on their way inwards.
+//! Forward dynamics by the articulated-body algorithm (Featherstone 1983): articulated inertias are passed inwards,
+//! accelerations outwards; or the inverse of the mass matrix, from unit forces on their way inwards.
 //!
-//! In: the joints and bodies with physical inertias, never regrouped ones. Out: q̈, or M⁻¹. No mass
-//! matrix is formed, and what its conditioning would take is lost only as far as masses differ.
+//! In: the joints and bodies with physical inertias, without regrouping. Out: q̈, or M⁻¹. No mass matrix is formed, so
+//! that digits are lost only as far as masses differ, and not by its condition number.
 
 use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, beyond};
@@ -14,120 +13,119 @@ use crate::joint::Motion;
 use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
 
-/// q̈ of τ, one entry a joint.
+/// q̈ for τ, one entry a joint.
 pub fn forward_dynamics<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    outside: &[(BodyId, Action<Term<'g>>)],
+    external: &[(BodyId, Action<Term<'g>>)],
 ) -> List<BodyId, Term<'g>> {
     let Drift {
         velocities,
         drifts,
         mut actions,
     } = Drift::of(joints, state);
-    for &(body, action) in outside {
+    for &(body, action) in external {
         actions[body] = actions[body] - action;
     }
     let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
 
-    let mut yields = Vec::with_capacity(joints.len());
+    let mut eliminated = Vec::with_capacity(joints.len());
     for (k, joint) in joints.numbered().rev() {
         let action = actions[k];
-        let given = articulated[k].yielding(joint);
+        let own = articulated[k].eliminate(joint);
         let friction = joint.drive.resistance(state.qd(k));
-        let lacking = state.tau(k) - friction - action.along(joint.screw);
+        let unbalanced = state.tau(k) - friction - action.along(joint.screw);
         if let Some(parent) = joint.parent {
-            let left = given.left;
-            let push = lacking * given.inverse;
-            let moved = left.times(drifts[k].omega_dot, drifts[k].a);
+            let reduced = own.reduced;
+            let by_pivot = unbalanced * own.inverse;
+            let moved = reduced.times(drifts[k].omega_dot, drifts[k].a);
             let carried = Action {
-                c: action.c + moved.c + given.action.c * push,
-                f: action.f + moved.f + given.action.f * push,
+                c: action.c + moved.c + own.action.c * by_pivot,
+                f: action.f + moved.f + own.action.f * by_pivot,
             };
-            let (left, carried) = passed_on(joint, &left, carried);
-            articulated[parent] = articulated[parent] + left;
+            let (reduced, carried) = passed_on(joint, &reduced, carried);
+            articulated[parent] = articulated[parent] + reduced;
             actions[parent] = actions[parent] + carried;
         }
-        yields.push((lacking, given));
+        eliminated.push((unbalanced, own));
     }
-    yields.reverse();
-    let yields: List<BodyId, _> = yields.into();
+    eliminated.reverse();
+    let eliminated: List<BodyId, _> = eliminated.into();
 
     let mut found = List::new();
     outwards(joints, gravity, state, &velocities, |k, carried| {
-        let (lacking, given) = &yields[k];
-        let opposed = carried.omega_dot.dot(given.action.c) + carried.a.dot(given.action.f);
-        let acceleration = (*lacking - opposed) * given.inverse;
+        let (unbalanced, own) = &eliminated[k];
+        let opposed = carried.omega_dot.dot(own.action.c) + carried.a.dot(own.action.f);
+        let acceleration = (*unbalanced - opposed) * own.inverse;
         found.push(acceleration);
         acceleration
     });
     found
 }
 
-/// For each joint what it feels of itself and all outboard of it where nothing else moves, and where all joints
-/// outboard yield: its diagonal entry of the mass matrix, and the pivot that is left of that by eliminating them.
+/// For each joint its diagonal entry of the mass matrix, which is the inertia that it moves if all others are at rest,
+/// and its pivot, which is the inertia that it moves if all joints outboard of it are free.
 pub fn pivots<'g>(joints: &Joints<'g>) -> List<BodyId, [Term<'g>; 2]> {
     let mut composites = joints.map(|joint| joint.inertia);
     let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
     let mut pivots = Vec::with_capacity(joints.len());
     for (k, joint) in joints.numbered().rev() {
         let whole = Action::of_screw(joint.screw, composites[k]).along(joint.screw);
-        let given = articulated[k].yielding(joint);
+        let own = articulated[k].eliminate(joint);
         if let Some(parent) = joint.parent {
             composites[parent] = composites[parent] + joint.inertia_inboard(composites[k]);
-            articulated[parent] = articulated[parent] + given.left.passed_on(joint);
+            articulated[parent] = articulated[parent] + own.reduced.passed_on(joint);
         }
-        let share = given.action.along(joint.screw);
-        pivots.push([whole, share].map(|felt| felt + joint.drive.armature));
+        let share = own.action.along(joint.screw);
+        pivots.push([whole, share].map(|inertia| inertia + joint.drive.armature));
     }
     pivots.reverse();
     pivots.into()
 }
 
-/// The inverse of the mass matrix, row by row: M⁻¹ = Yᵗ D⁻¹ Y, with the joints' shares D and Yₖⱼ the
-/// force that joint k lacks, standing still, where joint j exerts a unit force (the innovations form
-/// of Rodriguez, Jain and Kreutz-Delgado, "A spatial operator algebra for manipulator modeling and
-/// control", 1991). Only joints inboard of j feel it.
+/// The inverse of the mass matrix, by rows: M⁻¹ = Yᵗ D⁻¹ Y, with the pivots D. Yₖⱼ is the unbalanced force at joint
+/// k, at rest, for a unit force at joint j; it is zero unless k is inboard of j (the innovations form of Rodriguez,
+/// Jain and Kreutz-Delgado, "A spatial operator algebra for manipulator modeling and control", 1991).
 pub fn mass_matrix_inverse<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId, Term<'g>> {
     let mut articulated = joints.map(|joint| Articulated::of(joint.inertia));
-    let mut yields = Vec::with_capacity(joints.len());
+    let mut eliminated = Vec::with_capacity(joints.len());
     for (k, joint) in joints.numbered().rev() {
-        let given = articulated[k].yielding(joint);
+        let own = articulated[k].eliminate(joint);
         if let Some(parent) = joint.parent {
-            articulated[parent] = articulated[parent] + given.left.passed_on(joint);
+            articulated[parent] = articulated[parent] + own.reduced.passed_on(joint);
         }
-        yields.push(given);
+        eliminated.push(own);
     }
-    yields.reverse();
-    let yields: List<BodyId, _> = yields.into();
+    eliminated.reverse();
+    let eliminated: List<BodyId, _> = eliminated.into();
 
-    // Of each joint, the joints inboard of it and itself, with Y, from itself inwards.
+    // For each joint, the joints inboard of it and itself, with Y, from itself inwards.
     let one = state.graph.constant(1.0);
-    let lacks = joints.ids().map(|column| {
+    let unbalanced_rows = joints.ids().map(|column| {
         let mut rows = vec![(column, one)];
-        let mut action = yields[column].pushed(one, None, &joints[column]);
+        let mut action = eliminated[column].passed(one, None, &joints[column]);
         let mut at = column;
         while let Some(parent) = joints[at].parent {
             action = carried(&joints[at], action);
             let joint = &joints[parent];
-            let lacking = -action.along(joint.screw);
-            rows.push((parent, lacking));
-            action = yields[parent].pushed(lacking, Some(action), joint);
+            let unbalanced = -action.along(joint.screw);
+            rows.push((parent, unbalanced));
+            action = eliminated[parent].passed(unbalanced, Some(action), joint);
             at = parent;
         }
         rows.reverse();
         rows
     });
-    let lacks: List<BodyId, Vec<(BodyId, Term<'g>)>> = lacks.collect();
+    let unbalanced_rows: List<BodyId, Vec<(BodyId, Term<'g>)>> = unbalanced_rows.collect();
     let mut entries = Square::filled(state.zero(), joints.len());
     for column in joints.ids() {
         for row in joints.ids().take(column.number()) {
-            // What is inboard of both is where their rows begin, which go from the base outwards.
-            let both = lacks[row].iter().zip(&lacks[column]);
+            // The joints inboard of both are the common beginning of their rows, which go from the base outwards.
+            let both = unbalanced_rows[row].iter().zip(&unbalanced_rows[column]);
             let both = both.take_while(|((k, _), (l, _))| k == l);
-            let products =
-                both.map(|((k, of_row), (_, of_column))| *of_column * yields[*k].inverse * *of_row);
+            let products = both
+                .map(|((k, of_row), (_, of_column))| *of_column * eliminated[*k].inverse * *of_row);
             let entry = products.reduce(|sum, product| sum + product);
             let entry = entry.unwrap_or_else(|| state.zero());
             entries.set_both((row, column), entry);
@@ -136,23 +134,23 @@ pub fn mass_matrix_inverse<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square
     entries
 }
 
-/// How many numbers [`motion`] gives for each joint: c and f of the velocities (less those from outside), ω̇ and a that they
-/// cause beyond the joint, ω̇ and a of the body.
+/// Number of values of [`motion`] for each joint: c and f of the velocity terms, less external wrenches; ω̇ and a of
+/// the velocity terms beyond the joint; ω̇ and a of the body.
 pub const MOTION: usize = 18;
 
-/// What the recursion takes from a motion whose q̈ is given, without a division.
+/// The terms of the recursion that depend on the motion, for given q̈, without a division.
 pub fn motion<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    outside: &[(BodyId, Action<Term<'g>>)],
+    external: &[(BodyId, Action<Term<'g>>)],
 ) -> Vec<Term<'g>> {
     let mut drift = Drift::of(joints, state);
-    for &(body, action) in outside {
+    for &(body, action) in external {
         drift.actions[body] = drift.actions[body] - action;
     }
-    let given = |k: BodyId, _: Acceleration<Term<'g>>| state.qdd(k);
-    let accelerations = outwards(joints, gravity, state, &drift.velocities, given);
+    let own = |k: BodyId, _: Acceleration<Term<'g>>| state.qdd(k);
+    let accelerations = outwards(joints, gravity, state, &drift.velocities, own);
     let all = drift.actions.iter().zip(&drift.drifts).zip(accelerations);
     all.flat_map(|((action, drift), acceleration)| {
         [
@@ -168,41 +166,39 @@ pub fn motion<'g>(
     .collect()
 }
 
-/// How many numbers an articulated inertia is: A and M as xx, yy, zz, xy, xz, yz, B by rows between
-/// them.
+/// Number of values of an articulated inertia: A and M as xx, yy, zz, xy, xz, yz, with B by rows between them.
 pub const INERTIA: usize = 6 + 9 + 6;
 
-/// How many numbers [`step`] takes and gives: an articulated inertia, c, f.
+/// Number of arguments and results of [`step`]: an articulated inertia, c, f.
 pub const STEP: usize = INERTIA + 3 + 3;
 
-/// What becomes of an articulated inertia and an action on the way from a body, whose joint has
-/// yielded, to the one that carries it.
+/// The articulated inertia and the wrench that a body passes on, after its joint's part has been subtracted, in the
+/// frame of the parent body.
 pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> {
     let a = std::array::from_fn(|k| entries[k]);
     let b = std::array::from_fn(|row| std::array::from_fn(|column| entries[6 + 3 * row + column]));
     let m = std::array::from_fn(|k| entries[15 + k]);
     let [c, f] =
         [INERTIA, INERTIA + 3].map(|first| Vector(std::array::from_fn(|k| entries[first + k])));
-    let mut left = Articulated {
+    let mut reduced = Articulated {
         a: Symmetric(a),
         b: Rotation(b),
         m: Symmetric(m),
     };
     if joint.drive.armature.is_zero() {
-        left.clear(joint);
+        reduced.clear(joint);
     }
-    let (left, action) = passed_on(joint, &left, Action { c, f });
-    let inertia = left
+    let (reduced, action) = passed_on(joint, &reduced, Action { c, f });
+    let inertia = reduced
         .a
         .0
         .into_iter()
-        .chain(left.b.0.concat())
-        .chain(left.m.0);
+        .chain(reduced.b.0.concat())
+        .chain(reduced.m.0);
     inertia.chain(action.c.0).chain(action.f.0).collect()
 }
 
-/// What velocities alone do: those of the bodies, the accelerations that each joint adds to them, and
-/// the actions that they take.
+/// The velocity terms: velocities of the bodies, the accelerations that each joint adds to them, and their wrenches.
 struct Drift<'g> {
     velocities: List<BodyId, Moving<'g>>,
     drifts: List<BodyId, Acceleration<Term<'g>>>,
@@ -211,8 +207,8 @@ struct Drift<'g> {
 
 impl<'g> Drift<'g> {
     fn of(joints: &Joints<'g>, state: &State<'g>) -> Self {
-        let still = Acceleration::linear(Vector::zero(state.graph));
-        let rest = Moving::still(still);
+        let at_rest = Acceleration::linear(Vector::zero(state.graph));
+        let rest = Moving::still(at_rest);
         let mut all = Self {
             velocities: List::new(),
             drifts: List::new(),
@@ -223,7 +219,7 @@ impl<'g> Drift<'g> {
             let drift = beyond(outer, joint, state.qd(k), state.zero());
             let velocity = Acceleration {
                 omega: drift.h.omega,
-                ..still
+                ..at_rest
             };
             all.actions.push(Action::of(velocity, joint.inertia));
             all.velocities.push(Moving {
@@ -236,8 +232,8 @@ impl<'g> Drift<'g> {
     }
 }
 
-/// The accelerations of the bodies, the base's being that of gravity the other way; `of_joint` gives
-/// that of a joint from what its body has without it.
+/// The accelerations of the bodies, with −H_g for the base; `of_joint` returns q̈ of a joint from the acceleration of
+/// its body at q̈ = 0.
 fn outwards<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
@@ -267,23 +263,23 @@ fn outwards<'g>(
     accelerations
 }
 
-/// An articulated inertia and an action of a body, in the frame of the one that carries it.
+/// An articulated inertia and a wrench of a body, in the frame of the parent body.
 fn passed_on<'g>(
     joint: &Joint<'g>,
-    left: &Articulated<'g>,
+    reduced: &Articulated<'g>,
     action: Action<Term<'g>>,
 ) -> (Articulated<'g>, Action<Term<'g>>) {
-    (left.passed_on(joint), carried(joint, action))
+    (reduced.passed_on(joint), carried(joint, action))
 }
 
-/// An action on a body, in the frame of the one that carries it.
+/// A wrench on a body, in the frame of the parent body.
 fn carried<'g>(joint: &Joint<'g>, action: Action<Term<'g>>) -> Action<Term<'g>> {
     action
         .change_frame(joint.displacement())
         .change_frame(joint.placement)
 }
 
-/// The linear map from an acceleration (ω̇, a) to the action (c, f) that it takes:
+/// An articulated inertia Iᴬ: the linear map from an acceleration (ω̇, a) to a wrench (c, f),
 /// c = A ω̇ + B a, f = Bᵗ ω̇ + M a.
 #[derive(Clone, Copy)]
 struct Articulated<'g> {
@@ -292,29 +288,29 @@ struct Articulated<'g> {
     m: Symmetric<Term<'g>>,
 }
 
-/// What a joint that yields leaves of an articulated inertia.
-struct Yielding<'g> {
-    /// The action that a unit acceleration of the joint takes.
+/// The articulated inertia of a body with its joint: U = Iᴬ S, 1/D and Iᴬ − U Uᵗ/D.
+struct Eliminated<'g> {
+    /// U, the wrench of a unit acceleration of the joint.
     action: Action<Term<'g>>,
-    /// The reciprocal of the joint's share in it.
+    /// 1/D.
     inverse: Term<'g>,
-    /// What the joint passes on.
-    left: Articulated<'g>,
+    /// Iᴬ − U Uᵗ/D, which is passed on to the parent.
+    reduced: Articulated<'g>,
 }
 
-impl<'g> Yielding<'g> {
-    /// What the joint passes on of an action, if there is one, when it yields to the force that it lacks:
-    /// along itself nothing of the action, and the force of the joint where there is none. That is exact
-    /// without an armature; with one, part of the force is left.
-    fn pushed(
+impl<'g> Eliminated<'g> {
+    /// The wrench p + U u/D that the joint passes on, for its unbalanced force u and a wrench p, if there is one. Its
+    /// component along the joint is zero, since u = −Sᵀ p, or u if there is no p. That is exact without an armature;
+    /// with one, part of the force remains.
+    fn passed(
         &self,
-        lacking: Term<'g>,
+        unbalanced: Term<'g>,
         action: Option<Action<Term<'g>>>,
         joint: &Joint<'g>,
     ) -> Action<Term<'g>> {
-        let push = lacking * self.inverse;
-        let (mut c, mut f) = (self.action.c * push, self.action.f * push);
-        let mut along = lacking;
+        let by_pivot = unbalanced * self.inverse;
+        let (mut c, mut f) = (self.action.c * by_pivot, self.action.f * by_pivot);
+        let mut along = unbalanced;
         if let Some(action) = action {
             (c, f) = (c + action.c, f + action.f);
             along = along.graph().constant(0.0);
@@ -330,7 +326,7 @@ impl<'g> Yielding<'g> {
 }
 
 impl<'g> Articulated<'g> {
-    /// Of a rigid body: A = Tr(∫rrᵗ) − ∫rrᵗ, B = q̲, M = m.
+    /// Iᴬ of a rigid body: A = Tr(∫rrᵗ) − ∫rrᵗ, B = q̲, M = m.
     fn of(inertia: Inertia<Term<'g>>) -> Self {
         let [xx, yy, zz, xy, xz, yz] = inertia.second.0;
         let [x, y, z] = inertia.q.0;
@@ -349,9 +345,9 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// What a joint takes and leaves: the map minus U Uᵗ / D, of which the joint's own row and
-    /// column vanish, but for what an armature adds to D.
-    fn yielding(&self, joint: &Joint<'g>) -> Yielding<'g> {
+    /// U, 1/D and Iᴬ − U Uᵗ/D of a joint. The joint's own row and column of the last are zero without an armature,
+    /// which is part of D.
+    fn eliminate(&self, joint: &Joint<'g>) -> Eliminated<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
         let share = action.along(joint.screw) + joint.drive.armature;
         share.label(
@@ -362,7 +358,7 @@ impl<'g> Articulated<'g> {
         let inverse = share.graph().constant(1.0) / share;
         let (c, f) = (action.c, action.f);
         let (over_c, over_f) = (c * inverse, f * inverse);
-        let mut left = Self {
+        let mut reduced = Self {
             a: self.a - Symmetric::half_product(c, over_c),
             b: Rotation(std::array::from_fn(|i| {
                 std::array::from_fn(|j| self.b.0[i][j] - over_c.0[i] * f.0[j])
@@ -370,16 +366,16 @@ impl<'g> Articulated<'g> {
             m: self.m - Symmetric::half_product(f, over_f),
         };
         if joint.drive.armature.is_zero() {
-            left.clear(joint);
+            reduced.clear(joint);
         }
-        Yielding {
+        Eliminated {
             action,
             inverse,
-            left,
+            reduced,
         }
     }
 
-    /// Clears what the joint's motion leaves nothing of.
+    /// Sets the joint's own row and column to zero.
     fn clear(&mut self, joint: &Joint<'g>) {
         let zero = self.b.0[0][0].graph().constant(0.0);
         match joint.motion {
@@ -397,7 +393,7 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// In the frame of the body that carries it.
+    /// In the frame of the parent body.
     fn passed_on(&self, joint: &Joint<'g>) -> Self {
         let moved = match joint.posture {
             Some(posture) => self.inboard(posture),
@@ -416,7 +412,7 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// About a point at −p, from where the body's origin is at p.
+    /// About another point: the body's origin is at p from it.
     fn shift(&self, p: Vector<Term<'g>>) -> Self {
         let zero = p.x().graph().constant(0.0);
         let [x, y, z] = p.0;
@@ -430,15 +426,15 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    /// In the frame that the body's frame is seen from at a constant pose.
+    /// In the frame in which the body's frame has a constant pose.
     fn inboard(&self, pose: Pose<Term<'g>>) -> Self {
         let rotation = pose.rotation;
-        let turned = Self {
+        let rotated = Self {
             a: self.a.rotate(rotation),
             b: rotation * self.b * rotation.transposed(),
             m: self.m.rotate(rotation),
         };
-        turned.shift(pose.translation)
+        rotated.shift(pose.translation)
     }
 }
 

@@ -1,10 +1,10 @@
-//! A joint at work: how matrices get from one side of it to the other.
+//! Joints with their displacements: changes of frame across a joint.
 //!
-//! In: the bodies and the state. Out: the displacements of their joints, each a turn and a slide,
-//! of all of them or of those on the way from the base to a frame. A frame that leaves its turn to
-//! what it carries ([`turn`](super::turn)) is not fixed to its body; all matrices are of one
-//! instant, so no formula minds. Neither does any where all matrices are in frame 0: each L and J is
-//! taken there, and from one body to the next nothing is left to be carried.
+//! In: the bodies and the state. Out: the displacements of their joints, each a rotation and a translation, for all of
+//! them or for those on the path from the base to a frame. A frame that leaves its rotation to its child bodies
+//! ([`turn`](super::turn)) is not fixed to its body; all matrices belong to one instant, so that every formula still
+//! holds. The same is true with all matrices in frame 0: each L and J is taken there, and nothing changes from one body
+//! to the next.
 
 use std::iter::successors;
 
@@ -20,39 +20,39 @@ use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
 use crate::space::FrameId;
 
-/// A joint and its body: in the frame of the body the displacement is a turn about z and a slide along it,
-/// or a posture; in frame 0 there is none, and the placement is the identity.
+/// A joint and its body. In the frame of the body the displacement is a rotation about z and a translation along it, or
+/// that of a ball, planar or floating joint; in frame 0 it is the identity, and so is the placement.
 #[derive(Clone, Copy)]
 pub struct Joint<'g> {
     /// The body.
     pub body: BodyId,
-    /// The joint that carries the body it hangs on; none for the fixed base.
+    /// The joint that carries the parent body; `None` for the fixed base.
     pub parent: Option<BodyId>,
-    /// The motion it allows.
+    /// Its type of motion.
     pub motion: Motion,
-    /// Where its matrices are.
+    /// The frame of its matrices.
     pub frame: Frame,
-    /// Whether what is placed in frame 0 is seen from the root, in the axes of frame 0.
+    /// True if poses in frame 0 have their origin at the root, in the axes of frame 0.
     pub from_root: bool,
-    /// M from the parent's frame to where the displacement starts.
+    /// M of the joint's frame in the parent's, before the displacement.
     pub placement: Pose<Term<'g>>,
-    /// Sine and cosine of the turn.
+    /// Sine and cosine of the rotation.
     pub angle: (Term<'g>, Term<'g>),
-    /// The slide \[m\].
+    /// The translation \[m\].
     pub slide: Term<'g>,
-    /// What stands in the place of both where the body is moved in several ways at once.
+    /// The displacement of a joint without an axis of its own, in place of both.
     pub posture: Option<Pose<Term<'g>>>,
-    /// Whether it is moved so by the body before it, whose frame is its own.
+    /// True if the body before it, with the same frame, has the displacement of the joint.
     pub taken: bool,
-    /// About or along which axis of its frame it moves; z where both are its own.
+    /// The axis of its frame; z for a joint with an axis of its own.
     pub axis: usize,
     /// L of the joint.
     pub screw: Screw<Term<'g>>,
     /// J of the body.
     pub inertia: Inertia<Term<'g>>,
-    /// What is modelled of its drive.
+    /// Armature, damping and friction.
     pub drive: Drive<Term<'g>>,
-    /// How inertias turn with it.
+    /// The change of frame of inertias.
     pub congruence: Congruence,
 }
 
@@ -60,7 +60,7 @@ pub struct Joint<'g> {
 pub type Joints<'g> = List<BodyId, Joint<'g>>;
 
 impl<'g> Joint<'g> {
-    /// The joint of body `k`, where `left` is what each body's frame leaves of its turn.
+    /// The joint of body `k`, where `left` has the rotation that each body's frame leaves to its children.
     fn new(
         bodies: &Bodies<'g>,
         k: BodyId,
@@ -87,8 +87,8 @@ impl<'g> Joint<'g> {
         axis[body.axis] = one;
         let mut placement = body.placement;
         if let Some(outer) = outer {
-            let turned = Rotation::about_z(outer.sine_and_cosine(graph));
-            placement.translation = turned * placement.translation;
+            let rotation = Rotation::about_z(outer.sine_and_cosine(graph));
+            placement.translation = rotation * placement.translation;
         }
         Self {
             body: k,
@@ -112,8 +112,8 @@ impl<'g> Joint<'g> {
         }
     }
 
-    /// The joint with all its matrices in frame 0, where its body is at a pose: M L M⁻¹ and M J Mᵗ, as
-    /// the paper has them (eqs. 8 and 17).
+    /// The joint with all its matrices in frame 0, for a pose of its body: M L M⁻¹ and M J Mᵗ, as in the paper (eqs. 8
+    /// and 17).
     fn in_frame_0(self, pose: Pose<Term<'g>>) -> Self {
         let graph = self.slide.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
@@ -138,7 +138,7 @@ impl<'g> Joint<'g> {
         }
     }
 
-    /// M₀ of the body, where `outer` is that of the body it hangs on.
+    /// M₀ of the body, where `outer` is that of its parent.
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
         let of = Of::FromBase(self.body.into());
@@ -151,7 +151,7 @@ impl<'g> Joint<'g> {
         pose
     }
 
-    /// Leaves the origin of a body at the root where that of frame 0 is: it turns there.
+    /// Keeps the origin of a body at the root at that of frame 0; it only rotates there.
     fn stay(&mut self) {
         let zero = Vector::zero(self.slide.graph());
         self.placement.translation = zero;
@@ -161,8 +161,8 @@ impl<'g> Joint<'g> {
         }
     }
 
-    /// Whether its motion carries the screw of a joint `at` inboard of it: its own, and those of the joint with
-    /// several velocities of which it is one.
+    /// True if its motion moves the screw of a joint `at` inboard of it: its own, and those of other velocities of
+    /// the same joint.
     pub fn carries_screw(&self, at: BodyId, joints: &List<BodyId, Self>) -> bool {
         let mut own = successors(Some(self), |joint| {
             joint.parent.filter(|_| joint.taken).map(|k| &joints[k])
@@ -170,8 +170,7 @@ impl<'g> Joint<'g> {
         own.any(|joint| joint.body == at)
     }
 
-    /// The numbers of its body and of the frame in which its matrices are, as names have them; frame 0 is that of the
-    /// base.
+    /// The numbers in names of its body and of the frame of its matrices; frame 0 is that of the base.
     pub fn numbers(&self) -> (Numeral, Numeral) {
         let body = self.body.into();
         match self.frame {
@@ -180,7 +179,7 @@ impl<'g> Joint<'g> {
         }
     }
 
-    /// The number of the frame in which the matrices of the body are that it hangs on.
+    /// The number of the frame in which the matrices of the parent body are.
     pub fn outer_frame_number(&self) -> Numeral {
         match (self.frame, self.parent) {
             (Frame::Link, Some(parent)) => parent.into(),
@@ -188,36 +187,36 @@ impl<'g> Joint<'g> {
         }
     }
 
-    /// The turn as a matrix.
+    /// The rotation as a matrix.
     pub fn turn(&self) -> Rotation<Term<'g>> {
         self.posture
             .map_or_else(|| Rotation::about_z(self.angle), |posture| posture.rotation)
     }
 
-    /// The slide as a vector.
+    /// The translation as a vector.
     pub fn offset(&self) -> Vector<Term<'g>> {
         let zero = self.slide.graph().constant(0.0);
-        let slid = || Vector([zero, zero, self.slide]);
+        let along_z = || Vector([zero, zero, self.slide]);
         self.posture
-            .map_or_else(slid, |posture| posture.translation)
+            .map_or_else(along_z, |posture| posture.translation)
     }
 
-    /// A vector of the body's axes in its parent's.
+    /// A vector in the parent's axes, from the body's.
     pub fn vector_inboard(&self, vector: Vector<Term<'g>>) -> Vector<Term<'g>> {
         self.placement.rotation * (self.turn() * vector)
     }
 
-    /// A point of the body's frame in its parent's.
+    /// A point in the parent's frame, from the body's.
     pub fn point_inboard(&self, point: Vector<Term<'g>>) -> Vector<Term<'g>> {
         self.placement.point(self.turn() * point + self.offset())
     }
 
-    /// A vector of the parent's axes in the body's.
+    /// A vector in the body's axes, from the parent's.
     pub fn vector_outboard(&self, vector: Vector<Term<'g>>) -> Vector<Term<'g>> {
         self.turn().transposed() * (self.placement.rotation.transposed() * vector)
     }
 
-    /// A motion of the body it hangs on, in the body's frame.
+    /// A motion of the parent body, in the body's frame.
     pub fn motion_outboard(&self, w: Velocity<Term<'g>>) -> Velocity<Term<'g>> {
         w.move_pole(self.placement.translation)
             .rotate(self.placement.rotation.transposed())
@@ -225,30 +224,30 @@ impl<'g> Joint<'g> {
             .rotate(self.turn().transposed())
     }
 
-    /// First moments of a mass in the body's frame, in its parent's: R q + m p.
+    /// First moments of a mass in the parent's frame, from the body's: R q + m p.
     pub fn first_moment_inboard(&self, q: Vector<Term<'g>>, mass: Term<'g>) -> Vector<Term<'g>> {
-        let slid = self.turn() * q + self.offset() * mass;
-        self.placement.rotation * slid + self.placement.translation * mass
+        let moved = self.turn() * q + self.offset() * mass;
+        self.placement.rotation * moved + self.placement.translation * mass
     }
 
     /// J of the body in its parent's frame.
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
         let moved = match self.posture {
             Some(posture) => inertia.change_frame(posture),
-            None => self.turned(inertia).translate(self.offset()),
+            None => self.rotated(inertia).translate(self.offset()),
         };
         moved.change_frame(self.placement)
     }
 
-    /// J of the body where its joint has not turned, but slid.
-    pub fn turned(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
+    /// J of the body before the rotation of its joint, but after the translation.
+    pub fn rotated(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
         match self.congruence {
             Congruence::Sparing => inertia.rotate_about_z(self.angle),
             Congruence::Full => inertia.rotate_in_full_about_z(self.angle),
         }
     }
 
-    /// The displacement as a pose, from where it starts.
+    /// The displacement as a pose.
     pub fn displacement(&self) -> Pose<Term<'g>> {
         Pose {
             rotation: self.turn(),
@@ -275,7 +274,7 @@ pub fn in_frame_0<'g, J: FromIterator<Joint<'g>>>(joints: &[Joint<'g>]) -> J {
     placed.map(|(joint, pose)| joint.in_frame_0(pose)).collect()
 }
 
-/// What the frame of each body leaves of its turn, where all joints are at work.
+/// The rotation that the frame of each body leaves to its children, if all joints are included.
 pub(super) fn left<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
@@ -299,8 +298,8 @@ pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Joints<'g
         .collect()
 }
 
-/// The same joints and base, with the origin of frame 0 moved: to the body at the root where that is one and carries
-/// all mass, or else to where the first root is placed.
+/// The same joints and base, with another origin of frame 0: at the body at the root if there is only one and it
+/// carries all mass, or else at the placement of the first root.
 pub fn from_root<'g>(
     mut joints: Joints<'g>,
     base: Inertia<Term<'g>>,
@@ -328,15 +327,15 @@ pub fn from_root<'g>(
     }
 }
 
-/// The way from the base to a frame.
+/// The path from the base to a frame.
 pub struct Path<'g> {
-    /// Where the matrices of its joints are.
+    /// The frame of the matrices of its joints.
     pub frame: Frame,
     /// The joints that move the frame, from the base outwards.
     pub joints: Vec<Joint<'g>>,
-    /// How many joints the robot has.
+    /// Number of joints of the robot.
     pub count: usize,
-    /// M from the last body to the frame, or M₀ of the frame where all matrices are in frame 0.
+    /// M of the frame in the last body's, or M₀ of the frame if all matrices are in frame 0.
     pub end: Pose<Term<'g>>,
 }
 
@@ -346,10 +345,10 @@ impl<'g> Path<'g> {
         placed(&self.joints)
     }
 
-    /// The joints from the base outwards, each with M₀ of its body but seen from the origin of the frame at the end.
+    /// The joints from the base outwards, each with M₀ of its body but with the origin at that of the frame at the end.
     ///
-    /// What lies between them is summed, and not two ways from the base subtracted: that would lose what is short
-    /// beside these.
+    /// The offsets between them are summed. A difference of two offsets from the base would lose the digits of short
+    /// ones.
     pub fn outwards_from_end(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
         let mut placed = self.outwards();
         let graph = self.end.translation.x().graph();
@@ -370,7 +369,7 @@ impl<'g> Path<'g> {
         placed
     }
 
-    /// The joints from the frame inwards, each with M of its body seen from the frame.
+    /// The joints from the frame inwards, each with M of its body in the frame.
     pub fn inwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
         let mut pose = self.end.inverse();
         let joints = self.joints.iter().rev().map(|joint| {
@@ -386,7 +385,7 @@ impl<'g> Path<'g> {
         (self.outwards().last()).map_or(self.end, |&(_, pose)| pose * self.end)
     }
 
-    /// The way with all its matrices in frame 0.
+    /// The path with all its matrices in frame 0.
     pub fn in_frame_0(self) -> Self {
         Self {
             frame: Frame::Base,
@@ -397,13 +396,12 @@ impl<'g> Path<'g> {
     }
 }
 
-/// The way to a frame.
+/// The path to a frame.
 pub fn path<'g>(bodies: &Bodies<'g>, frame: FrameId, state: &State<'g>, way: Way) -> Path<'g> {
     path_beyond(bodies, None, frame, state, way)
 }
 
-/// The way to a frame from a body that carries it, or from the base: its placement at the
-/// beginning is as seen from there.
+/// The path to a frame from a body that carries it, or from the base; its first placement is relative to that.
 pub fn path_beyond<'g>(
     bodies: &Bodies<'g>,
     from: Option<BodyId>,

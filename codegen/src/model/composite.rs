@@ -1,5 +1,5 @@
-//! The mass matrix from composite pseudo-inertias: column i is the action skew\[Lᵢ J\] of everything
-//! outboard of joint i, seen by the joints inboard of it.
+//! The mass matrix from composite pseudo-inertias (composite-rigid-body algorithm): column i is the wrench skew\[Lᵢ J\]
+//! of all bodies outboard of joint i, along the screws of the joints inboard of it.
 
 use super::carry::Joints;
 use super::state::State;
@@ -8,7 +8,7 @@ use crate::expression::Term;
 use crate::list::Square;
 use crate::matrix::Action;
 
-/// The mass matrix, row by row.
+/// The mass matrix, by rows.
 pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId, Term<'g>> {
     let mut composites = joints.map(|joint| joint.inertia);
     let mut entries = Square::filled(state.zero(), joints.len());
@@ -18,11 +18,11 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
         let mut action = Action::of_screw(joints[column].screw, composites[column]);
         let mut at = column;
         loop {
-            let mut seen = action.along(joints[at].screw);
+            let mut entry = action.along(joints[at].screw);
             if at == column {
-                seen = seen + joints[at].drive.armature;
+                entry = entry + joints[at].drive.armature;
             }
-            entries.set_both((at, column), seen);
+            entries.set_both((at, column), entry);
             let Some(parent) = joints[at].parent else {
                 break;
             };

@@ -1,9 +1,9 @@
-//! Accelerations of joints that loops hold together, and what the loops do to that end.
+//! Accelerations of robots with closed loops, and the multipliers of the loops.
 //!
-//! In: the mass matrix, the tree, the forces that are left for accelerations, and of the loops their Jacobian
-//! and bias; or the forces that a motion needs, and which joints are driven. Out: q̈ and λ of M q̈ = f + Jᵗ λ
-//! and J q̈ + γ = 0, by way of the Schur complement S = J M⁻¹ Jᵗ; or the forces of those joints. A row that
-//! depends on those before it is left out: its λ is zero, and nothing is divided by what vanishes.
+//! In: the mass matrix, the tree, the forces τ − bias, and the Jacobian and bias of the loops; or the torques of a
+//! motion, and which joints are actuated. Out: q̈ and λ of M q̈ = f + Jᵗ λ and J q̈ + γ = 0, by the Schur complement
+//! S = J M⁻¹ Jᵗ; or the torques of those joints. A row that depends on those before it is left out: its λ is zero, and
+//! no division by a vanishing pivot occurs.
 
 use std::ops::Deref;
 
@@ -12,15 +12,15 @@ use crate::expression::Term;
 use crate::list::{List, Square};
 use crate::space::VelocityId;
 
-/// What is known of the loops.
+/// The equations of the loops.
 pub struct Loops<'g> {
-    /// J, row by row.
+    /// J, by rows.
     pub jacobian: Vec<List<VelocityId, Term<'g>>>,
     /// γ.
     pub bias: Vec<Term<'g>>,
-    /// For each row, the first of those that it is measured with.
+    /// For each row, the first row of its loop with the same unit.
     pub alike: Vec<usize>,
-    /// Which part of a diagonal entry of S counts as nothing beside the whole.
+    /// Ratio to the whole below which a diagonal entry of S counts as zero.
     pub vanishing: f64,
 }
 
@@ -32,31 +32,31 @@ pub fn accelerations<'g>(
     loops: &Loops<'g>,
 ) -> [Vec<Term<'g>>; 2] {
     let factors = factor(matrix, parents);
-    // Of M⁻¹ = (L⁻ᵗ)ᵗ D⁻¹ L⁻ᵗ, one half of each: what is left for the joints, and of each row.
+    // By M⁻¹ = (L⁻ᵗ)ᵗ D⁻¹ L⁻ᵗ, one half of each: of the forces, and of each row.
     let free = factors.half(forces);
     let halves: Vec<List<VelocityId, Term<'g>>> = (loops.jacobian.iter())
         .map(|row| factors.half(row))
         .collect();
-    let weighed: Vec<List<VelocityId, Term<'g>>> =
-        halves.iter().map(|half| factors.weighed(half)).collect();
-    let wanted: Vec<Term<'g>> = (weighed.iter().zip(&loops.bias))
+    let by_pivots: Vec<List<VelocityId, Term<'g>>> =
+        halves.iter().map(|half| factors.by_pivots(half)).collect();
+    let wanted: Vec<Term<'g>> = (by_pivots.iter().zip(&loops.bias))
         .map(|(row, &bias)| -(dot(row, &free) + bias))
         .collect();
-    let multipliers = multipliers(&halves, &weighed, &wanted, loops);
-    let mut driven = free;
+    let multipliers = multipliers(&halves, &by_pivots, &wanted, loops);
+    let mut forced = free;
     for (half, &multiplier) in halves.iter().zip(&multipliers) {
-        for (driven, &half) in driven.iter_mut().zip(half) {
-            *driven = *driven + half * multiplier;
+        for (entry, &half) in forced.iter_mut().zip(half) {
+            *entry = *entry + half * multiplier;
         }
     }
     [
-        factors.other_half(&factors.weighed(&driven)).into(),
+        factors.other_half(&factors.by_pivots(&forced)).into(),
         multipliers,
     ]
 }
 
-/// τ of the velocities that are driven, where `needed` is what a motion needs of all of them: λ holds what the
-/// others need, to the least squares of what is left.
+/// τ of the actuated velocities, where `needed` is the torque of a motion at all velocities: λ balances the others, in
+/// the least-squares sense.
 pub fn driven<'g>(
     needed: &List<VelocityId, Term<'g>>,
     actuated: &List<VelocityId, bool>,
@@ -86,15 +86,15 @@ pub fn driven<'g>(
         .collect()
 }
 
-/// λ of S λ = y, where S is made of the halves of its rows: S = L D Lᵗ, row after row.
+/// λ of S λ = y, where S is the product of the halves of its rows: S = L D Lᵗ, row after row.
 fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
     halves: &[R],
-    weighed: &[R],
+    by_pivots: &[R],
     wanted: &[Term<'g>],
     loops: &Loops<'g>,
 ) -> Vec<Term<'g>> {
     let count = halves.len();
-    let diagonal: Vec<Term<'g>> = (0..count).map(|k| dot(&halves[k], &weighed[k])).collect();
+    let diagonal: Vec<Term<'g>> = (0..count).map(|k| dot(&halves[k], &by_pivots[k])).collect();
     let whole = |k: usize| {
         let same = (0..count).filter(|&other| loops.alike[other] == loops.alike[k]);
         let sum = same
@@ -102,7 +102,7 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
             .reduce(|sum, entry| sum + entry);
         sum.expect("a row is measured with itself")
     };
-    // L and L D, each below the diagonal, column by column.
+    // L and L D, each below the diagonal, by columns.
     let mut l: Vec<Vec<Term<'g>>> = Vec::with_capacity(count);
     let mut ld: Vec<Vec<Term<'g>>> = Vec::with_capacity(count);
     let mut inverse = Vec::with_capacity(count);
@@ -116,7 +116,7 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
         let pivot = entry(j, diagonal[j]);
         inverse.push(guarded(pivot, whole(j), loops.vanishing));
         let below: Vec<Term<'g>> = (j + 1..count)
-            .map(|i| entry(i, dot(&halves[i], &weighed[j])))
+            .map(|i| entry(i, dot(&halves[i], &by_pivots[j])))
             .collect();
         let own = below.iter().map(|&entry| entry * inverse[j]).collect();
         ld.push(below);
@@ -137,11 +137,11 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
     x
 }
 
-/// What is added to a square so that it is not zero; it has no part in that of any number that is not.
+/// Added to a square so that it is not zero; below the rounding of any other square.
 const LEAST: f64 = 1e-36;
 
-/// 1/d, or nothing where d is nothing beside the whole a: d / (d² + (ε a)²), and two steps of Newton, which
-/// leave (ε a / d)⁸ of what the first part is off by.
+/// 1/d, or 0 if d is negligible relative to the whole a: d / (d² + (ε a)²), and two Newton steps, which leave (ε a /
+/// d)⁸ of its relative error.
 fn guarded<'g>(d: Term<'g>, whole: Term<'g>, vanishing: f64) -> Term<'g> {
     let constant = |value: f64| d.graph().constant(value);
     let small = whole * constant(vanishing);

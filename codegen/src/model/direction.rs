@@ -1,4 +1,4 @@
-//! Directions in which a function of a robot is differentiated.
+//! Directions for the differentiation of functions.
 //!
 //! In: a chain, its graph, and one of its velocities. Out: the change of each coordinate along it, for
 //! [`expression::along`](crate::expression::along).
@@ -10,8 +10,8 @@ use crate::expression::{Graph, Input, Term};
 use crate::list::Id;
 use crate::space::{CoordinateId, Variable, VelocityId};
 
-/// The rates of the coordinates where one velocity is 1 and the others are zero: a column of N in q̇ = N v. Coordinates
-/// that are missing do not change.
+/// The derivatives of the coordinates if one velocity is 1 and the others are zero: a column of N in q̇ = N v. Missing
+/// coordinates do not change.
 #[must_use]
 pub fn coordinate_rates<'g>(
     graph: &'g Graph,
@@ -23,7 +23,7 @@ pub fn coordinate_rates<'g>(
         Input::Variable(Variable::Q, k)
     };
     let mover = chain.mover(velocity);
-    // The first body of a joint with a configuration of its own stands for all.
+    // The first body of a joint without axes of its own has all coordinates.
     let first = chain.joints.ids().take(mover.index() + 1).rev();
     let mut first =
         first.skip_while(|&body| matches!(chain.joints[body].position, Position::Taken));

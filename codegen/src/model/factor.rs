@@ -1,8 +1,8 @@
-//! M = Lᵗ D L of a mass matrix, with the zeros that a tree leaves (Featherstone, "Efficient
-//! factorization of the joint-space inertia matrix for branched kinematic trees", 2005).
+//! M = Lᵗ D L of a mass matrix, with the zeros of a tree (Featherstone, "Efficient factorization of the joint-space
+//! inertia matrix for branched kinematic trees", 2005).
 //!
-//! In: the mass matrix and the tree. Out: factors that solve M x = b without filling a zero in. It
-//! never pivots: M is positive definite, or the chain has been refused.
+//! In: the mass matrix and the tree. Out: factors that solve M x = b without fill-in. There is no pivoting: M is
+//! positive definite, or the chain has been refused.
 
 use crate::expression::{Block, Component, Of, Term};
 use crate::list::{List, Square};
@@ -10,7 +10,7 @@ use crate::space::VelocityId;
 
 /// L (unit lower triangular) and D⁻¹.
 pub struct Factors<'g> {
-    /// For each velocity, those that it is eliminated into, nearest first, with the entry of L.
+    /// For each velocity, its ancestors in the elimination, nearest first, with the entry of L.
     rows: List<VelocityId, Vec<(VelocityId, Term<'g>)>>,
     /// D.
     pub pivots: List<VelocityId, Term<'g>>,
@@ -18,7 +18,7 @@ pub struct Factors<'g> {
     inverse: List<VelocityId, Term<'g>>,
 }
 
-/// Factors a mass matrix; `parents` is for each velocity the one that it is eliminated into.
+/// Factors a mass matrix; `parents` has for each velocity its parent in the elimination.
 pub fn factor<'g>(
     matrix: &Square<VelocityId, Term<'g>>,
     parents: &List<VelocityId, Option<VelocityId>>,
@@ -82,7 +82,7 @@ impl<'g> Factors<'g> {
     }
 
     /// D⁻¹ x.
-    pub fn weighed(&self, x: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
+    pub fn by_pivots(&self, x: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         let entries = x.iter().zip(&self.inverse);
         entries.map(|(&entry, &inverse)| entry * inverse).collect()
     }

@@ -1,9 +1,8 @@
-//! Joint accelerations of given joint forces and torques, from the mass matrix and the bias; and the
-//! accelerations of unit forces, which are the inverse of the mass matrix.
+//! Forward dynamics from the mass matrix and the bias; and the inverse of the mass matrix, as the accelerations of unit
+//! forces.
 //!
-//! In: the mass matrix, the tree, and what computes inverse dynamics. Out: q̈, or M⁻¹. A refinement
-//! takes the inverse dynamics of what was found as the residual, which brings back the digits that
-//! forming the mass matrix lost. It never knows in which frame either was computed.
+//! In: the mass matrix, the tree, and a function for inverse dynamics. Out: q̈, or M⁻¹. A refinement takes the inverse
+//! dynamics of the result as the residual, which restores the digits that the formation of the mass matrix lost.
 
 use super::alike::alike;
 use super::factor::factor;
@@ -11,9 +10,9 @@ use crate::expression::Term;
 use crate::list::{Id, List, Square};
 use crate::space::VelocityId;
 
-/// q̈ of τ, one entry a joint; `needed` is the inverse dynamics: τ of q̈.
+/// q̈ for τ, one entry a joint; `needed` is the inverse dynamics: τ for q̈.
 ///
-/// τ is asked for only when it is needed, because what is older comes first in a sum.
+/// τ is read only when it is needed, because older terms come first in a sum.
 pub fn forward_dynamics<'g>(
     matrix: &Square<VelocityId, Term<'g>>,
     parents: &List<VelocityId, Option<VelocityId>>,
@@ -26,8 +25,8 @@ pub fn forward_dynamics<'g>(
     let mut accelerations = List::filled(zero, parents.len());
     for _ in 0..=refinements {
         let needed = needed(&accelerations);
-        let lacking = needed.numbered().map(|(k, &needed)| tau(k) - needed);
-        let more = factors.solve(&lacking.collect());
+        let residual = needed.numbered().map(|(k, &needed)| tau(k) - needed);
+        let more = factors.solve(&residual.collect());
         for (acceleration, more) in accelerations.iter_mut().zip(more) {
             *acceleration = *acceleration + more;
         }
@@ -35,8 +34,7 @@ pub fn forward_dynamics<'g>(
     accelerations
 }
 
-/// The inverse of the mass matrix; `needed` is the inverse dynamics at rest without
-/// gravity: M q̈ of q̈.
+/// The inverse of the mass matrix; `needed` is the inverse dynamics at rest without gravity: M q̈ for q̈.
 pub fn mass_matrix_inverse<'g>(
     matrix: &Square<VelocityId, Term<'g>>,
     parents: &List<VelocityId, Option<VelocityId>>,
@@ -50,12 +48,12 @@ pub fn mass_matrix_inverse<'g>(
     for _ in 0..=refinements {
         let before = entries.clone();
         for column in parents.ids() {
-            // The inverse is symmetric: what one column has, the others need not compute.
+            // The inverse is symmetric: entries of earlier columns are not computed again.
             let found = before.column(column);
             let needed = needed(&found);
             let unit = |row: VelocityId| if row == column { one } else { zero };
-            let lacking = needed.numbered().map(|(k, &needed)| unit(k) - needed);
-            let more = factors.solve(&lacking.collect());
+            let residual = needed.numbered().map(|(k, &needed)| unit(k) - needed);
+            let more = factors.solve(&residual.collect());
             for row in parents.ids().take(column.number()) {
                 entries.set_both((row, column), found[row] + more[row]);
             }
@@ -64,7 +62,7 @@ pub fn mass_matrix_inverse<'g>(
     entries
 }
 
-/// M⁻¹ of each of some columns, from the factors: on a tree they have zeros that the inverse has not.
+/// M⁻¹ times some columns, by the factors: on a tree they have zeros that the inverse has not.
 pub fn solved<'g>(
     matrix: &Square<VelocityId, Term<'g>>,
     parents: &List<VelocityId, Option<VelocityId>>,
@@ -74,7 +72,7 @@ pub fn solved<'g>(
     alike(columns, |column| factors.solve(column))
 }
 
-/// For each joint the diagonal entry of the mass matrix and the pivot left of it.
+/// For each joint the diagonal entry of the mass matrix and its pivot.
 pub fn pivots<'g>(
     matrix: &Square<VelocityId, Term<'g>>,
     parents: &List<VelocityId, Option<VelocityId>>,

@@ -1,5 +1,5 @@
-//! Joint forces and torques that hold a robot at rest: the moment of the composite first moments
-//! about each axis. Only masses and first moments enter, and no force has to be carried.
+//! Gravity torques, which hold a robot at rest: the moments of the composite first moments about each axis. Only masses
+//! and first moments are needed, and no force is passed from body to body.
 
 use super::carry::Joints;
 use super::state::State;
@@ -17,10 +17,10 @@ pub fn gravity<'g>(
     rest(joints, gravity, state).tau
 }
 
-/// ∂τ/∂q at rest, row by row. Where one joint carries the other the entry is (a × u)·f, with f the force
-/// that accelerates, along the outer joint's screw, all that it carries, and a × u what a turn about the
-/// inner joint's axis makes of the acceleration that has the effect of gravity. It is symmetric, but for
-/// velocities of one joint, each of which carries the screws of all.
+/// ∂τ/∂q at rest, by rows. If one joint carries the other, the entry is (a × u)·f: f is the force that accelerates all
+/// bodies outboard of the outer joint along its screw, and a × u the derivative of −gravity by a rotation about the
+/// inner joint's axis. The matrix is symmetric, except for velocities of one joint, each of which moves the screws of
+/// all.
 pub fn derivative<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
@@ -32,10 +32,10 @@ pub fn derivative<'g>(
         let mut force = rest.force(joints, k);
         let mut at = k;
         loop {
-            let entry = rest.falling(joints, at).dot(force);
+            let entry = rest.gravity_change(joints, at).dot(force);
             entries[(k, at)] = entry;
             entries[(at, k)] = if joints[k].carries_screw(at, joints) {
-                rest.falling(joints, k).dot(rest.force(joints, at))
+                rest.gravity_change(joints, k).dot(rest.force(joints, at))
             } else {
                 entry
             };
@@ -51,9 +51,9 @@ pub fn derivative<'g>(
 
 /// A robot at rest, each vector in the frame of its joint's matrices.
 struct Rest<'g> {
-    /// The acceleration of the base that has the effect of gravity.
+    /// The acceleration of the base that replaces gravity.
     accelerations: List<BodyId, Vector<Term<'g>>>,
-    /// The mass of all that each joint carries.
+    /// The mass of all bodies that each joint carries.
     masses: List<BodyId, Term<'g>>,
     /// Its first moments.
     moments: List<BodyId, Vector<Term<'g>>>,
@@ -62,14 +62,14 @@ struct Rest<'g> {
 }
 
 impl<'g> Rest<'g> {
-    /// The force that accelerates all that a joint carries along its screw.
+    /// The force that accelerates all bodies that a joint carries along its screw.
     fn force(&self, joints: &Joints<'g>, k: BodyId) -> Vector<Term<'g>> {
         let Screw { u, b } = joints[k].screw;
         u.cross(self.moments[k]) + b * self.masses[k]
     }
 
-    /// What a turn about the axis of a joint makes of the acceleration that has the effect of gravity.
-    fn falling(&self, joints: &Joints<'g>, k: BodyId) -> Vector<Term<'g>> {
+    /// The derivative, by a rotation about the axis of a joint, of the acceleration that replaces gravity.
+    fn gravity_change(&self, joints: &Joints<'g>, k: BodyId) -> Vector<Term<'g>> {
         self.accelerations[k].cross(joints[k].screw.u)
     }
 }
@@ -98,7 +98,7 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
         moments[k].label(Block::Inertia.of(Of::Body(index)).seen_in(frame));
         let (screw, mass) = (joint.screw, masses[k]);
         let couple = screw.u.dot(moments[k].cross(a));
-        // A mass folds into an acceleration that is known; beside one that is not, one product is enough.
+        // A mass folds into a constant acceleration; beside a variable one, one product is enough.
         let known = a.0.iter().all(|entry| entry.value().is_some());
         let force = if known {
             screw.b.dot(a * mass)

@@ -6,7 +6,7 @@ use crate::expression::Term;
 use crate::list::List;
 use crate::matrix::{Screw, Vector};
 
-/// Columns in frame 0, pole at its origin.
+/// Columns in frame 0, with the pole at its origin.
 pub fn spatial<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let seen = path.outwards().into_iter();
     columns(
@@ -15,7 +15,7 @@ pub fn spatial<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     )
 }
 
-/// Columns in the axes of frame 0, pole at the origin of the frame at the end.
+/// Columns in the axes of frame 0, with the pole at the origin of the frame at the end.
 pub fn geometric<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let seen = path.outwards_from_end().into_iter();
     columns(
@@ -24,9 +24,9 @@ pub fn geometric<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     )
 }
 
-/// Columns in the frame at the end, pole at its origin.
+/// Columns in the frame at the end, with the pole at its origin.
 pub fn body<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
-    // M from the end to each body, inwards.
+    // M of each body in the frame at the end, inwards.
     let mut pose = path.end.inverse();
     let mut found = Vec::new();
     for joint in path.joints.iter().rev() {
@@ -36,7 +36,7 @@ pub fn body<'g>(path: &Path<'g>) -> List<BodyId, Screw<Term<'g>>> {
     columns(path, found.into_iter())
 }
 
-/// All columns, one for each body; those of bodies off the path are null.
+/// All columns, one for each body; those of bodies off the path are zero.
 pub(super) fn columns<'g>(
     path: &Path<'g>,
     found: impl Iterator<Item = (BodyId, Screw<Term<'g>>)>,

@@ -1,8 +1,8 @@
-//! The rates of the Jacobians' columns, L̇ = W L − L W of the body that each joint moves, in three frames.
+//! The derivatives of the Jacobians' columns, L̇ = W L − L W with W of the body that each joint moves, in three frames.
 //!
-//! In: the way from the base to a frame, and the rates. Out: one rate of a screw a body. A motion along L leaves L
-//! as it is, so that of a joint with one velocity W of the body that it hangs on does as well as that of the one it
-//! moves; the screws of a joint with several are constant in the frame of the last body, and all move with that.
+//! In: the path from the base to a frame, and q̇. Out: one derivative of a screw a body. A motion along L leaves L
+//! unchanged, so that for a joint with one velocity W of its parent body gives the same as that of the moved body; the
+//! screws of a joint with several are constant in the frame of the last body, and all move with it.
 
 use super::carry::{Joint, Path};
 use super::jacobian::columns;
@@ -14,7 +14,7 @@ use crate::expression::Term;
 use crate::list::List;
 use crate::matrix::{Pose, Screw, Vector, Velocity};
 
-/// Columns in frame 0, pole at its origin.
+/// Columns in frame 0, with the pole at its origin.
 pub fn spatial<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let mut w = Velocity::zero(state.graph);
     let mut found = Vec::new();
@@ -28,7 +28,7 @@ pub fn spatial<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Ter
     columns(path, found.into_iter())
 }
 
-/// Columns in the axes of frame 0, pole at the origin of the frame at the end, which moves.
+/// Columns in the axes of frame 0, with the pole at the origin of the frame at the end, which moves.
 pub fn geometric<'g>(
     path: &Path<'g>,
     state: &State<'g>,
@@ -40,7 +40,7 @@ pub fn geometric<'g>(
     }
 }
 
-/// Where each body sees the pole, and how that moves against it.
+/// The columns in the frames of the links, from the pole's position in each body and its velocity relative to it.
 fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let (mut tip, mut rate) = (path.end.translation, Vector::zero(state.graph));
     let mut poles = Vec::with_capacity(path.joints.len());
@@ -55,7 +55,7 @@ fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Sc
     let velocities = velocities(&path.joints, state);
     let placed = path.outwards().into_iter().zip(poles).enumerate();
     let rates = placed.map(|(k, ((joint, pose), (tip, rate)))| {
-        // All bodies of a joint move as the last does.
+        // All bodies of a joint move as the last one.
         let taken = path.joints[k + 1..].iter().take_while(|next| next.taken);
         let w = velocities[k + taken.count()];
         let Screw { u, b } = joint.screw;
@@ -69,7 +69,7 @@ fn geometric_in_links<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Sc
     columns(path, rates)
 }
 
-/// Where all matrices are in frame 0, about the tip.
+/// The columns with all matrices in frame 0, about the end effector.
 fn geometric_in_frame_0<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let mut omega = Vector::zero(state.graph);
     let mut outwards = Vec::new();
@@ -92,8 +92,8 @@ fn geometric_in_frame_0<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, 
     columns(path, found.into_iter())
 }
 
-/// Columns in the frame at the end, pole at its origin: of each body the velocity is that against the frame,
-/// which the joints beyond it move.
+/// Columns in the frame at the end, with the pole at its origin: W of each body is relative to that frame, which the
+/// joints beyond it move.
 pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'g>>> {
     let mut w = Velocity::zero(state.graph);
     let mut found = Vec::new();
@@ -111,7 +111,7 @@ pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'
     columns(path, found.into_iter())
 }
 
-/// The screws of some bodies, each with its index, seen from where their poses are given.
+/// The screws of some bodies, each with its number, in the frame in which their poses are given.
 fn seen<'g>(bodies: &[(Joint<'g>, Pose<Term<'g>>)]) -> Vec<(BodyId, Screw<Term<'g>>)> {
     let bodies = bodies.iter();
     bodies
@@ -125,7 +125,7 @@ fn local<'g>(bodies: &[Joint<'g>]) -> Vec<(BodyId, Screw<Term<'g>>)> {
     bodies.map(|joint| (joint.body, joint.screw)).collect()
 }
 
-/// W of a joint by itself.
+/// W of a joint alone.
 fn own<'g>(screws: &[(BodyId, Screw<Term<'g>>)], state: &State<'g>) -> Velocity<Term<'g>> {
     let each = screws.iter();
     let each = each.map(|&(k, screw)| Velocity::of_screw(screw, state.qd(k)));

@@ -1,10 +1,10 @@
-//! What loops close: entries of M of one frame as seen from another, their rates and their accelerations.
+//! Loops: entries of M of frame B in frame A, their velocities and their accelerations.
 //!
-//! In: the bodies and a state. Out: a number for each row of each loop; for each row and velocity, what a
-//! unit of that velocity changes the row by; and for each row its acceleration where no velocity changes. Everything is
-//! seen from frame A of the loop, so that only the joints between A and B come in, wherever the loop is
-//! taken: M, the product of the matrices along the loop, W and H by the composition rules (paper, eqs. 10
-//! and 11), and of M the first and the second rate W M and H M.
+//! In: the bodies and a state. Out: a residual for each row of each loop; for each row and velocity, the derivative
+//! of the residual; and for each row its acceleration at q̈ = 0. All matrices are in frame A of the loop, so that
+//! only the joints between A and B enter, wherever the loop is in the robot: M, the product of the matrices along the
+//! loop, W and H by the composition rules (paper, eqs. 10 and 11), and W M and H M, the first and the second
+//! derivative of M.
 
 use super::carry::{self, Joint};
 use super::state::State;
@@ -17,12 +17,12 @@ use crate::list::List;
 use crate::matrix::{Acceleration, Pose, Screw, Vector, Velocity};
 use crate::space::{FrameId, VelocityId};
 
-/// How frame B stands and moves, seen from frame A.
+/// Pose and motion of frame B in frame A.
 struct Seen<'g> {
     /// M of B.
     pose: Pose<Term<'g>>,
-    /// The joints between A and B, in the order of the way, those of one joint together: each
-    /// body, and what its rate moves B by.
+    /// The joints between A and B, in the order of the path, with the bodies of one joint together: each body, and
+    /// the screw of B for its velocity.
     joints: Vec<Vec<(BodyId, Screw<Term<'g>>)>>,
 }
 
@@ -35,7 +35,7 @@ pub(crate) fn residuals<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     })
 }
 
-/// For each row, what each velocity changes it by.
+/// For each row, its derivative by each velocity.
 pub(crate) fn jacobian<'g>(scene: &Scene<'_, 'g>) -> Vec<List<VelocityId, Term<'g>>> {
     each(scene, |closed, seen| {
         let rows = closed.rows.iter();
@@ -60,7 +60,7 @@ pub(crate) fn bias<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     })
 }
 
-/// For each row the first of those of its loop that measure the same, by which it is told what is small.
+/// For each row the first row of its loop with the same unit, which shares its threshold of zero.
 pub(crate) fn alike(bodies: &Bodies<'_>) -> Vec<usize> {
     let mut first = Vec::new();
     for closed in &bodies.loops {
@@ -84,7 +84,7 @@ fn each<'g, T>(scene: &Scene<'_, 'g>, of: impl Fn(&Closed<'g>, Seen<'g>) -> Vec<
         .collect()
 }
 
-/// Frame B of a loop, as seen from frame A: from A inwards to the body that carries both, and out to B.
+/// Frame B of a loop in frame A: from A inwards to the body that carries both, and out to B.
 fn seen<'g>(bodies: &Bodies<'g>, closed: &Closed<'g>, state: &State<'g>, way: Way) -> Seen<'g> {
     let inwards = |frame: FrameId| {
         let (last, _) = bodies.frames[frame];
@@ -127,7 +127,7 @@ fn seen<'g>(bodies: &Bodies<'g>, closed: &Closed<'g>, state: &State<'g>, way: Wa
     }
 }
 
-/// W and H of B as seen from A, where no velocity changes: of each joint alone H = W².
+/// W and H of B relative to A at q̈ = 0: H = W² for each joint alone.
 fn motion<'g>(seen: &Seen<'g>, state: &State<'g>) -> (Velocity<Term<'g>>, Acceleration<Term<'g>>) {
     let graph = state.graph;
     let mut w = Velocity::zero(graph);
@@ -158,14 +158,14 @@ fn residual<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>) -> Term<'g> {
     }
 }
 
-/// What a row changes by where B moves by a screw: that entry of L M.
+/// The derivative of a row if B moves along a screw: its entry of L M.
 fn rate<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>, screw: Screw<Term<'g>>) -> Term<'g> {
     let t = pose.translation;
-    let turned = |i: usize, j: usize| screw.u.cross(pose.rotation.column(j)).0[i];
+    let rotated = |i: usize, j: usize| screw.u.cross(pose.rotation.column(j)).0[i];
     match row {
         Row::Along(k) => (screw.u.cross(t) + screw.b).0[k],
-        Row::Product(i, j) => turned(i, j),
-        Row::Inclined => turned(2, 2),
+        Row::Product(i, j) => rotated(i, j),
+        Row::Inclined => rotated(2, 2),
         Row::Distance => {
             let half = half_of_reciprocal(size);
             t.dot(screw.b) * (half + half)
@@ -173,7 +173,7 @@ fn rate<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>, screw: Screw<Term<'g
     }
 }
 
-/// What a row accelerates by: that entry of H M.
+/// The acceleration of a row: its entry of H M.
 fn second_rate<'g>(
     row: Row,
     size: Term<'g>,
@@ -182,11 +182,11 @@ fn second_rate<'g>(
     h: Acceleration<Term<'g>>,
 ) -> Term<'g> {
     let t = pose.translation;
-    let turned = |i: usize, j: usize| Vector(h.g()[i]).dot(pose.rotation.column(j));
+    let accelerated = |i: usize, j: usize| Vector(h.g()[i]).dot(pose.rotation.column(j));
     match row {
         Row::Along(k) => Vector(h.g()[k]).dot(t) + h.a.0[k],
-        Row::Product(i, j) => turned(i, j),
-        Row::Inclined => turned(2, 2),
+        Row::Product(i, j) => accelerated(i, j),
+        Row::Inclined => accelerated(2, 2),
         Row::Distance => {
             let half = half_of_reciprocal(size);
             let velocity = w.omega.cross(t) + w.v;

@@ -1,8 +1,8 @@
-//! Where the mass of a robot is, and how that moves: first moments of all that joints move, carried inwards, by
-//! the mass of it all.
+//! The centre of mass and its velocity: first moments of all bodies that joints move, summed inwards and divided by
+//! their mass.
 //!
-//! In: the joints and bodies, and what regrouping has left to the base, which is mass that joints move like any
-//! other. Out: the centre of mass in frame 0, its velocity, and what each joint adds to that.
+//! In: the joints and bodies, and the inertia that regrouping has moved to the base, which counts like that of bodies.
+//! Out: the centre of mass in frame 0, its velocity, and the derivative by each velocity.
 
 use super::carry::{self, Joints};
 use super::state::State;
@@ -12,16 +12,15 @@ use crate::expression::{Block, Of, Term};
 use crate::list::List;
 use crate::matrix::{Inertia, Vector};
 
-/// The masses and first moments of bodies and of all that they carry.
+/// The masses and first moments of bodies with all that they carry.
 pub struct MassCenter<'s, 'g> {
     joints: &'s Joints<'g>,
-    /// Of what hangs on each joint, where the matrices of the joint are: the share of the mass, and the first
-    /// moment by unit of it.
+    /// For each joint the bodies that it carries, in the frame of the joint's matrices: the share of the mass, and
+    /// the first moment in units of it.
     carried: List<BodyId, (Term<'g>, Vector<Term<'g>>)>,
-    /// The first moment of all in frame 0, by the same unit.
+    /// The first moment of all bodies in frame 0, in the same unit.
     moment: Vector<Term<'g>>,
-    /// What moments are still to be divided by: the mass, where it is an input; where it is a number, they
-    /// are so already.
+    /// The divisor of the moments: the mass, if it is an input; a constant mass has been divided by already.
     undivided: Option<Term<'g>>,
 }
 
@@ -59,7 +58,7 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         self.divided(self.moment)
     }
 
-    /// Its velocity: the rates of the moments as seen from each body, carried inwards with what the joint adds.
+    /// Its velocity: the derivatives of the moments in each body's frame, summed inwards with the joint's own.
     pub fn velocity(&self, state: &State<'g>) -> Vector<Term<'g>> {
         let still = Vector::zero(state.graph);
         let mut rates = List::filled(still, self.joints.len());
@@ -75,13 +74,13 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         self.divided(rate)
     }
 
-    /// What a unit rate of each body adds to the velocity, one after the other.
+    /// The velocity at a unit velocity of each body, one after the other.
     pub fn columns(&self, carried: Carried) -> List<BodyId, Vector<Term<'g>>> {
         let columns: List<BodyId, _> = match carried {
             Carried::Outwards => {
                 let placed = carry::placed(self.joints).into_iter();
-                let turned = placed.map(|(joint, pose)| pose.rotation * self.moved_by(joint.body));
-                turned.collect()
+                let rotated = placed.map(|(joint, pose)| pose.rotation * self.moved_by(joint.body));
+                rotated.collect()
             }
             Carried::Inwards { .. } => {
                 let inwards = |k: BodyId| {
@@ -96,7 +95,7 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         columns.map(|&column| self.divided(column))
     }
 
-    /// What a unit rate of a joint does to the first moment that it carries: u × q + b m.
+    /// The derivative, at a unit velocity of a joint, of the first moment that it carries: u × q + b m.
     fn moved_by(&self, k: BodyId) -> Vector<Term<'g>> {
         let (screw, (mass, q)) = (self.joints[k].screw, self.carried[k]);
         screw.u.cross(q) + screw.b * mass

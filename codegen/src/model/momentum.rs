@@ -1,7 +1,7 @@
-//! Γ of all that joints move, what each joint adds to it, and what changes it at q̈ = 0.
+//! Momentum Γ of all bodies that joints move, its derivative by each velocity, and Γ̇ at q̈ = 0.
 //!
-//! In: the joints and bodies, and the rates. Out: the sum in frame 0. Γ has the blocks of Φ (γ in the place of c, ρ
-//! in that of f) and the same change of frame, so that one type stands for both.
+//! In: the joints and bodies, and q̇. Out: the sum in frame 0. Γ has the blocks of Φ (γ in place of c, ρ in place of f)
+//! and the same change of frame, so that one type is used for both.
 
 use super::carry::{self, Joints};
 use super::newton_euler::{Moving, beyond};
@@ -11,7 +11,7 @@ use crate::expression::Term;
 use crate::list::List;
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Vector};
 
-/// Γ of all bodies, pole at the origin of frame 0: skew\[L J\] q̇ of all that each joint carries.
+/// Γ of all bodies, with the pole at the origin of frame 0: skew\[L J\] q̇ of the bodies that each joint carries.
 pub fn momentum<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
     let moving = joints.iter().zip(composites(joints));
     let each = moving.map(|(joint, composite)| {
@@ -25,7 +25,7 @@ pub fn momentum<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> 
     sum(joints, each.collect(), state)
 }
 
-/// What changes Γ at q̈ = 0: Φ = skew\[H J\] of all bodies without gravity, pole at the origin of frame 0.
+/// Γ̇ at q̈ = 0: Φ = skew\[H J\] of all bodies without gravity, with the pole at the origin of frame 0.
 pub fn bias<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
     let rest = Moving::still(Acceleration::linear(Vector::zero(state.graph)));
     let mut motions: List<BodyId, Moving<'g>> = List::new();
@@ -42,7 +42,7 @@ pub fn bias<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
     sum(joints, each, state)
 }
 
-/// Γ of a unit rate of each body, skew\[L J\] of all that it carries, pole at a point of frame 0.
+/// Γ at a unit velocity of each body, skew\[L J\] of all that it carries, with the pole at a point of frame 0.
 pub fn columns<'g>(joints: &Joints<'g>, pole: Vector<Term<'g>>) -> List<BodyId, Action<Term<'g>>> {
     let placed = carry::placed(joints).into_iter().zip(composites(joints));
     let columns = placed.map(|((joint, pose), composite)| {
@@ -55,7 +55,7 @@ pub fn columns<'g>(joints: &Joints<'g>, pole: Vector<Term<'g>>) -> List<BodyId, 
     columns.collect()
 }
 
-/// J of each body and of all that it carries.
+/// J of each body with all that it carries.
 fn composites<'g>(joints: &Joints<'g>) -> List<BodyId, Inertia<Term<'g>>> {
     let mut composites = joints.map(|joint| joint.inertia);
     for (k, joint) in joints.numbered().rev() {
@@ -68,7 +68,7 @@ fn composites<'g>(joints: &Joints<'g>) -> List<BodyId, Inertia<Term<'g>>> {
     composites
 }
 
-/// What is each body's, carried to the base and summed.
+/// Values of each body, moved to the base and summed.
 fn sum<'g>(
     joints: &Joints<'g>,
     mut each: List<BodyId, Action<Term<'g>>>,

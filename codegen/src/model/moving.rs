@@ -1,4 +1,4 @@
-//! W of bodies, outwards from the base, each where its joint's matrices are.
+//! W of bodies, outwards from the base, each in the frame of its joint's matrices.
 
 use super::carry::Joint;
 use super::state::State;
@@ -17,7 +17,7 @@ pub fn beyond<'g>(
     w
 }
 
-/// W of the bodies on a way from the base, in its order.
+/// W of the bodies on a path from the base, in its order.
 pub fn velocities<'g>(joints: &[Joint<'g>], state: &State<'g>) -> Vec<Velocity<Term<'g>>> {
     let mut w = Velocity::zero(state.graph);
     let joints = joints.iter().map(|joint| {

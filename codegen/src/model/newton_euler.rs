@@ -1,5 +1,5 @@
-//! Inverse dynamics by Newton and Euler: accelerations H outwards, actions Φ = skew\[H J\] inwards,
-//! each in the frame of its joint's matrices.
+//! Inverse dynamics by Newton and Euler (RNEA): accelerations H outwards, wrenches Φ = skew\[H J\] inwards, each in the
+//! frame of its joint's matrices.
 
 use super::carry::{Joint, Joints};
 use super::state::State;
@@ -8,36 +8,36 @@ use crate::expression::Term;
 use crate::list::List;
 use crate::matrix::{Acceleration, Action, Vector};
 
-/// What drives each body in a motion with the given second rates, where actions from outside are on some.
+/// τ of each body in a motion with the given q̈, with external wrenches on some.
 pub fn inverse_dynamics<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
     qdd: &List<BodyId, Term<'g>>,
-    outside: &[(BodyId, Action<Term<'g>>)],
+    external: &[(BodyId, Action<Term<'g>>)],
 ) -> List<BodyId, Term<'g>> {
-    motion(joints, gravity, state, qdd, outside).tau
+    motion(joints, gravity, state, qdd, external).tau
 }
 
-/// A motion and what it takes, each in the frame of its joint's matrices.
+/// A motion with its wrenches and torques, each in the frame of its joint's matrices.
 pub struct Motion<'g> {
-    /// Of each body.
+    /// The motion of each body.
     pub motions: List<BodyId, Moving<'g>>,
-    /// Φ of all that each joint carries, less the actions from outside.
+    /// Φ of all bodies that each joint carries, less the external wrenches.
     pub actions: List<BodyId, Action<Term<'g>>>,
-    /// What drives each body.
+    /// τ of each body.
     pub tau: List<BodyId, Term<'g>>,
 }
 
-/// The motion with the given second rates, where actions from outside are on some bodies.
+/// The motion with the given q̈, with external wrenches on some bodies.
 pub fn motion<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
     qdd: &List<BodyId, Term<'g>>,
-    outside: &[(BodyId, Action<Term<'g>>)],
+    external: &[(BodyId, Action<Term<'g>>)],
 ) -> Motion<'g> {
-    // Gravity is an acceleration of the base the other way.
+    // Gravity is replaced by the opposite acceleration of the base.
     let base = Moving::still(Acceleration::linear(-gravity));
     let mut motions: List<BodyId, Moving<'g>> = List::new();
     let mut actions: List<BodyId, Action<Term<'g>>> = List::new();
@@ -50,7 +50,7 @@ pub fn motion<'g>(
         motions.push(moving);
         actions.push(Action::of(h, joint.inertia));
     }
-    for &(body, action) in outside {
+    for &(body, action) in external {
         actions[body] = actions[body] - action;
     }
     let mut tau = List::filled(state.zero(), joints.len());
@@ -77,19 +77,19 @@ pub fn motion<'g>(
     }
 }
 
-/// How a body moves, in the frame of its joint's matrices.
+/// The motion of a body, in the frame of its joint's matrices.
 #[derive(Clone, Copy)]
 pub struct Moving<'g> {
-    /// H, by its parts.
+    /// H.
     pub h: Acceleration<Term<'g>>,
-    /// ω of what its joint hangs on, as a whole.
+    /// ω of its joint's parent body.
     pub outer: Vector<Term<'g>>,
-    /// The velocity that its joint has given it so far.
+    /// The velocity that its joint has added so far.
     pub relative: Vector<Term<'g>>,
 }
 
 impl<'g> Moving<'g> {
-    /// What no joint moves.
+    /// The motion of a body that no joint moves.
     pub fn still(h: Acceleration<Term<'g>>) -> Self {
         Self {
             h,
@@ -99,11 +99,11 @@ impl<'g> Moving<'g> {
     }
 }
 
-/// The motion of the body beyond a joint, where the joint's matrices are: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ
-/// (eq. 11) by its parts, of which Hⱼₖ's own ω × v is half a Coriolis term more.
+/// The motion of the body beyond a joint, in the frame of the joint's matrices: Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ (eq. 11),
+/// where the ω × v of Hⱼₖ itself adds half a Coriolis term.
 ///
-/// Of a joint with several velocities, Wⱼₖ = Σ L q̇ is seen in the frame of its last body, where all L
-/// are constant: Hⱼₖ = Σ L q̈ + Wⱼₖ², of which each L adds what it has in common with those before it.
+/// For a joint with several velocities, Wⱼₖ = Σ L q̇ is in the frame of its last body, where all L are constant:
+/// Hⱼₖ = Σ L q̈ + Wⱼₖ², to which each L adds its products with those before it.
 pub fn beyond<'g>(
     outer: Moving<'g>,
     joint: &Joint<'g>,
@@ -112,19 +112,19 @@ pub fn beyond<'g>(
 ) -> Moving<'g> {
     let (carried, offset) = seen(outer.h, joint);
     let (u, b) = (joint.screw.u, joint.screw.b);
-    let (turning, sliding) = (u * rate, b * rate);
+    let (angular, linear) = (u * rate, b * rate);
     let (base, relative, coriolis) = if joint.taken {
-        let before = carried.omega + outer.outer + turning;
-        let coriolis = turning.cross(outer.relative) + before.cross(sliding);
-        (outer.outer, outer.relative + sliding, coriolis)
+        let before = carried.omega + outer.outer + angular;
+        let coriolis = angular.cross(outer.relative) + before.cross(linear);
+        (outer.outer, outer.relative + linear, coriolis)
     } else {
         let half = rate.graph().constant(0.5);
-        let coriolis = (carried.omega + turning * half).cross(b * (rate + rate));
-        (carried.omega, sliding, coriolis)
+        let coriolis = (carried.omega + angular * half).cross(b * (rate + rate));
+        (carried.omega, linear, coriolis)
     };
     let h = Acceleration {
-        omega: carried.omega + turning,
-        omega_dot: carried.omega_dot + u * second + base.cross(turning),
+        omega: carried.omega + angular,
+        omega_dot: carried.omega_dot + u * second + base.cross(angular),
         a: carried.point(offset) + b * second + coriolis,
     };
     Moving {
@@ -134,7 +134,7 @@ pub fn beyond<'g>(
     }
 }
 
-/// H of the body that a joint hangs on, in the axes of the joint's matrices, and where from its pole theirs is.
+/// H of a joint's parent body, in the axes of the joint's matrices, and the offset from its pole to theirs.
 pub fn seen<'g>(
     outer: Acceleration<Term<'g>>,
     joint: &Joint<'g>,
@@ -145,8 +145,8 @@ pub fn seen<'g>(
     match joint.posture {
         Some(posture) => {
             let moved = placed.move_pole(posture.translation);
-            let turned = moved.rotate(posture.rotation.transposed());
-            (turned, Vector::zero(joint.slide.graph()))
+            let rotated = moved.rotate(posture.rotation.transposed());
+            (rotated, Vector::zero(joint.slide.graph()))
         }
         None => (placed.rotate(joint.turn().transposed()), joint.offset()),
     }

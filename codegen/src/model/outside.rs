@@ -1,7 +1,7 @@
-//! Actions of the surroundings on bodies.
+//! External wrenches on bodies.
 //!
-//! In: the links on which they are, in whose frames or in frame 0, and a way. Out: each as Φ where the matrices of
-//! its body's joint are. What they do to torques is for the recursions.
+//! In: the links with a wrench, in their frames or in frame 0, and an algorithm. Out: each Φ in the frame of the
+//! matrices of its body's joint. Recursions subtract them from the torques.
 
 use std::iter::successors;
 
@@ -15,7 +15,7 @@ use crate::layout::Bodies;
 use crate::list::List;
 use crate::matrix::{Action, Pose, Rotation};
 
-/// The actions from outside, each on a body, where the matrices of its joint are.
+/// The external wrenches, each with its body, in the frame of the matrices of the body's joint.
 pub fn outside<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
@@ -26,8 +26,8 @@ pub fn outside<'g>(
     }
     let left = left(bodies, state, way);
     let joints = joints(bodies, state, way);
-    let acted = bodies.external.iter().enumerate();
-    acted
+    let external = bodies.external.iter().enumerate();
+    external
         .filter_map(|(k, &(body, placement))| {
             let body = body?;
             let action = state.action(k);
@@ -43,14 +43,14 @@ pub fn outside<'g>(
                     })
                 }
                 (false, _) => {
-                    let turned = match left[body] {
+                    let rotated = match left[body] {
                         Some(turn) => {
-                            let turn = turn.sine_and_cosine(state.graph);
-                            Pose::rotation(Rotation::about_z(turn)) * placement
+                            let angle = turn.sine_and_cosine(state.graph);
+                            Pose::rotation(Rotation::about_z(angle)) * placement
                         }
                         None => placement,
                     };
-                    let seen = action.change_frame(turned);
+                    let seen = action.change_frame(rotated);
                     match way.frame {
                         Frame::Link => seen,
                         Frame::Base => {

@@ -1,14 +1,13 @@
 //! M₀,ₕ, the pose of a frame.
 //!
-//! In: the way from the base to the frame. Out: its pose, carried inwards column by column, or
-//! outwards matrix by matrix.
+//! In: the path from the base to the frame. Out: its pose, passed inwards by columns, or outwards by matrices.
 
 use super::carry::Path;
 use super::way::Carried;
 use crate::expression::{Block, Numeral, Of, Term};
 use crate::matrix::{Pose, Rotation, Vector};
 
-/// M of the frame at the end of a path, row by row.
+/// M of the frame at the end of a path, by rows.
 pub fn forward_kinematics<'g>(path: &Path<'g>, carried: Carried) -> Vec<Term<'g>> {
     let pose = match carried {
         Carried::Inwards { by_product } => inwards(path, by_product),
@@ -38,7 +37,7 @@ fn inwards<'g>(path: &Path<'g>, by_product: Option<usize>) -> Pose<Term<'g>> {
     }
 }
 
-/// The entries of M from frame `index`, on which the last joint taken stands, to the frame.
+/// Labels the entries of M of the end frame in frame `index`, that of the last joint included.
 fn label(
     index: Numeral,
     columns: [Vector<Term<'_>>; 3],

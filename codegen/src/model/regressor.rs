@@ -1,8 +1,9 @@
-//! What torques are for the inertial parameters of each link, and for what is modelled of drives: τ = Y π.
+//! The regressor: torques as a linear function of the inertial parameters of each link and of armature, damping and
+//! friction, τ = Y π.
 //!
-//! In: the joints, where the links' own frames are, and the motion. Out: Y. Φ = skew\[H J\] is linear in J, and the
-//! power of each of its parts along L is found in the frame of the link: L is carried outwards, one screw a joint,
-//! instead of ten actions inwards.
+//! In: the joints, the frames of the links, and the motion. Out: Y. Φ = skew\[H J\] is linear in J, and the power of
+//! each of its parts along L is computed in the frame of the link: L is passed outwards, one screw a joint, instead
+//! of ten wrenches inwards.
 
 use super::carry::Joints;
 use super::newton_euler::{Moving, beyond};
@@ -12,11 +13,11 @@ use crate::expression::Term;
 use crate::list::List;
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
-/// How many inertial parameters a link has.
+/// Number of inertial parameters of a link.
 pub const PARAMETERS: usize = 10;
 
-/// The columns of Y, one after the other: ten for each body that is a link, whose frame is seen from the body's at a pose;
-/// of what drives each body.
+/// The columns of Y, one after the other, over the torques of each body: ten for each body that is a link, whose frame
+/// has a pose in the body's.
 pub fn regressor<'g>(
     joints: &Joints<'g>,
     links: &List<BodyId, Option<Pose<Term<'g>>>>,
@@ -26,7 +27,7 @@ pub fn regressor<'g>(
     let mut columns = Vec::new();
     let base = Moving::still(Acceleration::linear(-gravity));
     let mut all: List<BodyId, Moving<'g>> = List::new();
-    // The motion that a unit rate of each joint inboard of a body gives it, in its frame.
+    // The motion of a body at a unit velocity of each joint inboard of it, in its frame.
     let mut motions: List<BodyId, Vec<(BodyId, Velocity<Term<'g>>)>> = List::new();
     for (k, joint) in joints.numbered() {
         let outer = joint.parent.map_or(base, |parent| all[parent]);
@@ -65,20 +66,21 @@ pub fn regressor<'g>(
     columns
 }
 
-/// Those of what joints feel of their drives, three for each: q̈, q̇ and its sign.
+/// The columns of armature, damping and friction, three for each joint: q̈, q̇ and its sign.
 pub fn of_drives<'g>(joints: &Joints<'g>, state: &State<'g>) -> Vec<List<BodyId, Term<'g>>> {
     let of_each = joints.ids().flat_map(|k| {
         let rate = state.qd(k);
-        [state.qdd(k), rate, rate.sign()].map(|felt| {
+        [state.qdd(k), rate, rate.sign()].map(|entry| {
             let mut column = List::filled(state.zero(), joints.len());
-            column[k] = felt;
+            column[k] = entry;
             column
         })
     });
     of_each.collect()
 }
 
-/// L ⊗ skew\[H J\] for a J that is 1 in one place and its mirror image: m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz.
+/// L ⊗ skew\[H J\] for a J with one entry 1, and its mirror image: m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz,
+/// J_zz.
 fn powers<'g>(l: Velocity<Term<'g>>, h: Acceleration<Term<'g>>) -> [Term<'g>; PARAMETERS] {
     let g = h.g();
     let column = |k: usize| Vector(g.map(|row| row[k]));
@@ -87,8 +89,8 @@ fn powers<'g>(l: Velocity<Term<'g>>, h: Acceleration<Term<'g>>) -> [Term<'g>; PA
     let [ox, oy, oz] = h.omega.0.map(|entry| entry * entry);
     let (u, b) = (l.omega, l.v);
     let [ux, uy, uz] = u.0;
-    let turned = h.a.cross(u).0;
-    let first = |k: usize| column(k).dot(b) + turned[k];
+    let lever = h.a.cross(u).0;
+    let first = |k: usize| column(k).dot(b) + lever[k];
     [
         h.a.dot(b),
         first(0),

@@ -1,4 +1,4 @@
-//! The arguments of the generated functions, as expressions: what they are for each body.
+//! The arguments of generated functions as expressions, for each body.
 
 use crate::chain::{BodyId, Position};
 use crate::expression::{Expr, Graph, Input, Term};
@@ -10,11 +10,11 @@ use crate::space::{ACTION, CoordinateId, Variable, VelocityId};
 /// The arguments of the generated functions.
 pub(crate) struct State<'g> {
     pub(super) graph: &'g Graph,
-    /// Whether all rates are zero, whatever the arguments.
+    /// True if all velocities are zero, whatever the arguments.
     pub(super) rest: bool,
-    /// Of each body, its place among the velocities, and what its own rate is times that velocity.
+    /// For each body, the index of its velocity, and the factor of that velocity.
     rates: List<BodyId, (VelocityId, Option<Expr>)>,
-    /// Of each body, what its displacement is a function of.
+    /// For each body, the coordinates that determine its displacement.
     positions: List<BodyId, Position>,
 }
 
@@ -29,7 +29,7 @@ impl<'g> State<'g> {
         }
     }
 
-    /// The same where nothing moves.
+    /// The same at rest.
     pub(super) fn at_rest(&self) -> Self {
         Self {
             graph: self.graph,
@@ -50,12 +50,12 @@ impl<'g> State<'g> {
         self.entry(Variable::Q, k.index())
     }
 
-    /// What an argument holds of a velocity.
+    /// The entry of an argument for a velocity.
     pub(crate) fn of_velocity(&self, variable: Variable, k: VelocityId) -> Term<'g> {
         self.entry(variable, k.index())
     }
 
-    /// How far body `k` is moved along its own axis; nothing where it has none.
+    /// The displacement of body `k` along its own axis; zero if it has none.
     pub(super) fn q(&self, k: BodyId) -> Term<'g> {
         match self.positions[k] {
             Position::Along { coordinate, factor } => {
@@ -65,13 +65,13 @@ impl<'g> State<'g> {
         }
     }
 
-    /// What body `k` has of a variable that has an entry for each velocity.
+    /// The entry of body `k` in an argument over velocities.
     fn own(&self, variable: Variable, k: BodyId) -> Term<'g> {
         let (velocity, _) = self.rates[k];
         self.times_factor(k, self.of_velocity(variable, velocity))
     }
 
-    /// An entry for the velocity of body `k`, times what the body makes of it.
+    /// An entry for the velocity of body `k`, times the factor of the body.
     pub(super) fn times_factor(&self, k: BodyId, entry: Term<'g>) -> Term<'g> {
         match self.rates[k].1 {
             Some(factor) => entry * self.graph.term(factor),
@@ -79,12 +79,12 @@ impl<'g> State<'g> {
         }
     }
 
-    /// The place of body `k` among the velocities.
+    /// The index of body `k`'s velocity.
     pub(super) fn velocity(&self, k: BodyId) -> VelocityId {
         self.rates[k].0
     }
 
-    /// The rate of body `k`.
+    /// The velocity of body `k`.
     pub(crate) fn qd(&self, k: BodyId) -> Term<'g> {
         if self.rest {
             self.zero()
@@ -93,17 +93,17 @@ impl<'g> State<'g> {
         }
     }
 
-    /// Its second rate.
+    /// Its acceleration.
     pub(crate) fn qdd(&self, k: BodyId) -> Term<'g> {
         self.own(Variable::Qdd, k)
     }
 
-    /// What drives it, where no other body has its velocity.
+    /// τ of body `k`, if no other body has its velocity.
     pub(crate) fn tau(&self, k: BodyId) -> Term<'g> {
         self.own(Variable::Tau, k)
     }
 
-    /// An action from outside.
+    /// An external wrench.
     pub(super) fn action(&self, k: usize) -> Action<Term<'g>> {
         let entry = |entry: usize| self.entry(Variable::Actions, ACTION.len() * k + entry);
         Action {
@@ -112,7 +112,7 @@ impl<'g> State<'g> {
         }
     }
 
-    /// A number.
+    /// A constant.
     pub(crate) fn constant(&self, value: f64) -> Term<'g> {
         self.graph.constant(value)
     }

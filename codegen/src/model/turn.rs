@@ -1,9 +1,9 @@
-//! How far a body has turned about its z axis: a sum of coordinates, and a constant.
+//! Rotation of a body about its z axis: a sum of coordinates, and a constant.
 //!
-//! In: the bodies and the state. Out: the turn of each body against its parent; where angles are
-//! merged, a frame leaves its turn to the bodies it carries, if all their axes are parallel to its
-//! own, and the last of them takes it. A sum of coordinates is rounded to the digits of the largest,
-//! which a product of rotations is not: it is made only where that is asked for.
+//! In: the bodies and the state. Out: the rotation of each body relative to its parent. If angles are merged, a frame
+//! leaves its rotation to its child bodies, if all their axes are parallel to its own, and the last of them applies the
+//! sum. A sum of coordinates is rounded to the digits of the largest, which a product of rotations is not: it is used
+//! only on request.
 
 use super::state::State;
 use crate::chain::BodyId;
@@ -12,17 +12,17 @@ use crate::formulation::Angles;
 use crate::layout::{Bodies, Body};
 use crate::list::List;
 
-/// A turn about z.
+/// A rotation about z.
 #[derive(Clone, Copy, Default)]
 pub struct Turn<'g> {
-    /// The coordinates, summed; none where nothing turns.
+    /// The sum of the coordinates; `None` without rotation.
     sum: Option<Term<'g>>,
     /// Sine and cosine of the constant.
     constant: Option<(Term<'g>, Term<'g>)>,
 }
 
 impl<'g> Turn<'g> {
-    /// By a coordinate, and a constant of which sine and cosine are given.
+    /// A rotation by a coordinate, and by a constant with this sine and cosine.
     pub const fn by(coordinate: Term<'g>, constant: Option<(Term<'g>, Term<'g>)>) -> Self {
         Self {
             sum: Some(coordinate),
@@ -30,7 +30,7 @@ impl<'g> Turn<'g> {
         }
     }
 
-    /// The other way round.
+    /// The inverse rotation.
     pub fn reversed(self) -> Self {
         Self {
             sum: self.sum.map(|sum| -sum),
@@ -38,7 +38,7 @@ impl<'g> Turn<'g> {
         }
     }
 
-    /// Both, one after the other, about the same axis.
+    /// Both rotations, about the same axis.
     pub fn and(self, other: Self) -> Self {
         Self {
             sum: match (self.sum, other.sum) {
@@ -52,8 +52,8 @@ impl<'g> Turn<'g> {
         }
     }
 
-    /// Sine and cosine. To add the constant to the angle would cost less, and lose the digits that
-    /// a sum of many turns has no room for.
+    /// Sine and cosine. Adding the constant to the angle would cost less, but lose digits to the rounding of a large
+    /// angle.
     pub fn sine_and_cosine(self, graph: &'g Graph) -> (Term<'g>, Term<'g>) {
         match (self.sum.map(Term::sin_cos), self.constant) {
             (Some(angle), Some(constant)) => product(angle, constant),
@@ -64,7 +64,7 @@ impl<'g> Turn<'g> {
     }
 }
 
-/// How far body `k` has turned, beyond the frame of the body it hangs on where that left a turn.
+/// The rotation of body `k`, including that which the frame of its parent left to it.
 pub fn of_body<'g>(
     body: &Body<'g>,
     k: BodyId,
@@ -76,7 +76,7 @@ pub fn of_body<'g>(
     } else {
         Turn::default()
     };
-    // The axes are parallel where there is an outer turn: which way is all that is open.
+    // With a rotation of the parent the axes are parallel: only their direction is open.
     let same = body.placement.rotation.0[2][2]
         .value()
         .is_some_and(|cosine| cosine.to_f64() > 0.0);
@@ -87,7 +87,7 @@ pub fn of_body<'g>(
     }
 }
 
-/// What each body's frame leaves of its turn to the bodies it carries, if it does.
+/// The rotation that each body's frame leaves to its child bodies, if it does.
 pub fn left_to_carried<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
@@ -105,7 +105,7 @@ pub fn left_to_carried<'g>(
     left
 }
 
-/// Whether the axis of a body's joint is parallel to that of the joint before it.
+/// True if the axis of a body's joint is parallel to that of the joint before it.
 pub fn is_parallel(body: &Body<'_>) -> bool {
     let axis = body.placement.rotation.column(2);
     body.has_own_axis() && axis.x().is_zero() && axis.y().is_zero()

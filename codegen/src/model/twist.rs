@@ -1,6 +1,6 @@
-//! W₀,ₕ₍₀₎ and H₀,ₕ₍₀₎, by the composition rules (paper, eqs. 10 and 11): carried inwards from link to
-//! link, so that no pose is needed; or, of matrices that are in frame 0 already, composed outwards, so that
-//! parallel axes, which are most often at the base, meet in the sums.
+//! W₀,ₕ₍₀₎ and H₀,ₕ₍₀₎, by the composition rules (paper, eqs. 10 and 11): passed inwards from link to link, so that no
+//! pose is needed; or, with matrices in frame 0, composed outwards, so that parallel axes, which are most often at the
+//! base, meet in the sums.
 
 use super::carry::{Joint, Path};
 use super::newton_euler::{Moving, beyond};
@@ -28,7 +28,7 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
     [w.omega.0, w.v.0].concat()
 }
 
-/// H of the frame at the end of a path, where `second` is q̈ of a joint, row by row of (G, a₀).
+/// H of the frame at the end of a path, where `second` is q̈ of a joint; by rows of (G, a₀).
 pub fn acceleration<'g>(
     path: &Path<'g>,
     state: &State<'g>,
@@ -50,8 +50,8 @@ pub fn acceleration<'g>(
     h.entries().to_vec()
 }
 
-/// H of the frame at the end of a path, row by row of (G, a₀), from what the links see of a base that gravity
-/// accelerates the other way: as dynamics has it, with which it then shares the work.
+/// H of the frame at the end of a path, by rows of (G, a₀), from the accelerations of the dynamics, in which the base
+/// accelerates against gravity: both then share the operations.
 pub fn acceleration_with_dynamics<'g>(
     path: &Path<'g>,
     gravity: Vector<Term<'g>>,
@@ -80,7 +80,7 @@ fn inwards<'g>(
     rest: Acceleration<Term<'g>>,
 ) -> Acceleration<Term<'g>> {
     let (mut w, mut h) = (Velocity::zero(state.graph), rest);
-    // All bodies of a joint with several velocities have the frame of the last: its own W is their sum.
+    // All bodies of a joint with several velocities have the frame of the last: W of the joint is their sum.
     for together in path.joints.chunk_by(|_, next| next.taken).rev() {
         let mut own = together.iter().map(|joint| {
             let (rate, second) = (state.qd(joint.body), second(joint.body));
@@ -109,7 +109,7 @@ fn inwards<'g>(
     h
 }
 
-/// M H M⁻¹ with G taken before the rotation, where it is sparser.
+/// M H M⁻¹, with G computed before the rotation, where it is sparser.
 fn inboard<'g>(h: Acceleration<Term<'g>>, pose: Pose<Term<'g>>) -> Acceleration<Term<'g>> {
     let pole = -(pose.rotation.transposed() * pose.translation);
     h.move_pole(pole).rotate(pose.rotation)

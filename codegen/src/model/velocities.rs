@@ -1,8 +1,8 @@
-//! From bodies to velocities, where bodies share one: a joint that follows another moves as that does,
-//! times a factor, and what drives both drives the one velocity that they have.
+//! Conversion between bodies and velocities, if bodies share one: a mimic joint moves with its mimicked joint, times a
+//! factor, and the torques of both add up at the velocity that they share.
 //!
-//! In: numbers of bodies, or of velocities. Out: those of the others. Where every body has its own
-//! velocity, both are the same list, and nothing is computed.
+//! In: values of bodies, or of velocities. Out: those of the other. If every body has its own velocity, both are the
+//! same list, and nothing is computed.
 
 use std::collections::BTreeSet;
 
@@ -13,13 +13,13 @@ use crate::layout::Bodies;
 use crate::list::{self, Id, List, Square};
 use crate::space::VelocityId;
 
-/// How many there are.
+/// The number of velocities.
 pub fn count(bodies: &Bodies<'_>) -> usize {
     let places = bodies.bodies.iter().map(|body| body.velocity.number());
     places.max().unwrap_or(0)
 }
 
-/// Of something that each velocity has, what each body makes of it.
+/// The values of each body, from those of each velocity.
 pub fn shared<'g>(
     state: &State<'g>,
     bodies: &Bodies<'g>,
@@ -31,7 +31,7 @@ pub fn shared<'g>(
         .collect()
 }
 
-/// What each velocity has of something that the bodies have.
+/// The values of each velocity, summed over the bodies.
 pub fn gathered<'g>(
     state: &State<'g>,
     bodies: &Bodies<'g>,
@@ -46,7 +46,7 @@ pub fn gathered<'g>(
     sums.map(|sum| sum.unwrap_or_else(|| state.zero()))
 }
 
-/// The same of rows and columns of a matrix.
+/// The same for rows and columns of a matrix.
 pub fn gathered_by_both<'g>(
     state: &State<'g>,
     bodies: &Bodies<'g>,
@@ -60,7 +60,7 @@ pub fn gathered_by_both<'g>(
     )
 }
 
-/// The same of a symmetric matrix.
+/// The same for a symmetric matrix.
 pub fn gathered_twice<'g>(
     state: &State<'g>,
     bodies: &Bodies<'g>,
@@ -81,7 +81,7 @@ pub fn gathered_twice<'g>(
     found
 }
 
-/// The columns of a matrix whose rows are gathered: of each velocity, what the bodies have.
+/// The columns of a matrix whose rows are gathered: for each velocity, the values of the bodies.
 fn half_gathered<'g>(
     state: &State<'g>,
     bodies: &Bodies<'g>,
@@ -95,9 +95,9 @@ fn half_gathered<'g>(
     velocities.map(|k| rows.map(|row| row[k])).collect()
 }
 
-/// For each velocity the one that it is eliminated into: the nearest before it that its row of the mass
-/// matrix has to do with, once all after it are eliminated (the elimination tree of sparse factors: Liu,
-/// "The role of elimination trees in sparse factorization", 1990).
+/// For each velocity its parent in the elimination: the nearest before it that its row of the mass matrix is coupled
+/// with, once all after it are eliminated (the elimination tree of sparse factors: Liu, "The role of elimination trees
+/// in sparse factorization", 1990).
 pub fn parents(bodies: &Bodies<'_>) -> List<VelocityId, Option<VelocityId>> {
     let mut before = List::<VelocityId, _>::filled(BTreeSet::new(), count(bodies));
     for body in &bodies.bodies {

@@ -1,50 +1,49 @@
-//! One of several ways to compute the same: which frames, which angles, which form.
+//! One algorithm among several that compute the same: frames, sums of angles, and the form of forward dynamics.
 
 pub use crate::formulation::{Angles, Forward, Frame};
 use crate::real::Real;
 
-/// One of several ways to compute the same.
+/// One algorithm among several that compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
-    /// The frame in which the recursions run; the articulated bodies' are those of the links.
+    /// The frame of the recursions; that of articulated bodies runs in the frames of the links.
     pub frame: Frame,
-    /// Whether the angles of parallel axes are summed.
+    /// Sums of the angles of parallel axes, or products of their rotations.
     pub angles: Angles,
-    /// How the pose of a frame is found.
+    /// The direction in which the pose of a frame is computed.
     pub pose: Carried,
-    /// How accelerations are found from forces.
+    /// The form of forward dynamics.
     pub forward: Forward,
-    /// How the inertias of composite bodies turn with their joints.
+    /// The change of frame of composite inertias.
     pub congruence: Congruence,
-    /// The type of number that it is computed in, which decides what is nothing beside something else.
+    /// The type of numbers, which determines the threshold of zero pivots.
     pub scalar: Real,
 }
 
-/// With how many products the plane block of an inertia turns about an axis.
+/// The number of products for the rotation of an inertia's block in the plane across an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Congruence {
-    /// With four, which subtract from the larger moment to have the smaller: what is left has the error of the
-    /// larger one.
+    /// Four. The smaller moment is computed by subtraction from the larger one, and has its rounding error.
     Sparing,
-    /// With all, so that each moment is summed of its own: of slender links, and wherever M is solved with, this
-    /// keeps the digits of the small one.
+    /// All. Each moment is a sum of its own, which keeps the digits of the small one: for slender links, and wherever
+    /// M is inverted.
     Full,
 }
 
-/// How the pose of a frame is found.
+/// The direction in which the pose of a frame is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carried {
-    /// From the frame to the base, column by column.
+    /// From the frame to the base, by columns.
     Inwards {
-        /// Which column is made from the two others, which alone are carried; none where all are.
+        /// The column that is the product of the two others, which alone are passed on; `None` if all are.
         by_product: Option<usize>,
     },
-    /// From the base to the frame, as the Jacobians are, with which it then shares the work.
+    /// From the base to the frame, like the Jacobians, with which it then shares operations.
     Outwards,
 }
 
 impl Way {
-    /// Columns all carried inwards, accelerations by the mass matrix.
+    /// All columns passed inwards, accelerations by the mass matrix.
     pub const PLAIN: Self = Self {
         frame: Frame::Link,
         angles: Angles::Apart,

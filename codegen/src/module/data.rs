@@ -1,74 +1,73 @@
-//! A robot as data for the generic recursions of the runtime.
+//! The robot as data, for the generic recursions of the runtime.
 
 use crate::closure::Row;
 use crate::joint::Posture;
 use crate::schedule::Program;
 
-/// A robot as data for the generic recursions of the runtime.
+/// The robot as data, for the generic recursions of the runtime.
 #[derive(Clone, Debug)]
 pub struct ChainData {
-    /// The joints' names, parents before children.
+    /// Names of the joints, parents before children.
     pub names: Vec<String>,
-    /// The joint that carries the link on which each joint hangs; none where that is the base.
+    /// Joint that carries the parent link of each joint; `None` for the base.
     pub parents: Vec<Option<u16>>,
-    /// What moves each joint.
+    /// Motion of each joint.
     pub motions: Vec<DataMotion>,
-    /// Further frames, the tip's first: name, and the joint that carries it.
+    /// Frames, the end effector's first: name, and the joint that carries it.
     pub frames: Vec<(String, Option<u16>)>,
-    /// How many of the last frames are acted on from outside, and whether that is in frame 0.
+    /// Number of the last frames that external wrenches act on, and whether these are given in frame 0.
     pub external: (usize, bool),
-    /// The drives of which something is modelled: each the joint, and which of its velocities.
+    /// Modelled actuators: the joint, and the index of one of its velocities.
     pub driven: Vec<(u16, u16)>,
-    /// The numbers, of parameters only. A joint has 28: placement at q = 0 in its parent's frame
-    /// (rows of the upper 3×4 block), screw (u, b), pseudo-inertia (xx, yy, zz, xy, xz, yz, the
-    /// first moments qx, qy, qz, and m). A frame has 12, its placement. Gravity has 3, and each drive
-    /// has 3: armature, damping, friction.
+    /// Numbers; the program reads parameters only. A joint has 28: placement at q = 0 in its parent's frame (rows of
+    /// the upper 3×4 block), screw (u, b), and pseudo-inertia (xx, yy, zz, xy, xz, yz, the first moments qx, qy, qz,
+    /// and m). A frame has 12, its placement. Gravity has 3. Each actuator has 3: armature, damping, friction.
     pub program: Program,
-    /// What its loops hold together.
+    /// Closed loops.
     pub loops: LoopsData,
 }
 
-/// What closes the loops of a robot, as data.
+/// Closed loops of a robot as data.
 #[derive(Clone, Debug)]
 pub struct LoopsData {
-    /// The loops.
+    /// Loops.
     pub loops: Vec<LoopData>,
-    /// Which velocities are driven.
+    /// For each velocity: true if it is actuated.
     pub driven: Vec<bool>,
-    /// The numbers, of parameters only. A loop has 25: the placements of its two frames, and the length of
-    /// a rod, or the cosine of the angle of two axes.
+    /// Numbers; the program reads parameters only. A loop has 25: the placements of its two frames, and the length of a
+    /// rod or the cosine of the angle between two axes.
     pub program: Program,
 }
 
-/// What closes a loop, as data.
+/// Closed loop as data.
 #[derive(Clone, Debug)]
 pub struct LoopData {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// The frames that it holds together: name, and the joint that carries it.
+    /// Frames A and B that it connects: name, and the joint that carries it.
     pub frames: [(String, Option<u16>); 2],
-    /// What it closes.
+    /// Residuals.
     pub rows: Vec<Row>,
 }
 
-/// What moves a joint of a [`ChainData`], whose coordinates and velocities follow those of the joints before it.
+/// Motion of a joint of [`ChainData`]. Its coordinates and velocities follow those of the joints before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DataMotion {
-    /// A coordinate of its own, along the screw.
+    /// One coordinate along the screw.
     Along,
-    /// That of another joint, times a number, along the screw.
+    /// Mimic joint: the coordinate of another joint times a factor, along the screw.
     Follows {
-        /// The joint.
+        /// The mimicked joint.
         leader: u16,
-        /// The number.
+        /// The factor.
         multiplier: f64,
     },
-    /// A posture; the screw is that of its first velocity.
+    /// Several coordinates with quaternions or planar ones; the screw is that of the first velocity.
     Posture(Posture),
 }
 
 impl DataMotion {
-    /// How many coordinates and velocities it has.
+    /// Numbers of its coordinates and velocities.
     #[must_use]
     pub const fn counts(self) -> (usize, usize) {
         match self {

@@ -1,49 +1,49 @@
-//! What the reviewer of a file reads beside its code.
+//! Test vectors and origins of inertial numbers, for the reviewer of a generated file.
 
 use crate::space::Variable;
 
-/// What the reviewer of a file wants to see beside its code.
+/// Material for the reviewer of a generated file.
 #[derive(Clone, Debug, Default)]
 pub struct Review {
-    /// What functions should return.
+    /// Test vectors.
     pub vectors: Vec<Vector>,
-    /// Where inertial numbers come from, for each layout of the frames.
+    /// Origins of inertial numbers, for each layout of the frames.
     pub origins: Vec<Origins>,
-    /// The links that became part of the body of another, and that other.
+    /// Merged links, and the link whose body each became part of.
     pub merged: Vec<(String, String)>,
 }
 
-/// What a function should return at a state, found without its program.
+/// Test vector: expected results of a function at a state, computed without its program.
 #[derive(Clone, Debug)]
 pub struct Vector {
-    /// Its place in the module.
+    /// Index of the function in the module.
     pub function: usize,
-    /// Its arguments, in the type of number.
+    /// Arguments, rounded to the scalar type.
     pub arguments: Vec<(Variable, Vec<f64>)>,
-    /// The fields, in the order of the module.
+    /// Fields, in the order of the module.
     pub fields: Vec<Vec<f64>>,
-    /// The numbers of its results.
+    /// Expected results.
     pub expected: Vec<f64>,
-    /// How far each may be off.
+    /// Allowed error of each result.
     pub tolerances: Vec<f64>,
 }
 
-/// Where the inertial numbers of bodies come from whose frames stand in one way.
+/// Origins of the inertial numbers in one layout of the frames.
 #[derive(Clone, Debug)]
 pub struct Origins {
-    /// The functions that have them, by name.
+    /// Names of the functions with this layout.
     pub functions: Vec<String>,
-    /// The bodies that have any: the link that each is, and its numbers.
+    /// Bodies with inertial numbers: name of the link, and numbers.
     pub bodies: Vec<(String, Vec<Sum>)>,
 }
 
-/// An entry of a J as a sum of parameters of links.
+/// Entry of a pseudo-inertia as a sum of parameters of links.
 #[derive(Clone, Debug)]
 pub struct Sum {
-    /// The entry: `J_xx`, `q_x`, `m`.
+    /// Entry: `J_xx`, `q_x`, `m`.
     pub entry: &'static str,
-    /// What it is described as [kg, kg m, kg m²].
+    /// Value by the description [kg, kg m, kg m²].
     pub value: f64,
-    /// The parameters, each with its factor; none where they are not told apart.
+    /// Parameters with their factors; empty if the sum is not resolved.
     pub terms: Vec<(f64, String)>,
 }

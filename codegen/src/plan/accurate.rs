@@ -1,8 +1,8 @@
-//! Where something is solved for, the lightest program that loses little enough.
+//! The cheapest accurate program of functions that solve an equation.
 //!
-//! In: a [`Search`]; what the mass matrix loses at worst. Out: of the rounds of forms that [`forward`] names, the
-//! lightest program that is accurate enough by its [`Measure`]; where none is, the lightest of those that lose
-//! little more than the best; or the mistake that none leaves half of the digits.
+//! In: a [`Search`]; the worst loss of the mass matrix. Out: of the groups of forms that [`forward`] names, the
+//! cheapest program that is accurate enough by its [`Measure`]; if there is none, the cheapest of those that lose
+//! little more than the best; or an error if none leaves half of the digits.
 
 use super::forward::{self, Form};
 use super::measured::{ENOUGH, Measure, Off};
@@ -10,18 +10,18 @@ use super::search::{Found, Search};
 use super::solvable::Worst;
 use crate::error::Errors;
 
-/// How many times the error that is enough is far from it.
+/// Ratio to the sufficient error beyond which a form is given up after one layout.
 const FAR: f64 = 16.0;
 
-/// The lightest program that is accurate enough, or as accurate as can be had.
+/// The cheapest program that is accurate enough, or nearly as accurate as the best.
 ///
 /// # Errors
-/// Where no form leaves half of the digits.
+/// If no form leaves half of the digits.
 pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Errors> {
     let mut trial = Trial::of(search, worst);
-    for forms in forward::rounds(search.chain, search.functions, search.formulation) {
+    for forms in forward::groups(search.chain, search.functions, search.formulation) {
         for form in forms {
-            trial.look_at(form);
+            trial.measure(form);
         }
         if trial.best.is_some() {
             break;
@@ -41,22 +41,22 @@ pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Error
     }
 }
 
-/// What has been found so far.
+/// State of the search.
 struct Trial<'s> {
     search: &'s Search<'s>,
     measure: Measure<'s>,
-    /// The lightest that is accurate enough, with its weight.
+    /// The cheapest program that is accurate enough, with its cost.
     best: Option<(usize, Found)>,
-    /// Programs that are not, in the order in which they were looked at.
+    /// Programs that are not, in the order in which they were measured.
     tried: Vec<Tried>,
-    /// The same forms in heavier layouts, with their weights; not measured yet.
-    heavier: Vec<(usize, Found)>,
+    /// The same forms in more expensive layouts, with their costs; not measured yet.
+    costlier: Vec<(usize, Found)>,
 }
 
 /// A program that is not accurate enough.
 struct Tried {
-    /// Its weight, where all layouts have been looked at.
-    weight: Option<usize>,
+    /// Its cost, if all layouts have been compared.
+    cost: Option<usize>,
     found: Found,
 }
 
@@ -67,7 +67,7 @@ impl<'s> Trial<'s> {
             measure: Measure::of(search.chain, search.functions, worst.loss, search.scalar),
             best: None,
             tried: Vec::new(),
-            heavier: Vec::new(),
+            costlier: Vec::new(),
         }
     }
 
@@ -76,48 +76,48 @@ impl<'s> Trial<'s> {
         found
     }
 
-    /// Measures a form in its lightest layout, where it can still be the lightest.
-    fn look_at(&mut self, form: Form) {
-        // Of a form that is far from accurate in one layout, no other need be looked at.
+    /// Measures a form in its cheapest layout, if it can still be the cheapest.
+    fn measure(&mut self, form: Form) {
+        // A form that is far from accurate in one layout is not tried in others.
         if let Some(before) = self.tried.first() {
             let (layout, way) = (before.found.layout, before.found.way);
-            let (_, glimpse) = self.search.within(form, &[layout], &[way]);
-            let found = self.measured(glimpse);
+            let (_, first) = self.search.within(form, &[layout], &[way]);
+            let found = self.measured(first);
             if found.off.worst > FAR * ENOUGH {
-                let weight = None;
-                return self.tried.push(Tried { weight, found });
+                let cost = None;
+                return self.tried.push(Tried { cost, found });
             }
         }
-        let mut layouts = self.search.by_weight(form).into_iter();
-        let (weight, found) = layouts.next().expect("there is at least one layout");
-        if (self.best.as_ref()).is_some_and(|(least, _)| *least <= weight) {
+        let mut layouts = self.search.by_cost(form).into_iter();
+        let (cost, found) = layouts.next().expect("there is at least one layout");
+        if (self.best.as_ref()).is_some_and(|(least, _)| *least <= cost) {
             return;
         }
         let found = self.measured(found);
         if found.off.worst <= ENOUGH {
-            self.best = Some((weight, found));
+            self.best = Some((cost, found));
         } else {
-            let weight = Some(weight);
-            self.tried.push(Tried { weight, found });
-            self.heavier.extend(layouts);
+            let cost = Some(cost);
+            self.tried.push(Tried { cost, found });
+            self.costlier.extend(layouts);
         }
     }
 
-    /// The lightest that is accurate enough. Where frames stand away from their bodies, that may be what costs the
-    /// digits of a form, so that it is looked at in others before a dearer one is taken.
+    /// The cheapest that is accurate enough. Frames far from their bodies may cause the loss of a form, so other
+    /// layouts are tried before a more expensive form is taken.
     fn accurate(&mut self) -> Option<Found> {
-        let mut heavier = std::mem::take(&mut self.heavier);
+        let mut costlier = std::mem::take(&mut self.costlier);
         if let Some((least, _)) = &self.best {
-            heavier.retain(|(weight, _)| weight < least);
+            costlier.retain(|(cost, _)| cost < least);
         }
-        heavier.sort_by_key(|(weight, _)| *weight);
-        let mut heavier = heavier.into_iter().map(|(_, found)| self.measured(found));
-        let lighter = heavier.find(|found| found.off.worst <= ENOUGH);
-        lighter.or_else(|| Some(self.best.take()?.1))
+        costlier.sort_by_key(|(cost, _)| *cost);
+        let mut costlier = costlier.into_iter().map(|(_, found)| self.measured(found));
+        let cheaper = costlier.find(|found| found.off.worst <= ENOUGH);
+        cheaper.or_else(|| Some(self.best.take()?.1))
     }
 
-    /// The lightest of those that lose little more than the best, where none is accurate enough. What is lost near
-    /// singular postures is lost by all, and a few times more of it is less than an inverse that does not invert.
+    /// The cheapest of those that lose little more than the best, if none is accurate enough. All forms lose digits
+    /// near singular configurations. A loss a few times larger matters less than an inverse that does not invert.
     fn nearly_as_good(mut self, least: f64) -> Found {
         let mut good = std::mem::take(&mut self.tried);
         let solves = |off: Off| off.worst <= FAR * least && off.unsolved <= ENOUGH;
@@ -127,14 +127,14 @@ impl<'s> Trial<'s> {
         let worst = good.iter().map(|tried| tried.found.off.worst);
         let least = worst.fold(f64::INFINITY, f64::min);
         good.retain(|tried| tried.found.off.worst <= 2.0 * least);
-        let weighed = good.into_iter().map(|Tried { weight, found }| {
-            if let Some(weight) = weight {
-                return (weight, found);
+        let weighed = good.into_iter().map(|Tried { cost, found }| {
+            if let Some(cost) = cost {
+                return (cost, found);
             }
-            let (weight, found) = self.search.best(Form::of(found.way));
-            (weight, self.measured(found))
+            let (cost, found) = self.search.best(Form::of(found.way));
+            (cost, self.measured(found))
         });
-        let best = weighed.min_by_key(|(weight, _)| *weight);
+        let best = weighed.min_by_key(|(cost, _)| *cost);
         best.expect("the least is among them").1
     }
 }

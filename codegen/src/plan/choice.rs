@@ -1,8 +1,8 @@
-//! Which of the programs that compute the same is taken.
+//! The choice among programs that compute the same.
 //!
-//! In: a chain, the functions that are asked for together, a formulation. Out: the [`Program`](crate::schedule::Program) that
-//! costs least on a processor, of all layouts of the frames and all ways that compute them. It never
-//! looks at values: where something is solved for, [`accurate`] finds the form that loses little enough.
+//! In: a chain, the functions that are requested together, a formulation. Out: the
+//! [`Program`](crate::schedule::Program) with the least cost on a processor, over all layouts of frames and all
+//! algorithms. Functions that solve an equation are left to [`accurate`], which finds a form that loses few digits.
 
 use super::accurate::accurate;
 use super::forward::{self, Form};
@@ -19,15 +19,15 @@ use crate::real::Real;
 use crate::space::FrameId;
 use crate::wording::quoted;
 
-/// The program that is cheapest on a processor, within a formulation, of some functions together, of a frame of the chain.
+/// The cheapest program on a processor, within a formulation, of some functions together, for a frame of the chain.
 ///
 /// # Errors
-/// Where forward dynamics, or the inverse of the mass matrix, is asked for of a chain that has none, or
-/// that no form leaves half of the digits in this type of number, unless the formulation asks for the form; where a centre
-/// of mass is asked for of one without mass.
+/// If forward dynamics, or the inverse of the mass matrix, is requested for a chain that has none, or for which no form
+/// leaves half of the digits in this scalar type, unless the formulation names the form; if a centre of mass is
+/// requested for a chain without mass.
 ///
 /// # Panics
-/// Where a function of a frame is asked for and the chain has none.
+/// If a function of a frame is requested and the chain has none.
 pub(super) fn cheapest(
     processor: Processor,
     formulation: Formulation,
@@ -60,7 +60,7 @@ pub(super) fn cheapest(
     accurate(&search, worst)
 }
 
-/// Refuses what is of loops where there are none.
+/// Rejects functions of loops for a robot without loops.
 fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
     let mut errors = chain.description.source.errors();
     let of_loops = functions.iter().filter(|function| function.is_of_loops());
@@ -76,7 +76,7 @@ fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
         && !chain.actuated.contains(&true)
     {
         let name = quoted(function.name());
-        let message = format!("{name} asks which joints are driven");
+        let message = format!("{name} needs the actuated joints");
         errors.push_with_hint(Place::Unknown, message, "name them: actuated(crank)");
     }
     errors.into_result(())

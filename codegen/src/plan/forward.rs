@@ -1,8 +1,8 @@
-//! Which forms of forward dynamics and of the mass matrix's inverse there are.
+//! Forms of forward dynamics and of the inverse of the mass matrix.
 //!
-//! In: a chain, functions, a formulation, and what has been measured of a program. Out: the forms to
-//! be tried, in rounds; a doubt about the form that was asked for, or about a robot for which none is
-//! as good as it should be; or the mistake that no form helps. It never measures or counts.
+//! In: a chain, functions, a formulation, and the measured error of a program. Out: the forms to be tried, in groups;
+//! a warning about the form that was requested, or about a robot for which every form loses many digits; or an error
+//! if no form is usable.
 
 use super::measured::{ENOUGH, LIMIT, Measure, Off, allowed};
 use super::program::program_by;
@@ -18,10 +18,10 @@ use crate::request::Request;
 use crate::space::FrameId;
 use crate::wording::{list, quoted};
 
-/// Beyond which a robot is told that no form is any better \[u\].
+/// Error beyond which a warning says that no form is better \[u\].
 const DOUBTFUL: f64 = 10.0 * LIMIT;
 
-/// A form of forward dynamics, and how the inertias turn of which it is made.
+/// A form of forward dynamics, and the change of frame of inertias that it uses.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Form {
     pub(super) forward: Forward,
@@ -47,7 +47,7 @@ impl Form {
         }
     }
 
-    /// That of a way.
+    /// The form of an algorithm.
     pub(super) const fn of(way: Way) -> Self {
         Self {
             forward: way.forward,
@@ -55,7 +55,7 @@ impl Form {
         }
     }
 
-    /// A way with this form.
+    /// An algorithm with this form.
     pub(super) const fn along(self, way: Way) -> Way {
         Way {
             forward: self.forward,
@@ -65,13 +65,12 @@ impl Form {
     }
 }
 
-/// The forms, in rounds: the first that has one that is accurate enough decides, and in it the count.
+/// The forms in groups. The first group with a form that is accurate enough decides, and in it the operation count.
 ///
-/// Factors cost ever more for each further joint: with skew axes they are dearer than articulated bodies
-/// from 11 on, with right angles from 13. In a plane they are from 4 on, but an arm keeps the form that
-/// has the closer error bound, and is expanded in half of the time. Of a [long](Chain::is_long) chain nothing else
-/// is tried.
-pub(super) fn rounds(
+/// The cost of factors grows with each further joint: with skew axes they cost more than articulated bodies from 11
+/// joints on, with right angles from 13. In a plane they do from 4 on, but there the factors stay, which have the
+/// closer error bound and are expanded in half of the time. A [long](Chain::is_long) chain has articulated bodies only.
+pub(super) fn groups(
     chain: &Chain,
     functions: &[Function],
     formulation: Formulation,
@@ -79,9 +78,9 @@ pub(super) fn rounds(
     const COMPARED: usize = 8;
     const DEARER: usize = 20;
     let [plain, once, twice] = [0, 1, 2].map(Form::refined);
-    // In frame 0 no inertia turns from body to body.
+    // In frame 0 inertias are not rotated from body to body.
     let full = (formulation.frame == Frame::Link).then_some(Form::full(plain.forward));
-    // A joint that follows another closes a loop, over which articulated bodies do not go.
+    // A mimic joint closes a loop, which the articulated-body algorithm does not cover.
     let open = formulation.frame == Frame::Link && chain.all_lead();
     let bodies = open.then_some(Form::sparing(Forward::Articulated));
     if let Some(bodies) = bodies.filter(|_| chain.is_long()) {
@@ -95,22 +94,22 @@ pub(super) fn rounds(
     let full = full.filter(|_| first.contains(&plain));
     let left = bodies.filter(|bodies| !first.contains(bodies));
     let left = full.into_iter().chain(left);
-    // Each column of an inverse has a residual of its own, which is much dearer than articulated bodies.
-    let rounds = if functions.iter().any(|function| function.inverts()) {
+    // Each column of an inverse has a residual of its own, which costs much more than articulated bodies.
+    let groups = if functions.iter().any(|function| function.inverts()) {
         [first, left.collect(), vec![once], vec![twice]]
     } else {
         [first, left.chain([once]).collect(), vec![twice], Vec::new()]
     };
-    rounds
+    groups
         .into_iter()
-        .filter(|round| !round.is_empty())
+        .filter(|group| !group.is_empty())
         .collect()
 }
 
-/// Refuses a form that a chain has not.
+/// Rejects a form that a chain cannot have.
 ///
 /// # Errors
-/// Articulated bodies where a joint follows another.
+/// Articulated bodies with a mimic joint.
 pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
     let mut errors = chain.description.source.errors();
     if asked == Forward::Articulated
@@ -119,24 +118,22 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
         errors.push_with_hint(
             Place::Unknown,
             format!(
-                "articulated bodies do not go over the loop that joint \"{}\" closes, which follows \
-                 joint \"{}\"",
+                "articulated bodies do not cover mimic joints: joint \"{}\" mimics joint \"{}\"",
                 mimic.joint, mimic.leader
             ),
-            "leave the form to the engine, or lock the joint",
+            "leave the form out, or lock the joint",
         );
     }
     errors.into_result(())
 }
 
-/// Whether an error leaves half of the digits of a type.
+/// True if an error leaves half of the digits of a type.
 #[must_use]
 pub fn keeps_half(error: f64, scalar: Real) -> bool {
     error <= scalar.roundoff().sqrt().recip()
 }
 
-/// What is to be said of functions that no form leaves half of the digits, in the frame that was asked
-/// for.
+/// The error for functions of which no form leaves half of the digits, in the requested frame.
 pub(super) fn hopeless(
     chain: &Chain,
     worst: Worst,
@@ -166,12 +163,12 @@ pub(super) fn hopeless(
     errors
 }
 
-/// What is doubtful about accelerations: the form that is asked for, instead of the one that would be
-/// chosen; what all forms lose; and fields that must not be zero.
+/// Warnings about accelerations: about the form that is requested, instead of the one that would be chosen; about the
+/// loss of all forms; and about fields that must not be zero.
 ///
-/// Where no function is named, a robot of many joints is not looked at: that takes as long as to generate
-/// its mass matrix.
-pub(crate) fn doubts(chain: &Chain, request: &Request) -> Vec<Complaint> {
+/// If no function is named, a robot with many joints is not measured: that takes as long as generating its mass
+/// matrix.
+pub(crate) fn warnings(chain: &Chain, request: &Request) -> Vec<Complaint> {
     const UNASKED: usize = 40;
     let most = if request.functions.is_empty() {
         UNASKED
@@ -188,29 +185,29 @@ pub(crate) fn doubts(chain: &Chain, request: &Request) -> Vec<Complaint> {
     if items.is_empty() {
         return Vec::new();
     }
-    // What is singular is refused, function by function.
+    // Singular robots are refused, function by function.
     let Ok(worst) = solvable(chain) else {
         return Vec::new();
     };
     let of_items = items
         .iter()
-        .filter_map(|functions| doubt(chain, worst, functions, request));
-    (solvable::doubts(chain, worst).into_iter())
+        .filter_map(|functions| warning(chain, worst, functions, request));
+    (solvable::warnings(chain, worst).into_iter())
         .chain(of_items)
         .collect()
 }
 
-fn doubt(
+fn warning(
     chain: &Chain,
     worst: Worst,
     functions: &[Function],
     request: &Request,
 ) -> Option<Complaint> {
     let (scalar, name) = (request.scalar, named(functions));
-    // A loss below the cube root of 1/u is what a refinement brings back.
+    // A refinement restores a loss below the cube root of 1/u.
     let harmless = worst.loss * worst.loss * worst.loss * scalar.roundoff() < 1.0;
     let (error, most, by, hint) = if let Some(forward) = request.formulation.forward {
-        // It is the form that is doubted, and not what a frame or a sum of angles costs.
+        // The warning is about the form, not about the cost of a frame or of a sum of angles.
         let way = Way {
             forward,
             ..Way::PLAIN
@@ -221,17 +218,17 @@ fn doubt(
             ..Formulation::default()
         };
         let by = format!("{name} with {}", form.words().concat());
-        let hint = "leave the form to the engine".to_owned();
+        let hint = "leave the form out".to_owned();
         (error, LIMIT, by, hint)
     } else if !harmless {
         let plain = match request.formulation.frame {
             Frame::Link => Way::PLAIN,
             Frame::Base => Way::IN_FRAME_0,
         };
-        let forms = rounds(chain, functions, request.formulation).into_iter();
+        let forms = groups(chain, functions, request.formulation).into_iter();
         let ways = forms.flatten().map(|form| form.along(plain));
         let off = least_error(chain, worst, functions, scalar, ways);
-        // What no form helps is refused, function by function.
+        // If every form is unusable, the functions are refused one by one.
         let off = Some(off).filter(|off| keeps_half(off.eighth, scalar))?;
         let hint = Cause::of(chain, worst).remedy(Real::F32);
         (off.worst, DOUBTFUL, format!("{name} in any form"), hint)
@@ -245,8 +242,8 @@ fn doubt(
     })
 }
 
-/// The error that the first way leaves that is accurate enough, or else the best one: in the frames of
-/// the description, for it is the form that decides.
+/// The error of the first algorithm that is accurate enough, or else of the best one. It is measured in the frames of
+/// the description, since the form decides.
 fn least_error(
     chain: &Chain,
     worst: Worst,
@@ -268,9 +265,9 @@ fn least_error(
 
 /// The cause of a loss of digits.
 enum Cause<'c> {
-    /// A joint at which a pivot of the mass matrix is small beside its diagonal entry, and their ratio.
+    /// A joint whose pivot of the mass matrix is small compared to its diagonal entry, and their ratio.
     MassMatrix(&'c Joint, f64),
-    /// A mimic joint that is much faster than the joint it mimics: forces have the square of its multiplier.
+    /// A mimic joint that is much faster than the joint it mimics: forces scale with the square of its multiplier.
     Multiplier(&'c Mimicked, Place),
 }
 
@@ -320,7 +317,7 @@ impl<'c> Cause<'c> {
         let model = match self {
             Self::MassMatrix(..) => "model a robot whose masses and lengths differ less".to_owned(),
             Self::Multiplier(mimicked, _) => format!(
-                "give joint {} the inertia of what turns so fast as a rotor or an armature",
+                "give joint {} the inertia of the fast part as a rotor or an armature",
                 quoted(&mimicked.leader)
             ),
         };
@@ -331,7 +328,7 @@ impl<'c> Cause<'c> {
     }
 }
 
-/// How much of the largest result an error is, or may be of one function among others.
+/// The share of an error in the largest result, or its largest share over several functions.
 fn lost(functions: &[Function], error: f64, scalar: Real) -> String {
     let allowed = functions.iter().map(|&function| allowed(function));
     let share = error * allowed.fold(1.0, f64::max) * scalar.roundoff();
@@ -342,7 +339,7 @@ fn lost(functions: &[Function], error: f64, scalar: Real) -> String {
     }
 }
 
-/// The functions that solve something.
+/// The functions that solve an equation.
 fn named(functions: &[Function]) -> String {
     let names = functions.iter().filter(|function| function.solves());
     list(names.map(|function| function.name()))

@@ -1,20 +1,19 @@
-//! Whether one set of base parameters is that of every value of the fields.
+//! Independence of base parameters from the values of fields.
 //!
-//! In: a chain. Out: nothing, or the mistake that fields change what torques can tell. It never finds base
-//! parameters itself.
+//! In: a chain. Out: an error if fields change which linear combinations torques determine.
 
 use crate::chain::Chain;
 use crate::chain::base_parameters::revealing;
 use crate::error::{Errors, Place};
 use crate::wording::{code, list};
 
-/// Asks for fields that leave base parameters as they are described.
+/// Checks that the base parameters are the same for all values of the fields.
 ///
 /// # Errors
-/// Where torques can tell others of a robot whose fields are not what is described.
+/// If torques determine other combinations once fields differ from the description.
 ///
 /// # Panics
-/// Where base parameters have not been looked for ([`Chain::identified`]).
+/// If base parameters have not been found ([`Chain::identified`]).
 pub(super) fn settled(chain: &Chain) -> Result<(), Errors> {
     let mut errors = chain.description.source.errors();
     let found = chain.base_parameters.as_ref();
@@ -23,16 +22,18 @@ pub(super) fn settled(chain: &Chain) -> Result<(), Errors> {
     let fields: Vec<String> = fields.map(|field| code(&field.name())).collect();
     if let [first, ..] = &*fields {
         let (noun, verb) = match &*fields {
-            [_] => ("field", "is"),
-            _ => ("fields", "are"),
+            [_] => ("field", "differs"),
+            _ => ("fields", "differ"),
         };
         errors.push_with_hint(
             Place::Unknown,
             format!(
-                "torques can tell other base parameters where {noun} {} {verb} not what is described",
+                "torques determine other base parameters if {noun} {} {verb} from the description",
                 list(fields.iter().map(String::as_str))
             ),
-            format!("ask for `regressor`, whose columns are of all parameters, or leave out {first}"),
+            format!(
+                "ask for `regressor`, whose columns are of all parameters, or leave out {first}"
+            ),
         );
     }
     errors.into_result(())

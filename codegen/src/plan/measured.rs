@@ -1,9 +1,8 @@
-//! How far off a program that solves for accelerations is, measured, and how far is near enough.
+//! Measured errors of programs that solve for accelerations.
 //!
-//! In: a chain, functions, and programs that compute them one after the other. Out: the error to be
-//! expected in a type of number, in units of its roundoff. Each program is run as it stands, at states
-//! of the robot's range, and held against a hundred bits. It never bounds anything: between the
-//! states, and beyond them, an error may be larger.
+//! In: a chain, functions, and programs that compute them one after the other. Out: the expected error in a type of
+//! numbers, in units of its roundoff. Each program is run at states of the robot's range and compared with a reference
+//! of a hundred bits. The result is no bound: in other states an error may be larger.
 
 use super::program::expressions_by;
 use super::solvable::field;
@@ -20,57 +19,56 @@ use crate::real::Real;
 use crate::schedule::{Program, run};
 use crate::space::{Arguments, FrameId, Variable};
 
-/// The error that must not be exceeded, beside the largest result and in a thousand states \[u\].
+/// The largest error allowed, relative to the largest result, in a thousand states \[u\].
 pub(super) const LIMIT: f64 = 100.0;
 
-/// The error that is enough where it is taken from a few states \[u\].
+/// The largest error that is accurate enough if it was estimated from a few states \[u\].
 pub(super) const ENOUGH: f64 = 0.8 * LIMIT;
 
-/// How many states are looked at.
+/// Number of states.
 const STATES: u32 = 64;
 
-/// After how many states a program is known that loses next to nothing.
+/// Number of states after which a program with an error below [`NOTHING`] is done.
 const FIRST: u32 = 16;
 
-/// What is next to nothing \[u\].
+/// A negligible error \[u\].
 const NOTHING: f64 = 3.0;
 
-/// What the worst of a thousand states has of the mean of the worst eighth of [`STATES`]: four times it
-/// in the middle of some fifty robots, two to eight times for most.
+/// Ratio of the worst of a thousand states to the mean of the worst eighth of [`STATES`]: four in the median of some
+/// fifty robots, two to eight for most.
 const TAIL: f64 = 4.0;
 
-/// How much of the range a state is near another in.
+/// Share of the range for states near another state.
 const NEAR: f64 = 1e-3;
 
-/// How large joint forces and torques are \[N m or N\]: so small that it is the motion, and not they,
-/// that most robots' accelerations come from.
+/// Size of joint forces and torques \[N m or N\]: so small that most robots' accelerations come from the motion.
 const TORQUE: f64 = 4.0;
 
-/// States of a chain, and what its functions are there.
+/// States of a chain, and the exact results of its functions there.
 pub(super) struct Measure<'c> {
     chain: &'c Chain,
     scalar: Real,
     range: Range,
     solved: Vec<Solved>,
-    /// The mass matrix, where an inverse of it is among the results.
+    /// The mass matrix, if an inverse of it is among the results.
     mass: Option<Evaluation<Double>>,
     states: Vec<State>,
 }
 
-/// A function that solves something.
+/// A function that solves an equation.
 struct Solved {
     exactly: Evaluation<Double>,
-    /// Where its results are among those of all.
+    /// The place of its results among those of all functions.
     place: std::ops::Range<usize>,
-    /// Where an inverse of the mass matrix is among those of all.
+    /// The place of an inverse of the mass matrix among the results of all functions.
     inverse: Option<std::ops::Range<usize>>,
-    /// How many times as far off it may be.
+    /// Factor of the error allowed.
     allowed: f64,
 }
 
-/// How many times as far off as accelerations a function that solves something may be. Derivatives of
-/// accelerations solve with what their torques change by, which has been rounded, and with accelerations
-/// that were found: the best form loses not much less than the others.
+/// Factor of the error allowed for a function that solves an equation, compared to accelerations. Derivatives of
+/// accelerations have rounded right sides and computed accelerations: the best form loses not much less than the
+/// others.
 pub(super) const fn allowed(function: Function) -> f64 {
     match function.truth() {
         Truth::Solution(Given::TorqueDerivatives) => 10.0,
@@ -78,30 +76,29 @@ pub(super) const fn allowed(function: Function) -> f64 {
     }
 }
 
-/// How far off a program is, beside its largest result \[u\]; of a function that may be farther off by so much
-/// less.
+/// Error of a program, relative to its largest result \[u\] and to the error allowed for the function.
 #[derive(Clone, Copy, Debug)]
 pub struct Off {
-    /// In the worst of a thousand states, as far as a few tell.
+    /// In the worst of a thousand states, estimated from a few.
     pub worst: f64,
-    /// In an eighth of all states at least, to the same scale: what a robot loses that does not only pass
-    /// through a posture in which it is singular.
+    /// Exceeded in at least an eighth of all states, to the same scale: a large value is a loss of the robot itself,
+    /// not of a singular configuration that it passes through.
     pub eighth: f64,
-    /// What the mass matrix times its inverse is off from one in the worst state, beside what it is a sum of. Near a
-    /// singular posture all forms lose the same digits of an inverse's largest entries, and yet one may
-    /// invert and another not. Not looked at where results are accurate enough.
+    /// Relative residual of M M⁻¹ − I at the worst state. Near a singular configuration all forms lose the same
+    /// digits of an inverse's largest entries, and yet one may invert and another not. Not measured if the results
+    /// are accurate enough.
     pub unsolved: f64,
 }
 
 impl Off {
-    /// Nothing was lost, or nothing measured.
+    /// No error, or none measured.
     pub(super) const NONE: Self = Self {
         worst: 0.0,
         eighth: 0.0,
         unsolved: 0.0,
     };
 
-    /// Nothing is left.
+    /// No correct digit.
     pub(super) const INFINITE: Self = Self {
         worst: f64::INFINITY,
         eighth: f64::INFINITY,
@@ -118,7 +115,7 @@ impl Off {
     }
 }
 
-/// A state, with the exact results of each function that solves something.
+/// A state, with the exact results of each function that solves an equation.
 struct State {
     arguments: Arguments<f64>,
     exact: Vec<Vec<Double>>,
@@ -126,10 +123,10 @@ struct State {
 }
 
 impl<'c> Measure<'c> {
-    /// Of programs in a type of number, of a chain whose mass matrix loses so much: the largest ratio of a
-    /// diagonal entry to its pivot.
+    /// A measure of programs in a type of numbers. `loss` is the loss of the chain's mass matrix: the largest ratio
+    /// of a diagonal entry to its pivot.
     pub(super) fn of(chain: &'c Chain, functions: &[Function], loss: f64, scalar: Real) -> Self {
-        // A hundred bits bear the mass matrix as it is where it leaves most of them.
+        // Without refinement a hundred bits suffice up to this loss.
         const BORNE: f64 = 1e12;
         let refinements = usize::from(loss > BORNE);
         let forward = if chain.is_long() {
@@ -172,8 +169,8 @@ impl<'c> Measure<'c> {
         }
     }
 
-    /// The error of the worst of a thousand states, as far as a few tell: beside the largest result, in
-    /// units of the type's roundoff. Infinite where a result is no number.
+    /// The error in the worst of a thousand states, estimated from a few, relative to the largest result, in units of
+    /// the type's roundoff. Infinite if a result is NaN.
     pub(super) fn error(&mut self, program: &Program) -> Off {
         let scalar = self.scalar;
         let mut errors: Vec<f64> = Vec::new();
@@ -221,14 +218,14 @@ impl<'c> Measure<'c> {
         }
     }
 
-    /// What a program finds in a state.
+    /// The results of a program in a state.
     fn found<T: Rounded>(&self, program: &Program, state: &State) -> Vec<f64> {
         let at = |input| T::literal(at(&state.arguments, self.chain, input));
         let found = run::<T>(program, at);
         found.iter().map(Rounded::to_f64).collect()
     }
 
-    /// The largest error beside the largest result, of the function for which that is worse.
+    /// The largest error relative to the largest result, over the functions.
     fn error_of(&self, found: &[f64], state: &State) -> f64 {
         let functions = self.solved.iter().zip(&state.exact);
         functions.fold(0.0, |worst, (solved, exact)| {
@@ -237,17 +234,16 @@ impl<'c> Measure<'c> {
             let errors = errors.map(|(&found, exact)| (Double::from(found) - *exact).to_f64());
             let error = largest(errors);
             worst.max(match size {
-                // Nothing is near what is infinite.
+                // The exact result is infinite.
                 f64::INFINITY => f64::INFINITY,
-                // Where all are zero, so is what is found.
+                // All exact results may be zero.
                 _ if error == 0.0 => 0.0,
                 _ => error / size / solved.allowed,
             })
         })
     }
 
-    /// The largest entry of M M⁻¹ − 1, beside what it is a sum of where each joint has the unit in which it
-    /// carries 1.
+    /// The largest entry of M M⁻¹ − I, relative to the terms of its sum, in units that make all Mᵢᵢ = 1.
     fn unsolved(&self, found: &[f64], state: &State) -> f64 {
         let count = self.chain.spaces().velocities.len();
         let units: Vec<f64> = (state.mass.iter().step_by(count + 1))
@@ -279,8 +275,9 @@ impl<'c> Measure<'c> {
     }
 }
 
-/// The arguments of all functions, exact in the type of number: of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
-/// state is near the posture of the description, in which axes and links are in line.
+/// The arguments of all functions, exact in the type of numbers, from a sequence that fills the range evenly:
+/// multiples of the golden ratio and of roots. Every eighth state is near the configuration of the description, in
+/// which axes and links are in line.
 fn arguments(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Arguments<f64> {
     let is_near = number % 8 == 7;
     let near = |&[lower, upper]: &[f64; 2]| {
@@ -304,7 +301,7 @@ fn arguments(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Argumen
     let spaces = chain.spaces();
     let mut arguments = Arguments::of(|variable| match variable {
         Variable::Q => all(&q),
-        // No function that solves something reads accelerations; one beside it may.
+        // No function that solves an equation reads accelerations; another one beside it may.
         Variable::Qdd => vec![1.0; spaces.len(variable.space())],
         Variable::Tau | Variable::Actions => {
             all(&vec![[-TORQUE, TORQUE]; spaces.len(variable.space())])
@@ -314,7 +311,7 @@ fn arguments(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Argumen
     for first in spaces.quaternions() {
         let entries = arguments[Variable::Q][first.index()..].first_chunk_mut();
         let entries: &mut [f64; 4] = entries.expect("a quaternion has four entries");
-        // x, y, z, w: all zeros but w is no rotation.
+        // x, y, z, w: no rotation if all but w are zero.
         let small = if is_near { 0 } else { number % 4 };
         if is_near {
             entries[3] = 1.0;
@@ -331,7 +328,7 @@ fn at(arguments: &Arguments<f64>, chain: &Chain, input: Input) -> f64 {
     }
 }
 
-/// The largest size of all; infinite where one is no number.
+/// The largest magnitude; infinite if one is NaN.
 fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |most, number| {
         if number.is_nan() {
@@ -342,16 +339,16 @@ fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     })
 }
 
-/// A type of number that gives the same bits on every platform.
+/// A type of numbers that gives the same bits on every platform.
 trait Rounded: Arithmetic {
     fn to_f64(&self) -> f64;
 }
 
-/// Double precision, with sines rounded once.
+/// Double precision, with correctly rounded sines.
 #[derive(Clone, Copy)]
 struct Plain(f64);
 
-/// Single precision, with sines rounded once.
+/// Single precision, with correctly rounded sines.
 #[derive(Clone, Copy)]
 struct Single(f32);
 

@@ -1,4 +1,4 @@
-//! The program of one layout and one way, whatever it costs.
+//! The program of one layout and one algorithm.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -15,7 +15,7 @@ use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
 use crate::space::FrameId;
 
-/// The program that a layout and a way give.
+/// The program of functions in a layout, by an algorithm.
 #[must_use]
 pub fn program_by(
     chain: &Chain,
@@ -28,13 +28,13 @@ pub fn program_by(
     schedule(&graph, &results)
 }
 
-/// Programs of a chain that bounds are made of, each made once, when it is first asked for.
+/// Programs of a chain for bounds, each made once, when it is first needed.
 pub struct Programs<'c> {
     chain: &'c Chain,
     made: RefCell<Vec<(Key, Rc<Program>)>>,
 }
 
-/// What a program depends on.
+/// The inputs that determine a program.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Key {
     Function(Function, Layout, Way),
@@ -46,14 +46,14 @@ enum Key {
 pub struct Recursion {
     /// Motion of the bodies at given velocities and accelerations.
     pub motion: Program,
-    /// Change of frame of an inertia, from each body to the one that carries it.
+    /// Change of frame of an inertia, from each body to its parent.
     pub inertias: List<BodyId, Program>,
-    /// The same of an action.
+    /// Change of frame of a wrench, from each body to its parent.
     pub actions: List<BodyId, Program>,
 }
 
 impl<'c> Programs<'c> {
-    /// None yet.
+    /// An empty cache of programs.
     #[must_use]
     pub fn of(chain: &'c Chain) -> Rc<Self> {
         Rc::new(Self {
@@ -75,8 +75,8 @@ impl<'c> Programs<'c> {
         })
     }
 
-    /// The program of what accelerations are solved from: the mass matrix, and the torques at q̈ = 0, under actions
-    /// from outside where there are any; and those of given accelerations, where a residual is made of them.
+    /// The program of the equation of motion: the mass matrix, and the torques at q̈ = 0 with external wrenches, if
+    /// there are any; with `has_residual` also the torques of given accelerations.
     pub fn equation(&self, layout: Layout, way: Way, has_residual: bool) -> Rc<Program> {
         self.get(Key::Equation(layout, way, has_residual), || {
             compiled(self.chain, layout, |graph, bodies| {
@@ -85,7 +85,7 @@ impl<'c> Programs<'c> {
         })
     }
 
-    /// The same of what the inverse of the mass matrix is refined from.
+    /// The same for the refinement of the inverse of the mass matrix.
     pub fn equation_at_rest(&self, layout: Layout, way: Way) -> Rc<Program> {
         self.get(Key::EquationAtRest(layout, way), || {
             compiled(self.chain, layout, |graph, bodies| {
@@ -94,7 +94,7 @@ impl<'c> Programs<'c> {
         })
     }
 
-    /// The programs of the recursion over articulated bodies; what a step is given are inputs.
+    /// The programs of the recursion over articulated bodies; the arguments of a step are inputs.
     #[must_use]
     pub fn recursion(&self, layout: Layout, way: Way, given: impl Fn(usize) -> Input) -> Recursion {
         let graph = self.chain.graph.clone();
@@ -144,7 +144,7 @@ fn scheduled(graph: &Graph, results: &[Term<'_>]) -> Program {
     schedule(&graph, &results)
 }
 
-/// What that program computes, with all its numbers as they came about.
+/// The expressions of that program, with the graph that holds them.
 #[must_use]
 pub fn expressions_by(
     chain: &Chain,

@@ -1,8 +1,8 @@
-//! Of programs that compute the same by one form of forward dynamics, the lightest.
+//! The cheapest among programs that compute the same by one form of forward dynamics.
 //!
-//! In: a chain, the functions that are asked for together, a formulation, a processor. Out: of each form
-//! that is asked about, the program of least weight, of all layouts of the frames and all ways or of some.
-//! It never looks at values: what a program loses is noted in a [`Found`] by those who measure it.
+//! In: a chain, the functions that are requested together, a formulation, a processor. Out: for a form, the program
+//! with the least cost, over all layouts of the frames and all algorithms or over some. Costs alone decide; callers
+//! measure the error and note it in a [`Found`].
 
 use super::forward::Form;
 use super::measured::Off;
@@ -17,16 +17,16 @@ use crate::real::Real;
 use crate::schedule::{Price, Program, schedule, schedule_unfused};
 use crate::space::FrameId;
 
-/// A program, and how it came about.
+/// A program with its layout and algorithm.
 pub(super) struct Found {
     pub(super) program: Program,
     pub(super) layout: Layout,
     pub(super) way: Way,
-    /// How far off it was measured to be, where the form was chosen by it.
+    /// Its measured error, if the form was chosen by it.
     pub(super) off: Off,
 }
 
-/// Where the program of least weight is looked for.
+/// The search for the cheapest program.
 pub(super) struct Search<'a> {
     processor: Processor,
     pub(super) formulation: Formulation,
@@ -64,31 +64,30 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The program of least weight in a form of forward dynamics, of all layouts and ways; its error has
-    /// not been measured.
+    /// The cheapest program in a form of forward dynamics, over all layouts and algorithms; its error has not been
+    /// measured.
     pub(super) fn best(&self, form: Form) -> (usize, Found) {
         self.within(form, &self.layouts, &self.ways)
     }
 
-    /// That of each layout, the lightest first.
-    pub(super) fn by_weight(&self, form: Form) -> Vec<(usize, Found)> {
+    /// The cheapest program of each layout, the cheapest layout first.
+    pub(super) fn by_cost(&self, form: Form) -> Vec<(usize, Found)> {
         let layouts = self.layouts.chunks(1);
         let mut found: Vec<_> = layouts
             .map(|layout| self.within(form, layout, &self.ways))
             .collect();
-        found.sort_by_key(|(weight, _)| *weight);
+        found.sort_by_key(|(cost, _)| *cost);
         found
     }
 
-    /// The same as [`best`](Self::best), of some layouts and ways.
+    /// The same as [`best`](Self::best), over some layouts and algorithms.
     pub(super) fn within(&self, form: Form, layouts: &[Layout], ways: &[Way]) -> (usize, Found) {
         let schedule = match self.formulation.products {
             Products::Fused if self.processor.fuses(self.scalar) => schedule,
             Products::Fused | Products::Unfused => schedule_unfused,
         };
-        // What a body opposes to an acceleration must be a body's; and a refinement is as good as its
-        // residual: a literal that has taken in a heavy neighbour's mass is rounded to the size of
-        // that.
+        // Articulated inertias must be those of physical bodies, and a refinement is as good as its residual: regrouped
+        // parameters contain masses of heavy neighbours, and their rounding errors are of that size.
         let physical =
             form.forward != Forward::UNREFINED || self.formulation.parameters == Parameters::Raw;
         let mut best: Option<(usize, Found)> = None;
@@ -104,15 +103,15 @@ impl<'a> Search<'a> {
                 let (chain, functions) = (self.chain, self.functions);
                 let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
                 let program = schedule(&graph, &results);
-                let weight = Price::of(&program).weight(self.processor, self.scalar);
-                if best.as_ref().is_none_or(|(least, _)| weight < *least) {
+                let cost = Price::of(&program).weight(self.processor, self.scalar);
+                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     let found = Found {
                         program,
                         layout,
                         way,
                         off: Off::NONE,
                     };
-                    best = Some((weight, found));
+                    best = Some((cost, found));
                 }
             }
         }
@@ -120,7 +119,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The ways between which the count decides.
+/// The algorithms among which the operation count decides.
 fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
     let apart = match formulation.frame {
         Frame::Link => functions

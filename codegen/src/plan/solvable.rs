@@ -1,8 +1,8 @@
-//! Whether forces determine accelerations at all: whether the mass matrix is positive definite.
+//! Solvability: whether forces determine accelerations, so that the mass matrix is positive definite.
 //!
-//! In: a chain. Out: what a pivot of its mass matrix loses at most, in a handful of postures and in
-//! extended precision; or the mistake that says which joint nothing holds, or which body is none. It
-//! never looks at a type of number.
+//! In: a chain. Out: the largest loss of a pivot of its mass matrix, in a few configurations and in extended precision;
+//! or an error with the joint that can accelerate without force, or with the body whose inertia is not physical. It is
+//! the same for every scalar type.
 
 use std::collections::BTreeSet;
 
@@ -17,58 +17,55 @@ use crate::range::Range;
 use crate::space::{FieldId, Variable, VelocityId};
 use crate::wording::{list, quoted};
 
-/// How many postures are looked at.
+/// Number of configurations.
 const POSTURES: u32 = 16;
 
-/// What nothing but rounding is left of, beside a diagonal entry.
+/// Ratio Mᵢᵢ / pivot beyond which a pivot is pure rounding error.
 const SINGULAR: f64 = 1e20;
 
-/// Where the mass matrix loses most.
+/// The largest loss of the mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Worst {
     /// The largest ratio of a diagonal entry to its pivot.
     pub(super) loss: f64,
-    /// The joint that they belong to.
+    /// The joint with that ratio.
     pub(super) joint: BodyId,
-    /// A joint that accelerates against its force in some posture.
+    /// A joint that accelerates against its force in some configuration.
     against: Option<BodyId>,
 }
 
-/// What a chain has in place of a mass matrix that is positive definite.
+/// The reason why a mass matrix is not positive definite.
 enum Lack {
-    /// A joint that moves nothing, whatever the posture.
+    /// A joint that moves no inertia, in any configuration.
     Inertia(BodyId),
     /// A joint that accelerates against its force.
     Sign(BodyId),
 }
 
-/// What the mass matrix loses, with fields at what they are described as, or at the end of their range
-/// where nothing is described.
+/// The loss of the mass matrix, with fields at their values in the description, or at the end of their range if those
+/// are zero.
 ///
 /// # Errors
-/// Where it is singular or has a negative pivot in every posture.
+/// If it is singular or has a negative pivot in every configuration.
 pub(super) fn solvable(chain: &Chain) -> Result<Worst, Errors> {
     worst(chain, |input| field(chain, input)).map_err(|lack| refusal(chain, &lack))
 }
 
-/// What is doubtful about a chain that is solvable somewhere: fields that must not be what is described,
-/// and inertias that are none in some postures.
-pub(super) fn doubts(chain: &Chain, worst: Worst) -> Vec<Complaint> {
+/// Warnings about a chain that is solvable in some configuration: fields that must not have their described values, and
+/// inertias that are non-physical in some configurations.
+pub(super) fn warnings(chain: &Chain, worst: Worst) -> Vec<Complaint> {
     let against = worst.against.map(|joint| {
         let cause = cause(chain, joint).unwrap_or(&chain.joints[joint]);
         Complaint {
             place: cause.place,
-            message: format!(
-                "{}: not in every posture, but in some",
-                against_force(chain, joint)
-            ),
+            message: format!("{}, in some configurations", against_force(chain, joint)),
             hint: Some(CORRECT.to_owned()),
         }
     });
     against.into_iter().chain(zero(chain)).collect()
 }
 
-/// That a chain is singular where fields are what is described.
+/// The warning that a chain is singular if fields have their described values.
 fn zero(chain: &Chain) -> Option<Complaint> {
     if chain.nominal.iter().all(|nominal| !is_zero(nominal)) {
         return None;
@@ -94,8 +91,8 @@ fn zero(chain: &Chain) -> Option<Complaint> {
     })
 }
 
-/// The value of a field's entry: what is described in its place, or the end of its range where nothing
-/// but zeros are.
+/// The value of a field's entry: from the description, or the end of its range if all entries of the field are zero
+/// there.
 pub(super) fn field(chain: &Chain, input: Input) -> f64 {
     match input {
         Input::Parameter(field, entry) if is_zero(&chain.nominal[field.into()]) => {
@@ -118,7 +115,7 @@ fn is_zero(nominal: &[f64]) -> bool {
     nominal.iter().all(|&entry| entry == 0.0)
 }
 
-/// The fields in whose place nothing but zeros are described, of those that enter the mass matrix.
+/// The fields that enter the mass matrix and are zero in the description.
 fn undescribed(chain: &Chain) -> Vec<String> {
     let graph = chain.graph.clone();
     let (needed, _) = graph.needed(&pivots(&graph, chain));
@@ -137,8 +134,8 @@ fn undescribed(chain: &Chain) -> Vec<String> {
         .collect()
 }
 
-/// What a hint adds where fields are taken at the end of their range, for nothing but zeros are described
-/// in their place.
+/// The sentence that a hint adds if fields are taken at the end of their range, since they are zero in the
+/// description.
 pub(super) fn at_the_end(chain: &Chain) -> String {
     let zeros = undescribed(chain);
     if zeros.is_empty() {
@@ -146,8 +143,8 @@ pub(super) fn at_the_end(chain: &Chain) -> String {
     }
     let taken = one_or_more(
         &zeros,
-        "is described as zero and taken at the end of what it may be: declare its range",
-        "are described as zero and taken at the ends of what they may be: declare their ranges",
+        "is described as zero and taken at the end of its range: declare the range",
+        "are described as zero and taken at the ends of their ranges: declare the ranges",
     );
     format!("; {} {taken}", fields(&zeros))
 }
@@ -159,7 +156,7 @@ fn fields(names: &[String]) -> String {
     format!("{fields} {}", list(quoted.iter().map(String::as_str)))
 }
 
-/// The words for one of them, or for several.
+/// The singular or the plural words.
 const fn one_or_more<'w>(names: &[String], one: &'w str, several: &'w str) -> &'w str {
     match names {
         [_] => one,
@@ -169,14 +166,14 @@ const fn one_or_more<'w>(names: &[String], one: &'w str, several: &'w str) -> &'
 
 fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     let graph = chain.graph.clone();
-    // Of the graph, whose numbers have all their digits: where a pivot cancels, those of literals would
-    // be left.
+    // Evaluated on the graph, whose numbers have all their digits: a pivot that cancels would otherwise be the rounding
+    // of literals.
     let pivots = Evaluation::of(&graph, &pivots(&graph, chain));
     let range = Range::of(chain);
     let velocities = &chain.spaces().velocities;
     let mut worst = (1.0, VelocityId::new(0));
     let mut against = None;
-    // A joint that is singular in one posture may only be passing through it.
+    // A joint that is singular in one configuration may only pass through it.
     let mut least = velocities.map(|_| f64::INFINITY);
     let mut always = velocities.map(|_| true);
     for posture in 0..POSTURES {
@@ -208,7 +205,7 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
             }
         }
     }
-    // Outermost first: what is outboard spoils what is inboard of it.
+    // Outermost first: a singular joint makes those inboard of it singular too.
     for velocity in velocities.ids().rev() {
         if always[velocity] {
             return Err(Lack::Sign(chain.mover(velocity)));
@@ -241,8 +238,8 @@ fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
     pivots.map(Term::expr).collect()
 }
 
-/// A coordinate of a posture, from a sequence that fills the range evenly: multiples of the golden
-/// ratio and of roots.
+/// A coordinate of a configuration, from a sequence that fills the range evenly: multiples of the golden ratio and of
+/// roots.
 fn coordinate([lower, upper]: [f64; 2], k: u16, posture: u32) -> f64 {
     let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
     lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
@@ -284,13 +281,13 @@ fn refusal(chain: &Chain, lack: &Lack) -> Errors {
     errors
 }
 
-/// What is to be done about inertias that no body has.
-const CORRECT: &str = "correct the inertias; check tells which no body can have";
+/// Hint about non-physical inertias.
+const CORRECT: &str = "correct the inertias; `homogen check` lists the non-physical ones";
 
 fn against_force(chain: &Chain, joint: BodyId) -> String {
     let carries = cause(chain, joint).map_or_else(String::new, |carrier| {
         format!(
-            "joint \"{}\" carries an inertia that no body has, and ",
+            "joint \"{}\" carries a non-physical inertia, and ",
             carrier.name
         )
     });
@@ -301,7 +298,7 @@ fn against_force(chain: &Chain, joint: BodyId) -> String {
     )
 }
 
-/// The first joint, from one outwards, that carries what no body is.
+/// The first joint, from one outwards, that carries a non-physical inertia.
 fn cause(chain: &Chain, from: BodyId) -> Option<&Joint> {
     let mut outboard = List::new();
     for (k, joint) in chain.joints.numbered() {

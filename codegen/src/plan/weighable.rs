@@ -1,17 +1,17 @@
-//! Whether a robot has a centre of mass: whether anything that joints move has mass.
+//! Existence of a centre of mass: whether any body that joints move has mass.
 //!
-//! In: a chain. Out: nothing, or the mistake that there is none. It never looks where the mass is.
+//! In: a chain. Out: an error if there is none.
 
 use crate::chain::Chain;
 use crate::error::{Errors, Place};
 
-/// What is no mass \[kg\]: its moments, by which it is divided again, would underflow.
+/// The largest mass that counts as zero \[kg\]: its moments, which are divided by it, would underflow.
 const NOTHING: f64 = 1e-200;
 
-/// Asks for mass; a field that may be any number counts as some.
+/// Checks that there is mass; a field that may have any value counts as mass.
 ///
 /// # Errors
-/// Where no joint moves a mass.
+/// If no joint moves a mass.
 pub(super) fn weighable(chain: &Chain) -> Result<(), Errors> {
     let mut errors = chain.description.source.errors();
     let weighs = |mass| {
@@ -21,7 +21,7 @@ pub(super) fn weighable(chain: &Chain) -> Result<(), Errors> {
     if !(chain.joints.iter()).any(|joint| weighs(joint.inertia.mass)) {
         errors.push_with_hint(
             Place::Unknown,
-            "nothing that joints move has mass: there is no centre of mass",
+            "no joint moves a mass: there is no centre of mass",
             "give the links their inertials",
         );
     }

@@ -1,7 +1,7 @@
-//! Text without a character beyond ASCII.
+//! ASCII text.
 //!
-//! In: the text of a file. Out: the same with letters and signs spelt, `θ` as theta and `q̈` as `q_ddot`; what has no
-//! spelling, in names of others, is `\u{6a5f}`, which strings of Rust read back. It never changes what is ASCII.
+//! In: the text of a file. Out: the same with letters and symbols spelt out, `θ` as theta and `q̈` as `q_ddot`. A
+//! character without a spelling, in names of users, becomes `\u{6a5f}`, which strings of Rust read back.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::module::Module;
 use crate::print::rust::names;
 use crate::request::Parameter;
 
-/// What signs and letters are called.
+/// Spellings of letters and symbols.
 const SPELT: [(char, &str); 51] = [
     ('α', "alpha"),
     ('β', "beta"),
@@ -64,7 +64,7 @@ const SPELT: [(char, &str); 51] = [
     ('Ṁ', "M_dot"),
 ];
 
-/// What stands below the line, and above it.
+/// Subscripts and superscripts, each before its ASCII character.
 const BELOW: &str = "₀0₁1₂2₃3₄4₅5₆6₇7₈8₉9₊+₋-₍(₎)ₐaₑeᵢiⱼjₖkₗlₘmₙnₚpᵣrₛsₜtᵥvₓx";
 const ABOVE: &str = "⁰0¹1²2³3⁴4⁵5⁶6⁷7⁸8⁹9⁺+⁻-ᵀTᵗt";
 
@@ -82,7 +82,7 @@ fn at_a_height(letter: char) -> Option<(char, char)> {
     below.or_else(|| find(ABOVE).map(|plain| ('^', plain)))
 }
 
-/// The text, spelt.
+/// The text in ASCII.
 pub(crate) fn spelt(text: &str) -> String {
     let mut spelt = String::with_capacity(text.len());
     let mut height = None;
@@ -107,7 +107,7 @@ pub(crate) fn spelt(text: &str) -> String {
     spelt
 }
 
-/// The names in code that cannot be spelt, since others call functions and fields by them.
+/// Names in code that can't be spelt in ASCII, since user code refers to them: functions and fields.
 pub(crate) fn beyond(module: &Module) -> Vec<String> {
     let methods = names::of_methods(module).into_iter();
     let methods = methods.map(|name| name.to_string());

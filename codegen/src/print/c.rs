@@ -1,7 +1,6 @@
-//! C: functions in C99, and the header of functions that are written in another language.
+//! C: functions in C99, and headers for functions in another language.
 //!
-//! In: a [`Module`], and how names begin. Out: a [`Source`], or the header alone. It never names a value
-//! of a program: that is done before.
+//! In: a [`Module`] and a prefix for names. Out: a [`Source`], or the header alone.
 
 mod body;
 mod comments;
@@ -30,34 +29,33 @@ pub(super) use names::symbols;
 /// Functions in C99.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// The header: what the functions are called, what they take and return, in units and frames.
+    /// The header: declarations with units and frames.
     pub header: String,
-    /// The functions themselves, which include the header where it has not been read.
+    /// The source, which includes the header unless it has been included before.
     pub text: String,
 }
 
-/// How a robot is written.
+/// Options of the output.
 #[derive(Clone, Copy, Debug)]
 pub struct Writing<'a> {
-    /// How all names begin.
+    /// Prefix of all names.
     pub prefix: &'a str,
-    /// The name by which the source includes the header.
+    /// Name by which the source includes the header.
     pub header: &'a str,
-    /// What was asked for.
+    /// The request.
     pub asked: &'a str,
-    /// Whether products fuse with sums where the target can: only then are results those of Rust where
-    /// that fuses them.
+    /// True if products fuse with sums where the target has the instruction; then results are those of Rust with fused
+    /// operations.
     pub fused: bool,
 }
 
-/// How the names of a robot begin where nothing else was asked for: `double pendulum` is
-/// `double_pendulum_`.
+/// Default prefix: `double_pendulum_` for the robot `double pendulum`.
 #[must_use]
 pub fn prefix(robot: &str) -> String {
     names::prefix(robot)
 }
 
-/// The functions and their header; [`Real::Generic`] is taken for `double`.
+/// Functions and their header; [`Real::Generic`] is printed as `double`.
 #[must_use]
 pub fn print(module: &Module, writing: &Writing<'_>) -> Source {
     let angles = match (module.sines, module.scalar) {
@@ -79,31 +77,31 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> Source {
 }
 
 impl Writing<'_> {
-    /// A name of the file alone.
+    /// A name private to the file.
     fn own(&self, name: &str) -> String {
         own(self.prefix, name)
     }
 
-    /// The macro for a product and a sum.
+    /// Macro for a product and a sum.
     fn mul_add(&self) -> String {
         names::constant(self.prefix, "mul_add")
     }
 
-    /// The macro before functions that are not to be inlined.
-    fn apart(&self) -> String {
+    /// Macro that prevents inlining.
+    fn no_inline(&self) -> String {
         names::constant(self.prefix, "apart")
     }
 
-    /// What the files need to be compiled.
+    /// Requirements for compilation.
     fn needs(&self) -> String {
         let bits = if self.fused {
-            "where products fuse with sums as HOMOGEN_FMA does"
+            "if products fuse with sums as by HOMOGEN_FMA"
         } else {
-            "where no product fuses with a sum"
+            "if no product fuses with a sum"
         };
         format!(
-            "Needs: C99, without -ffast-math. The bits are those of the same functions in Rust {bits}; \
-             for that GCC needs -ffp-contract=off, Clang for CUDA as well, and nvcc --fmad=false."
+            "Needs: C99, without -ffast-math. Results have the same bits as in Rust {bits}; this requires \
+             -ffp-contract=off for GCC and for Clang with CUDA, and --fmad=false for nvcc."
         )
     }
 }

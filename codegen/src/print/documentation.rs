@@ -1,8 +1,7 @@
-//! What stands above generated code, in whatever language.
+//! Text of the comments above generated code, the same in every language.
 //!
-//! In: [`About`] a robot, the price of a function and its error. Out: lines that tell what is computed,
-//! in which frame and unit, from which source, what is modelled, what it costs and how exact it is;
-//! and the same for the head of a file. It never says anything that the module does not hold.
+//! In: a [`Module`]. Out: lines for a function (result, frame, units, source, model, cost, error bounds), for a robot,
+//! its fields and its data, and for the head of a file.
 
 mod error;
 
@@ -17,16 +16,16 @@ use crate::schedule::{Price, sections};
 use crate::space::{Entry, Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
-/// For which angles a function without the runtime is precise.
+/// Angles for which the sines of a function without the runtime are accurate.
 pub(super) enum Angles {
-    /// Up to this one.
+    /// Up to this magnitude.
     UpTo(&'static str),
-    /// Those for which the function at this path is.
+    /// As far as those of the function at this path.
     As(String),
 }
 
 impl Angles {
-    /// Those for which the sines are precise that code brings along.
+    /// Range of the sines that generated code carries itself.
     pub fn own(real: Real) -> Self {
         Self::UpTo(match real {
             Real::F32 => "3200 rad",
@@ -35,8 +34,8 @@ impl Angles {
     }
 }
 
-/// What is said of a function; `angles` where its results are plain arrays, and what has been done `once` of
-/// a robot that is prepared.
+/// Comment of a function. `angles`: given if the results are plain arrays. `once`: operations done by `prepare`, for
+/// functions of a prepared robot.
 pub(super) fn of_function(
     module: &Module,
     generated: &GeneratedFunction,
@@ -64,23 +63,26 @@ pub(super) fn of_function(
     lines.extend(facts(about));
     let of_bodies = |function: &Function| function.is_of_bodies();
     if about.driven && generated.functions.iter().any(of_bodies) {
-        lines.push("Momenta and the Coriolis matrix are of bodies alone: friction and armature are not in them.".to_owned());
+        lines.push(
+            "Momenta and the Coriolis matrix do not include friction and armature.".to_owned(),
+        );
     }
-    if module.spaces.parameters.iter().any(is_of_a_drive)
+    if module.spaces.parameters.iter().any(is_of_actuator)
         && generated.functions.contains(&Function::Regressor)
     {
-        lines.push("Behind the parameters of all links π has armature, damping and friction of each velocity of a joint, zero or not.".to_owned());
+        lines.push("After the parameters of all links, π has armature, damping and friction of each degree of freedom of a joint, zero or not.".to_owned());
     }
     lines.push(String::new());
     lines.push(format!("{}.", generated.price));
-    lines.extend(apart(module, generated));
-    lines.extend(once.map(|once| format!("Done before, once for all functions: {once}.")));
+    lines.extend(split(module, generated));
+    lines
+        .extend(once.map(|once| format!("Computed once by `prepare`, for all functions: {once}.")));
     for accuracy in &generated.accuracy {
-        let said = error::lines(accuracy);
+        let bounds = error::lines(accuracy);
         // A list is a paragraph of its own.
-        let list = said.len() > 1;
+        let list = bounds.len() > 1;
         lines.extend(list.then(String::new));
-        lines.extend(said);
+        lines.extend(bounds);
     }
     lines
 }
@@ -103,16 +105,16 @@ pub(super) fn sentences(module: &Module, functions: &[Function], frame: &str) ->
     lines
 }
 
-/// How quaternions, velocities of bodies and loops enter functions.
+/// Lines about quaternions, velocities of bodies and loops in functions.
 pub(super) fn remarks(spaces: &Spaces, functions: &[Function]) -> Vec<String> {
     let of = module::arguments(functions, spaces.actions() > 0);
-    let mut lines = postures(spaces, &of);
+    let mut lines = quaternions(spaces, &of);
     lines.extend(residuals(spaces, functions));
-    lines.extend(left_open(spaces, functions));
+    lines.extend(open_loops(spaces, functions));
     lines
 }
 
-/// What is said of a function of configurations; `angles` where its result is a plain array.
+/// Comment of a function of configurations; `angles`: given if its result is a plain array.
 pub(super) fn of_step(module: &Module, step: Step, angles: Option<&Angles>) -> Vec<String> {
     let mut lines = step.about().map(str::to_owned).to_vec();
     if let Some(angles) = angles.filter(|_| step.turns(module)) {
@@ -121,19 +123,19 @@ pub(super) fn of_step(module: &Module, step: Step, angles: Option<&Angles>) -> V
     lines
 }
 
-/// That a function is compiled in sections, where it is.
-fn apart(module: &Module, generated: &GeneratedFunction) -> Option<String> {
+/// Line about the sections of a long function.
+fn split(module: &Module, generated: &GeneratedFunction) -> Option<String> {
     let sections = sections(&generated.program, module.length)?;
     Some(format!(
-        "Compiled in {} sections of at most {} statements, called one after the other; what waits for a later one \
-         stands in an array of {} numbers.",
+        "Compiled in {} sections of at most {} statements, called in order; values for later sections are in an array \
+         of {} numbers.",
         sections.sections.len(),
         module.length.of_section(),
         sections.work
     ))
 }
 
-/// What frame 0 is: that of the base, or one that a field places the base in.
+/// Name of frame 0: the base, or the world if a field places the base in it.
 fn frame_0(module: &Module) -> String {
     let mut fields = module.parameters.iter();
     match fields.find(|field| field.target.places_base()) {
@@ -146,28 +148,28 @@ fn frame_0(module: &Module) -> String {
     }
 }
 
-/// What is said of the method that computes once what depends on fields alone.
+/// Comment of the method that computes everything that depends on fields alone.
 pub(super) fn of_prepare(price: &Price) -> Vec<String> {
     vec![
-        "The same robot with all that depends on its fields alone computed, for loops in which they stay \
-         as they are."
+        "The same robot with everything precomputed that depends only on its fields, for loops in which they do not \
+         change."
             .to_owned(),
         String::new(),
-        "Results are the same, bit for bit; what is left of each function, its doc comment tells."
+        "Results are the same, bit for bit. The doc comment of each function has its remaining cost."
             .to_owned(),
         String::new(),
         format!("{price}."),
     ]
 }
 
-/// What is said of the struct that it returns.
+/// Comment of the struct that `prepare` returns.
 pub(super) fn of_prepared(robot: &str) -> Vec<String> {
     vec![format!(
-        "What [`{robot}::prepare`] makes of the fields of a [`{robot}`]: the same functions, for less."
+        "A [`{robot}`] after [`{robot}::prepare`]: the same functions with fewer operations."
     )]
 }
 
-/// What a function computes, in a line.
+/// First line of a function's comment.
 #[cfg(feature = "files")]
 pub(super) fn title(module: &Module, generated: &GeneratedFunction) -> String {
     let about = &module.about;
@@ -179,7 +181,7 @@ pub(super) fn title(module: &Module, generated: &GeneratedFunction) -> String {
     }
 }
 
-/// What is said of the robot as data.
+/// Comment of the robot as data.
 pub(super) fn of_chain(module: &Module) -> Vec<String> {
     let title = "The same robot as data, for the generic recursions at run time.".to_owned();
     let mut lines = vec![title, String::new()];
@@ -187,44 +189,47 @@ pub(super) fn of_chain(module: &Module) -> Vec<String> {
     lines
 }
 
-/// What is said of the robot with its loops as data.
+/// Comment of the robot with its loops as data.
 pub(super) fn of_mechanism(module: &Module) -> Vec<String> {
     let names: Vec<String> = module.spaces.names(Space::Constraints).map(code).collect();
     vec![
-        "The same robot as data, with what closes its loops.".to_owned(),
+        "The same robot as data, with its closed loops.".to_owned(),
         String::new(),
         format!("Residuals: {}.", names.join(", ")),
     ]
 }
 
-const fn is_of_a_drive(entry: &Entry) -> bool {
+const fn is_of_actuator(entry: &Entry) -> bool {
     matches!(entry.kind, Kind::Drive { .. })
 }
 
-/// What is said of the values of base parameters.
+/// Comment of the values of base parameters.
 pub(super) fn of_base_parameters(module: &Module) -> Vec<String> {
     let names: Vec<String> = (module.spaces.names(Space::BaseParameters))
         .map(code)
         .collect();
-    let driven = module.spaces.base_parameters.iter().any(is_of_a_drive);
-    let units = if driven {
-        "kg, kg m, kg m², of drives N m s and N m, of those that slide N s/m and N"
+    let actuators = module.spaces.base_parameters.iter().any(is_of_actuator);
+    let units = if actuators {
+        "kg, kg m, kg m²; damping in N m s/rad or N s/m, friction in N m or N"
     } else {
         "kg, kg m, kg m²"
     };
     let mut lines = vec![
         format!("The base parameters π of τ = Y π with the base regressor Y; {units}."),
         String::new(),
-        format!("Each by the one that leads it: {}.", names.join(", ")),
-        "What is grouped with each, `homogen base-parameters` tells.".to_owned(),
+        format!(
+            "The leading inertial parameter of each: {}.",
+            names.join(", ")
+        ),
+        "`homogen base-parameters` prints the linear combinations.".to_owned(),
     ];
     if !module.parameters.is_empty() {
-        lines.push("Fields are what is described in their place.".to_owned());
+        lines.push("Fields enter with their described values.".to_owned());
     }
     lines
 }
 
-/// What is said of a robot, and of what was asked for where that is told.
+/// Lines about a robot, and the request if `asked` is not empty.
 pub(super) fn of_robot(module: &Module, asked: &str) -> Vec<String> {
     let mut lines = vec![origin(module)];
     lines.extend((!asked.is_empty()).then(|| asked.to_owned()));
@@ -233,7 +238,7 @@ pub(super) fn of_robot(module: &Module, asked: &str) -> Vec<String> {
     lines
 }
 
-/// What is said of a field.
+/// Comment of a run-time field.
 pub(super) fn of_field(target: &Target) -> String {
     match target {
         Target::MassOf(link) => format!("Mass of {} in kg.", code(&link.text)),
@@ -249,12 +254,12 @@ pub(super) fn of_field(target: &Target) -> String {
             code(&link.text)
         ),
         Target::PayloadOn(link) => format!(
-            "What {} carries: its mass in kg, its centre of mass in that link's frame, in m, and I_xx, I_xy, \
+            "Payload on {}: its mass in kg, its centre of mass in that link's frame, in m, and I_xx, I_xy, \
              I_xz, I_yy, I_yz, I_zz about it in the axes of that frame, in kg m².",
             code(&link.text)
         ),
         Target::ArmatureOf(joint) => format!(
-            "Inertia that {} feels beside that of the bodies, in kg m² or kg.",
+            "Armature of {}, the inertia of its motor reflected to the joint, in kg m² or kg.",
             code(&joint.text)
         ),
         Target::DampingOf(joint) => format!(
@@ -266,15 +271,15 @@ pub(super) fn of_field(target: &Target) -> String {
         }
         Target::Gravity => "Acceleration of gravity in the base frame, in m/s².".to_owned(),
         Target::BasePosition => {
-            "Where the origin of the base is in frame 0, whose axes are those of the base, in m."
+            "Position of the base's origin in frame 0, in m; the axes of both frames are parallel."
                 .to_owned()
         }
         Target::BasePlacement => {
-            "The frame of the base in frame 0: x, y, z in m, then roll, pitch, yaw in rad; gravity is seen in frame 0."
+            "Pose of the base in frame 0: x, y, z in m, then roll, pitch, yaw in rad; gravity is in frame 0."
                 .to_owned()
         }
         Target::PlacementOf(joint) => format!(
-            "The frame of {} in its parent's: x, y, z in m, then roll, pitch, yaw in rad about the parent's x, y \
+            "Pose of the frame of {} in its parent's: x, y, z in m, then roll, pitch, yaw in rad about the parent's x, y \
              and z, in this order.",
             code(&joint.text)
         ),
@@ -285,7 +290,7 @@ pub(super) fn of_field(target: &Target) -> String {
     }
 }
 
-/// What is said at the head of a file, for which this was asked.
+/// Head of a file: version, robot and the request `asked`.
 pub(super) fn head(module: &Module, asked: &str) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = vec![format!(
@@ -295,27 +300,27 @@ pub(super) fn head(module: &Module, asked: &str) -> Vec<String> {
     lines
 }
 
-/// What is said of the price and the error of a function at the head of a file.
+/// Cost and error bounds of a function, for the head of a file.
 pub(super) fn price(generated: &GeneratedFunction, name: &str) -> Vec<String> {
     let mut lines = vec![format!("{name}: {}.", generated.price)];
-    let said = generated.accuracy.iter().flat_map(error::lines);
-    lines.extend(said.map(|line| match line.strip_prefix("Error") {
+    let bounds = generated.accuracy.iter().flat_map(error::lines);
+    lines.extend(bounds.map(|line| match line.strip_prefix("Error") {
         Some(rest) => format!("    error{rest}"),
         None => format!("    {line}"),
     }));
     lines
 }
 
-/// Results of arguments that are no numbers or have no digits left.
-const HUGE: &str = "NaN, infinite and huge arguments give what IEEE arithmetic makes of them";
+/// Results outside of the accurate range.
+const HUGE: &str = "NaN, infinite and huge arguments follow IEEE 754 arithmetic";
 
-/// For which angles a result is precise, and what it is for others.
+/// Line about the angles for which results are accurate.
 fn range(angles: &Angles) -> String {
     match angles {
-        Angles::UpTo(range) => format!("Precise for angles up to {range}; {HUGE}."),
+        Angles::UpTo(range) => format!("Accurate for angles up to {range}; {HUGE}."),
         Angles::As(path) => {
             let path = code(path);
-            format!("Precise for angles that {path} is precise for; {HUGE}.")
+            format!("Accurate for angles for which {path} is accurate; {HUGE}.")
         }
     }
 }
@@ -323,39 +328,40 @@ fn range(angles: &Angles) -> String {
 /// Arguments with their units.
 fn arguments(arguments: &[Variable]) -> String {
     let units = |argument: &Variable| {
-        let [turning, sliding] = [Kind::Turn, Kind::Slide].map(|kind| argument.unit(kind));
+        let [rotation, translation] = [Kind::Turn, Kind::Slide].map(|kind| argument.unit(kind));
         match argument {
-            Variable::Actions => format!("{} (c, f) in {turning}, {sliding}", argument.letter()),
-            _ => format!("{} in {turning} or {sliding}", argument.letter()),
+            Variable::Actions => {
+                format!("{} (c, f) in {rotation}, {translation}", argument.letter())
+            }
+            _ => format!("{} in {rotation} or {translation}", argument.letter()),
         }
     };
     let all = arguments.iter().map(units);
     format!("{}.", all.collect::<Vec<_>>().join(", "))
 }
 
-/// What quaternions must be, and in whose axes those velocities are that are no rates of coordinates.
-fn postures(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
+/// Lines about quaternions and about velocities in body axes.
+fn quaternions(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
     let mut lines = Vec::new();
     let reads = |space: Space| arguments.iter().any(|argument| argument.space() == space);
     if reads(Space::Coordinates) && spaces.quaternions().next().is_some() {
         lines.push(
-            "Quaternions (x, y, z, w) have length 1; one of length 1 + ε stands for a matrix that is off \
-             by 4 ε from a rotation."
+            "Quaternions (x, y, z, w) must have length 1; at length 1 + ε the rotation matrix is off by 4 ε."
                 .to_owned(),
         );
     }
-    let seen: Vec<String> = (spaces.names(Space::Velocities))
+    let body: Vec<String> = (spaces.names(Space::Velocities))
         .filter(|name| spaces.names(Space::Coordinates).all(|other| other != *name))
         .map(code)
         .collect();
-    if reads(Space::Velocities) && !seen.is_empty() {
-        let seen = seen.join(", ");
-        lines.push(format!("In the axes of the body that they move: {seen}."));
+    if reads(Space::Velocities) && !body.is_empty() {
+        let body = body.join(", ");
+        lines.push(format!("Velocities in the axes of the moved body: {body}."));
     }
     lines
 }
 
-/// The residuals of loops in their order, where a result is over them.
+/// The residuals of loops in their order, if a result ranges over them.
 fn residuals(spaces: &Spaces, functions: &[Function]) -> Option<String> {
     let results = functions.iter().map(|function| function.result());
     let mut parts = results.flat_map(Outcome::parts);
@@ -364,8 +370,8 @@ fn residuals(spaces: &Spaces, functions: &[Function]) -> Option<String> {
     over.then(|| format!("Residuals: {}.", names.join(", ")))
 }
 
-/// Which functions know nothing of the loops of a robot that has some.
-fn left_open(spaces: &Spaces, functions: &[Function]) -> Option<String> {
+/// Line about functions that ignore the loops of the robot.
+fn open_loops(spaces: &Spaces, functions: &[Function]) -> Option<String> {
     let open = functions.iter();
     let open: Vec<_> = open.filter(|function| !function.is_of_loops()).collect();
     if spaces.len(Space::Constraints) == 0 || open.is_empty() {
@@ -379,12 +385,12 @@ fn left_open(spaces: &Spaces, functions: &[Function]) -> Option<String> {
     };
     let instead = if open.iter().any(|function| function.solves()) {
         let held = code(Function::ConstrainedForwardDynamics.name());
-        format!("; {held} holds them together")
+        format!("; {held} keeps them closed")
     } else {
         String::new()
     };
     Some(format!(
-        "Loops are left open{by}: what counts is the tree of joints that hangs on the base{instead}."
+        "Loops are ignored{by}: the robot is computed as the tree of its joints{instead}."
     ))
 }
 
@@ -392,7 +398,8 @@ fn left_open(spaces: &Spaces, functions: &[Function]) -> Option<String> {
 fn origin(module: &Module) -> String {
     let about = &module.about;
     let mut line = format!("Robot {}", code(&about.robot));
-    if let Some((file, hash)) = &about.source {
+    if let Some(file) = &about.source.file {
+        let hash = about.source.hash;
         // Writing to a string cannot fail.
         let _ = write!(line, " from {} (FNV-1a {hash:016x})", code(file));
     }
@@ -407,13 +414,13 @@ fn origin(module: &Module) -> String {
     line
 }
 
-/// What is modelled, how it is computed where that was asked for, and what is doubted, a line each.
+/// Lines about the model, the formulation if it was chosen by the user, and warnings.
 fn facts(about: &About) -> Vec<String> {
     let warnings = about.located_warnings();
     let lines = [
         ("Modelled", &about.facts, "; "),
         ("Formulation", &about.formulation, ", "),
-        ("Doubts", &warnings, "; "),
+        ("Warnings", &warnings, "; "),
     ];
     let lines = lines.into_iter().filter(|(_, items, _)| !items.is_empty());
     lines
@@ -421,7 +428,7 @@ fn facts(about: &About) -> Vec<String> {
         .collect()
 }
 
-/// What the robot has not, where everything that it can have was asked for, and why, a line each.
+/// Lines about the functions that the robot can't have, with reasons, if all functions were requested.
 fn left_out(about: &About) -> impl Iterator<Item = String> {
     let missing = about.left_out.iter();
     missing.map(
@@ -441,7 +448,7 @@ mod tests {
     use crate::space::Variable;
 
     #[test]
-    fn arguments_are_told_with_their_units() {
+    fn arguments_have_their_units() {
         assert_eq!(
             arguments(&Variable::ALL),
             "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, Φ (c, f) in N m, N."

@@ -1,14 +1,13 @@
-//! Which matrices are so large that their entries are stored as they are found.
-//!
-//! In: functions. Out: how long the rows are. Hundreds of numbers that nothing reads any more would otherwise wait on
-//! the stack for the end, as no compiler brings stores forward so far. It never stores anything.
+//! In: functions. Out: the length of their rows. Otherwise hundreds of results would wait on the stack for the end of
+//! In: functions. Out: the length of their rows. Otherwise hundreds of results would wait on the stack for the end of the
+//! function, since compilers do not move stores forward that far.
 
 use crate::function::Function;
 use crate::schedule::LONGEST_SCOPE;
 use crate::space::{Outcome, Spaces};
 
-/// How long the rows are of what `functions` return, where they are those of a matrix with more numbers than a
-/// scope has, none of which is read again: what is solved for is made of what was found before.
+/// Row length of the result of `functions` if it is a matrix with more numbers than a scope has; `None` for solutions,
+/// since their entries are read again.
 pub(super) fn columns(functions: &[Function], spaces: &Spaces) -> Option<usize> {
     let [function] = functions else {
         return None;
@@ -44,7 +43,7 @@ mod tests {
     }
 
     #[test]
-    fn matrices_with_more_numbers_than_a_scope_has_are_filled_but_where_they_are_solved_for() {
+    fn large_matrices_are_filled_early_unless_they_are_solutions() {
         let fixed = Request::default();
         let [two_link, ur5, quadruped] =
             ["two_link", "ur5_class", "quadruped"].map(|robot| spaces(robot, &fixed));

@@ -1,10 +1,9 @@
-//! LLVM IR: functions of one state, and of states in the lanes of vectors.
+//! LLVM IR: functions of one state, and of many states in the lanes of vectors.
 //!
-//! In: a [`Module`], how names begin, and how many lanes a vector has. Out: a module as text, for LLVM 19 or later,
-//! without a target: whoever compiles it chooses the processor. Each function is there three times: `NAME` takes one
-//! state, as the file in C has it; `NAME_batch` takes any number of states, at any stride; `NAME_arrays` takes the same
-//! behind a pointer, so that all functions have one signature. Results are bit for bit those of the file in C: no
-//! operation carries a flag that lets LLVM change it.
+//! In: a [`Module`], a prefix for names, and the number of lanes. Out: a module of LLVM 19 or later as text, without a
+//! target, which is chosen at compilation. `NAME` takes one state, as in the C file; `NAME_batch` takes any number of
+//! states with any stride; `NAME_arrays` takes the same behind a pointer, so that all functions have one signature. Results
+//! have the same bits as those of the C file: no operation has fast-math flags.
 
 mod batch;
 mod body;
@@ -25,25 +24,25 @@ use batch::{arrays, batch, moves};
 use function::{Function, Of, define};
 use lanes::Lanes;
 
-/// How a module is written.
+/// Options of the output.
 #[derive(Clone, Copy, Debug)]
 pub struct Writing<'a> {
-    /// How all names begin.
+    /// Prefix of all names.
     pub prefix: &'a str,
     /// Request, quoted at the head; without it there are no comments, and equal programs are equal texts.
     pub asked: Option<&'a str>,
     /// The functions of configurations that are written.
     pub steps: Steps,
-    /// The lanes of a vector of states.
+    /// Number of lanes of a vector of states.
     pub lanes: usize,
-    /// Whether products fuse with sums, by `llvm.fma`.
+    /// True if products fuse with sums, by `llvm.fma`.
     pub fused: bool,
 }
 
 /// Choice among the functions `neutral`, `integrate`, `difference` and `normalize`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steps {
-    /// All of them, of a robot some of whose coordinates are no angles and shifts; none of another.
+    /// All of them for a robot with quaternions or other coordinates of several entries, none for another.
     OfQuaternions,
     /// All of them.
     All,
@@ -51,7 +50,7 @@ pub enum Steps {
     None,
 }
 
-/// The module; [`Real::Generic`] is taken for `double`.
+/// The module; [`Real::Generic`] is printed as `double`.
 #[must_use]
 pub fn print(module: &Module, writing: &Writing<'_>) -> String {
     let real = match module.scalar {

@@ -1,17 +1,16 @@
-//! What the reviewer of a file reads beside its code, as far as languages share it.
+//! Material for reviewers that languages share.
 //!
-//! In: a [`Module`] with its [`Review`](crate::module::Review). Out: lines that report where numbers come from. It never
-//! formats a number of code.
+//! In: a [`Module`] with its [`Review`](crate::module::Review). Out: lines about the origin of inertial numbers.
 
 use std::fmt::Write;
 
 use crate::module::{Module, Origins, Sum};
 use crate::wording::{code, list};
 
-/// So many terms of a sum are written out; of longer ones it is said whose they are.
+/// Maximum number of terms of a sum that is written out; longer sums list their links.
 const TERMS: usize = 8;
 
-/// Where numbers come from that the description has not, a line each.
+/// Origins of numbers that are not in the description, a line each.
 pub(super) fn origins(module: &Module) -> Vec<String> {
     let mut lines = Vec::new();
     let Some(review) = module
@@ -35,15 +34,14 @@ pub(super) fn origins(module: &Module) -> Vec<String> {
         }
     }
     if !lines.is_empty() {
-        let title = "Where inertial numbers come from: J, q and m of each body in the frame that a function has \
-                     for it, what no joint can tell counted on its other side, as sums of those of links in \
-                     their own frames.";
+        let title = "Origins of inertial numbers: J, q and m of each body in its frame, after regrouping to base \
+                     parameters, as sums of those of links in their own frames.";
         lines.insert(0, title.to_owned());
     }
     lines
 }
 
-/// Of how many links the names are told: of a long chain each number is of all that are outboard.
+/// Maximum number of link names listed.
 const LINKS: usize = 40;
 
 /// `J_xx = 0.3 = upper.J_xx + 0.16 fore.m`.
@@ -85,8 +83,7 @@ fn words(sum: &Sum) -> String {
     words
 }
 
-/// Items between a start and an end, as many on a line as fit it, of which those after the first begin with
-/// `indent`.
+/// Items between a start and an end, as many on a line as fit; all lines but the first begin with `indent`.
 pub(super) fn filled((start, indent): (&str, &str), items: &[String], end: &str) -> String {
     const WIDTH: usize = 92;
     let mut text = start.to_owned();

@@ -1,7 +1,6 @@
 //! Rust.
 //!
-//! In: a [`Module`], the struct that gets methods, and what the code finds around it. Out: tokens.
-//! It never names a value of a program: that is done before.
+//! In: a [`Module`], the struct that gets methods, and the available library. Out: tokens.
 
 mod arguments;
 mod base_parameters;
@@ -42,6 +41,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::{Fields, documentation};
+use crate::function::Function;
 use crate::module::{GeneratedFunction, Module};
 use dialect::Dialect;
 
@@ -63,28 +63,29 @@ pub use review::appendix;
 pub use stub::stub;
 pub use world::{Library, World};
 
-/// The struct, where it has to be declared, its methods, and what stands beside them: with the
-/// runtime the traits of `homogen::robot`, without it the functions for C.
+/// The struct, if it has to be declared, its methods, and items beside it: traits of `homogen::robot` with the runtime,
+/// functions for C without it.
 ///
-/// Without the runtime, [`Real::Generic`](crate::real::Real::Generic) is taken for `f64`.
+/// Without the runtime, [`Real::Generic`](crate::real::Real::Generic) is printed as `f64`.
 #[must_use]
 pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     let dialect = Dialect::of(module.scalar, module.sines, item, world);
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
+    let mut inlined = Vec::new();
     for (generated, name) in module.functions.iter().zip(names::of_methods(module)) {
         let fields = Fields::Own(&module.parameters);
         let computation = |dialect: &_| method::computation((generated, fields), module, dialect);
         let own = |code: &_| method(module, item, generated, &name, (code, &dialect));
         let acted = module.spaces.actions() > 0;
-        let batched =
-            |function: crate::function::Function| module.batch && function.has_batches(acted);
+        let batched = |function: Function| module.batch && function.has_batches(acted);
         match (&*generated.functions, &generated.frame, &dialect.world) {
             ([function], None, World::Runtime(runtime)) if batched(*function) => {
                 let batch = batch::Batched::new(module, item, *function, runtime, &dialect);
                 methods.extend(own(&batch.call()));
                 methods.extend(batch.method());
                 beside.extend(batch.in_trait(&computation(&dialect.inlined())));
+                inlined.push(*function);
             }
             ([function], None, _) => {
                 methods.extend(own(&computation(&dialect)));
@@ -100,6 +101,7 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     let (prepare, prepared) = prepared::prepared(module, item, &dialect);
     methods.extend(prepare);
     methods.extend(dialect.own_functions(module));
+    beside.extend(batch::robot(item, &inlined, &dialect));
     beside.extend(results::own_structures(module, item, &dialect));
     let declaration = declaration::declaration(module, item, &dialect);
     let described = described::described(module, item, &dialect);
@@ -108,19 +110,19 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     quote! { #declaration #described #methods #beside #for_c #prepared }
 }
 
-/// Functions for C, which files have.
+/// Functions for C.
 #[cfg(feature = "files")]
 fn for_c(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     extern_c::functions(module, item, dialect)
 }
 
-/// Nothing, where no files are written.
+/// No functions for C without the feature `files`.
 #[cfg(not(feature = "files"))]
 fn for_c(_: &Module, _: &Item, _: &Dialect) -> TokenStream {
     TokenStream::new()
 }
 
-/// A method of the robot, under what there is to say of it.
+/// Method of the robot with its comment.
 fn method(
     module: &Module,
     item: &Item,
@@ -138,14 +140,14 @@ fn method(
     )
 }
 
-/// The methods that [`print()`] writes for functions, alone, to be read.
+/// The methods of functions alone, for display.
 #[must_use]
 pub fn methods(module: &Module, item: &Item, world: &World) -> TokenStream {
     let each = each_method(module, item, world).into_iter();
     each.map(|method| method.text).collect()
 }
 
-/// The same one by one, in the order of the module, each with what the names in it stand for.
+/// The same one by one, in the order of the module, each with the meanings of its names.
 #[must_use]
 pub fn each_method(module: &Module, item: &Item, world: &World) -> Vec<Explained> {
     let dialect = Dialect::of(module.scalar, module.sines, item, world);

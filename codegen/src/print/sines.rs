@@ -1,37 +1,37 @@
-//! The sine and the cosine of an angle, as the statements of a routine that every language prints.
+//! Sine and cosine of an angle, as statements that every language prints.
 //!
-//! In: a type of number. Out: [`Sines`], without a branch. They are the straight halves of `homogen::trigonometry`,
-//! which derives the constants: reduction by Cody and Waite to |r| ≤ π/4, there minimax polynomials. The last step
-//! chooses bits by the quadrant, so each language spells it by itself: in odd quadrants sine and cosine are exchanged,
-//! sines of quadrants 2 and 3 and cosines of 1 and 2 change their sign.
+//! In: a scalar type. Out: statements without branches: Cody-Waite reduction to |r| ≤ π/4 and minimax polynomials, the
+//! same as in `homogen::trigonometry`, which derives the constants. The last step selects by bits and is printed by
+//! each language: in odd quadrants sine and cosine are exchanged; sines of quadrants 2 and 3 and cosines of 1 and 2
+//! change their sign.
 
 use crate::real::Real;
 use crate::schedule::{Operation, Statement, Value};
 
-/// The name of the argument \[rad\].
+/// Name of the argument \[rad\].
 pub(super) const ANGLE: &str = "angle";
 
-/// What the last step reads: the sine and the cosine of what is left of the angle, and a number whose two lowest bits
-/// are the quadrant.
+/// Values that the last step reads: sine and cosine of the reduced angle, and a number whose two lowest bits are the
+/// quadrant.
 pub(super) const SINE: &str = "sine";
 pub(super) const COSINE: &str = "cosine";
 pub(super) const SHIFTED: &str = "shifted";
 
-/// How accurate they are, and for which angles.
+/// Accuracy and range of the sines.
 pub(super) struct Range {
-    /// Beyond this magnitude \[rad\] the error grows with the angle.
+    /// Maximum magnitude \[rad\] with the error below; beyond, it grows with the angle.
     pub limit: &'static str,
     /// The same in turns.
     pub turns: &'static str,
-    /// The error up to there [units in the last place].
+    /// Error within that range \[ulp\].
     pub error: &'static str,
-    /// The error beyond, a part of |angle|.
+    /// Error beyond it, relative to |angle|.
     pub growth: &'static str,
-    /// From here on results mean nothing \[rad\].
+    /// Magnitude from which results are meaningless \[rad\].
     pub end: &'static str,
 }
 
-/// That of a type of number.
+/// Range for a scalar type.
 pub(super) const fn range(real: Real) -> Range {
     match real {
         Real::F32 => Range {
@@ -51,7 +51,7 @@ pub(super) const fn range(real: Real) -> Range {
     }
 }
 
-/// The statements, from the angle to what the last step reads.
+/// Statements from the angle to the values that the last step reads.
 pub(super) fn statements(real: Real) -> Vec<Statement> {
     let mut steps = Steps::default();
     match real {
@@ -100,7 +100,7 @@ impl Steps {
 
     fn double(&mut self) {
         let angle = Value::Name(ANGLE.to_owned());
-        // 1.5·2⁵²: the sum has no room for a fraction, and its low bits hold the integer that it is rounded to.
+        // 1.5·2⁵²: the sum has no bits for a fraction, and its low bits hold the rounded integer.
         let round = number(6_755_399_441_055_744.0);
         let shifted = self.mul_add(
             SHIFTED,
@@ -149,7 +149,7 @@ impl Steps {
         let two_over_pi = single(core::f32::consts::FRAC_2_PI);
         let shifted = self.mul_add(SHIFTED, &angle, &two_over_pi, &round);
         let quadrants = self.sub("quadrants", &shifted, &round);
-        // −quadrants but for its zero, which is +0: times the negative part it keeps an angle of −0.
+        // −quadrants, except that zero is +0: multiplied by the negative part it preserves an angle of −0.
         let opposite = self.sub("opposite", &round, &shifted);
         // π/2 in parts of 13 bits.
         let [high, middle, low] = [1.570_800_8, -4.454_516e-6, 6.077_100_6e-11].map(single);
@@ -171,13 +171,13 @@ impl Steps {
         let z = self.mul("z", r, r);
         let z_squared = self.mul("z_squared", &z, &z);
         let half = self.mul("half", &half, &z);
-        // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the sign of a zero r is kept by subtracting.
+        // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the subtraction preserves the sign of a zero r.
         let series = self.series("odd", sine, (&z, &z_squared));
         let cubic = self.mul("cubic", &z, r);
         let small = self.mul_sub("odd_low", &half, low, low);
         let small = self.neg_mul_add("odd_rest", &cubic, &series, &small);
         self.sub(SINE, r, &small);
-        // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + what rounding lost).
+        // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + the rounding error of the first part).
         let leading = self.sub("leading", &one, &half);
         let lost = self.sub("left", &one, &leading);
         let lost = self.sub("lost", &lost, &half);
@@ -187,7 +187,7 @@ impl Steps {
         self.add(COSINE, &leading, &small);
     }
 
-    /// c₀ + c₁z + …, in pairs that do not wait for each other.
+    /// c₀ + c₁z + …, in independent pairs.
     fn series(
         &mut self,
         name: &str,

@@ -1,8 +1,8 @@
-//! Integration, difference, normalisation and the neutral configuration of a robot some of whose coordinates are no
-//! angles and shifts.
+//! Functions of configurations: `neutral`, `integrate`, `difference` and `normalize` of robots with quaternions or
+//! planar joints.
 //!
-//! In: a [`Module`]. Out: which of these functions it has, their names, arguments, results and documentation in any
-//! language, and the routines that files print. Robots whose coordinates are all added to have none.
+//! In: a [`Module`]. Out: the functions that it has, their names, arguments, results and documentation, and their
+//! routines. Robots whose coordinates are all added have none.
 
 use std::ops::Range;
 
@@ -17,29 +17,29 @@ use crate::schedule::Operation;
 use crate::schedule::{Length, Names, Program, Readable, Routine, Stored, schedule_unfused};
 use crate::space::Space;
 
-/// A function of configurations alone.
+/// Function of configurations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
-    /// The configuration at which no joint has moved.
+    /// The neutral configuration.
     Neutral,
-    /// The configuration that velocities lead to.
+    /// The configuration after one unit of time at given velocities.
     Integrate,
-    /// The velocities that lead from one configuration to another.
+    /// The velocities that lead from one configuration to another in one unit of time.
     Difference,
-    /// The configuration that is meant by coordinates.
+    /// The configuration with quaternions of length 1.
     Normalize,
 }
 
-/// A joint that has coordinates.
+/// Joint with coordinates of its own.
 pub(super) struct Own {
     pub motion: DataMotion,
-    /// The places of its coordinates.
+    /// Indices of its coordinates.
     pub coordinates: Range<usize>,
-    /// The places of its velocities.
+    /// Indices of its velocities.
     pub velocities: Range<usize>,
 }
 
-/// Those of a robot.
+/// Joints with coordinates of a robot.
 pub(super) fn joints(module: &Module) -> impl Iterator<Item = Own> {
     let (mut coordinate, mut velocity) = (0, 0);
     let motions = module.data.motions.iter().map(move |&motion| {
@@ -55,21 +55,21 @@ pub(super) fn joints(module: &Module) -> impl Iterator<Item = Own> {
     motions.filter(|own| !own.coordinates.is_empty())
 }
 
-/// Whether anything that is printed for a robot has sines or cosines.
+/// True if the generated code has sines or cosines.
 pub(super) fn has_angles(module: &Module) -> bool {
     let mut programs = module.functions.iter().map(|generated| &generated.program);
     programs.any(|program| !program.angles.is_empty()) || Step::Integrate.turns(module)
 }
 
-/// Whether anything that is printed for a robot has square roots.
+/// True if the generated code has square roots.
 pub(super) fn has_roots(module: &Module) -> bool {
     let programs = module.functions.iter().map(|generated| &generated.program);
     let mut steps = programs.flat_map(|program| &program.steps);
     steps.any(|step| matches!(step.operation, Operation::Sqrt(_))) || !Step::of(module).is_empty()
 }
 
-/// The configuration spaces of the joints whose coordinates are no angles and shifts.
-fn postures(module: &Module) -> impl Iterator<Item = Posture> + '_ {
+/// Configuration spaces of the joints with planar or quaternion coordinates.
+fn manifolds(module: &Module) -> impl Iterator<Item = Posture> + '_ {
     let motions = module.data.motions.iter();
     motions.filter_map(|motion| match motion {
         DataMotion::Posture(posture) => Some(*posture),
@@ -78,7 +78,7 @@ fn postures(module: &Module) -> impl Iterator<Item = Posture> + '_ {
 }
 
 impl Own {
-    /// The place of its quaternion among its coordinates, if it has one.
+    /// Index of its quaternion among its coordinates, if it has one.
     pub const fn quaternion(&self) -> Option<usize> {
         match self.motion {
             DataMotion::Posture(Posture::Spherical) => Some(0),
@@ -87,7 +87,7 @@ impl Own {
         }
     }
 
-    /// Its coordinates where it is as it was placed: zeros, and 0, 0, 0, 1 of a quaternion.
+    /// Coordinates at the placement of the joint: zeros, and 0, 0, 0, 1 of a quaternion.
     fn neutral(&self) -> Vec<f64> {
         let mut q = vec![0.0; self.coordinates.len()];
         if let Some(first) = self.quaternion() {
@@ -103,7 +103,7 @@ pub(super) fn neutral(module: &Module) -> Vec<f64> {
 }
 
 impl Step {
-    /// All of them.
+    /// All functions.
     pub const ALL: [Self; 4] = [
         Self::Neutral,
         Self::Integrate,
@@ -111,20 +111,20 @@ impl Step {
         Self::Normalize,
     ];
 
-    /// Those of a robot.
+    /// Functions of a robot.
     pub fn of(module: &Module) -> &'static [Self] {
-        if postures(module).next().is_some() {
+        if manifolds(module).next().is_some() {
             &Self::ALL
         } else {
             &[]
         }
     }
 
-    /// Whether sines or cosines enter it.
+    /// True if it needs sines or cosines.
     pub fn turns(self, module: &Module) -> bool {
         match self {
-            Self::Integrate => postures(module).next().is_some(),
-            Self::Difference => postures(module).any(|posture| posture == Posture::Planar),
+            Self::Integrate => manifolds(module).next().is_some(),
+            Self::Difference => manifolds(module).any(|posture| posture == Posture::Planar),
             Self::Neutral | Self::Normalize => false,
         }
     }
@@ -138,29 +138,29 @@ impl Step {
         }
     }
 
-    /// What it tells.
+    /// Documentation.
     pub const fn about(self) -> [&'static str; 2] {
         match self {
             Self::Neutral => [
-                "Coordinates at which every joint stands where it was placed.",
+                "The neutral configuration, at which every joint is where it was placed.",
                 "Zeros, and 0, 0, 0, 1 of quaternions (x, y, z, w).",
             ],
             Self::Integrate => [
-                "Where the robot gets to from `q` with velocities kept for one unit of time; of a time Δt, `v` is q̇ Δt.",
-                "Bodies whose velocities are seen in their own axes move along the screw that they keep.",
+                "The configuration after one unit of time from `q` at constant velocities `v`; for a time Δt, `v` is q̇ Δt.",
+                "Bodies with velocities in their own axes move along a constant screw.",
             ],
             Self::Difference => [
-                "The velocities that lead from `q0` to `q1` in one unit of time.",
-                "Turns of bodies whose velocities are seen in their own axes are the shortest, half a turn at most.",
+                "The constant velocities that lead from `q0` to `q1` in one unit of time.",
+                "Rotations of bodies with velocities in their own axes are the shortest, by π at most.",
             ],
             Self::Normalize => [
-                "The same coordinates with quaternions of length 1.",
-                "None of them may be zero.",
+                "The same configuration with quaternions of length 1.",
+                "Quaternions must not be zero.",
             ],
         }
     }
 
-    /// Its arguments, and what entries each has.
+    /// Arguments and their spaces.
     pub const fn arguments(self) -> &'static [(&'static str, Space)] {
         match self {
             Self::Neutral => &[],
@@ -170,7 +170,7 @@ impl Step {
         }
     }
 
-    /// What entries its result has.
+    /// Space of the result.
     pub const fn result(self) -> Space {
         match self {
             Self::Neutral | Self::Integrate | Self::Normalize => Space::Coordinates,
@@ -181,7 +181,7 @@ impl Step {
 
 #[cfg(feature = "files")]
 impl Step {
-    /// The operations, in an order; each is rounded for itself, so that results are the same on every processor.
+    /// Operations without fused products, so that results are the same on every processor.
     pub fn program(self, module: &Module) -> Program {
         let graph = Graph::new();
         let results: Vec<Expr> = joints(module)
@@ -191,9 +191,9 @@ impl Step {
         schedule_unfused(&graph, &results)
     }
 
-    /// The entries of the result that belong to a joint.
+    /// Entries of the result for a joint.
     fn of_joint<'g>(self, own: &Own, graph: &'g Graph, real: Real) -> Vec<Term<'g>> {
-        // Arguments are counted as fields are: no function of the state has these.
+        // Arguments are inputs as fields are, since functions of the state do not have these arguments.
         let entry = |argument: u16, place: usize| {
             let place = u16::try_from(place).expect("fewer than 65,536 entries");
             graph.input(Input::Parameter(argument, place))
@@ -215,7 +215,7 @@ impl Step {
         }
     }
 
-    /// The statements that compute it; its arguments, whose names are taken already, stand as its fields.
+    /// Routine; its arguments, whose names are reserved, are its fields.
     pub fn routine(self, module: &Module, names: Names) -> Routine {
         let entries = self.arguments().iter().map(|&(name, space)| {
             let entries = 1..=module.spaces.len(space);

@@ -1,11 +1,10 @@
-//! The walk over a routine that all languages share.
+//! Walk over the statements of a routine, shared by all languages.
 //!
-//! In: the statements of a [`Routine`](crate::schedule::Routine). Out: a call for each of them on a [`Language`], in
-//! their order. It writes nothing itself.
+//! In: the statements of a [`Routine`](crate::schedule::Routine). Out: calls of a [`Language`], in their order.
 
-use crate::schedule::{Angle, Operation, Rounds, Statement, Value};
+use crate::schedule::{Angle, Loop, Operation, Statement, Value};
 
-/// The spelling of what statements are made of. What is written gathers in the language itself.
+/// Printer of statements, which collects its text.
 pub(super) trait Language {
     /// Binds a name to the result of an operation.
     fn operation(&mut self, name: &str, operation: &Operation<Value>);
@@ -13,26 +12,26 @@ pub(super) trait Language {
     /// Binds names to the sines and cosines of all angles.
     fn sines_and_cosines(&mut self, angles: &[Angle]);
 
-    /// Puts a value into the work array.
+    /// Stores a value in the work array.
     fn put(&mut self, place: usize, value: &Value);
 
-    /// Stores the result of that index.
+    /// Stores the result with an index.
     fn store(&mut self, result: usize, value: &Value);
 
-    /// Begins the loop over the columns of a table, which is filled first.
-    fn begin_loop(&mut self, rounds: &Rounds);
+    /// Initialises a table and begins the loop over its columns.
+    fn begin_loop(&mut self, each: &Loop);
 
-    /// Ends that loop.
-    fn end_loop(&mut self, rounds: &Rounds);
+    /// Ends the loop.
+    fn end_loop(&mut self, each: &Loop);
 
-    /// Begins a scope; by default names are those of one scope.
+    /// Begins a scope. The default is for languages in which a function is one scope.
     fn begin_scope(&mut self) {}
 
-    /// Ends that scope, behind which some of its names are read.
+    /// Ends a scope; some of its names are read after it.
     fn end_scope(&mut self, _handed_on: &[String]) {}
 }
 
-/// Writes statements one after the other.
+/// Prints statements in order.
 pub(super) fn walk(language: &mut impl Language, statements: &[Statement]) {
     for statement in statements {
         match statement {
@@ -40,18 +39,18 @@ pub(super) fn walk(language: &mut impl Language, statements: &[Statement]) {
             Statement::SinesAndCosines(angles) => language.sines_and_cosines(angles),
             Statement::Block {
                 statements,
-                handed_on,
+                outputs,
             } => {
                 language.begin_scope();
                 walk(language, statements);
-                language.end_scope(handed_on);
+                language.end_scope(outputs);
             }
-            Statement::Left(place, value) => language.put(*place, value),
-            Statement::Found(result, value) => language.store(*result, value),
-            Statement::Rounds(rounds) => {
-                language.begin_loop(rounds);
-                walk(language, &rounds.statements);
-                language.end_loop(rounds);
+            Statement::StoreWork(place, value) => language.put(*place, value),
+            Statement::StoreResult(result, value) => language.store(*result, value),
+            Statement::Loop(each) => {
+                language.begin_loop(each);
+                walk(language, &each.statements);
+                language.end_loop(each);
             }
         }
     }

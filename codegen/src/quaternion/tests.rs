@@ -3,7 +3,7 @@ use crate::expression::Double;
 use crate::random::Random;
 use crate::real::Real;
 
-/// A type of number, and how far a length may be from 1.
+/// A type of numbers, and the tolerance of lengths.
 const TYPES: [(Real, f64); 2] = [(Real::F32, 1e-10), (Real::F64, 1e-22)];
 
 #[test]
@@ -24,7 +24,7 @@ fn their_length_is_1_beyond_the_digits_of_their_type() {
 }
 
 #[test]
-fn they_point_where_they_were_told() {
+fn they_have_nearly_the_given_direction() {
     let entries = of_length_1([0.3, 5.0, -0.4, 0.0], 1, Real::F64);
     assert!((entries[0] - 0.6).abs() < 1e-6 && (entries[2] + 0.8).abs() < 1e-6);
     assert!(entries[1].abs() < 1e-3 && entries[3] == 0.0);

@@ -1,8 +1,5 @@
-//! Settings: each key with which something is asked for, one row a key.
-//!
-//! In: nothing; a shared noun. A row has the part of a [`Request`] that it sets, the key in attributes, whose values the
-//! description reads, the flag of the command line, whose values [`text`] reads and says again, and the words of help
-//! and guide.
+//! The table of keys: one row for each setting, from which attributes, the command line with its help, heads of files
+//! and the guide follow.
 
 #[cfg(feature = "files")]
 pub mod text;
@@ -14,31 +11,31 @@ use crate::name::Name;
 use crate::number::Number;
 use crate::request::Request;
 
-/// A key, and all that follows from it.
+/// A row of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting {
     /// The key in attributes.
     pub key: &'static str,
     /// The field that it sets, and the form of its values.
     pub form: SettingForm,
-    /// An example of it in attributes; empty where they have no such key.
+    /// An example in attributes; empty if they have no such key.
     pub example: &'static str,
-    /// The name on the command line, where that is not the key.
+    /// The option of the command line, if its name differs from the key.
     name: Option<&'static str>,
-    /// The group of flags, one of the bits below; none where a command reads the flag by itself, or has none.
+    /// The group of options, one of the bits below; 0 if a command reads the option itself, or there is none.
     pub group: u8,
-    /// Placeholder of the value in help; it ends with … where a flag takes several, with commas between them.
+    /// Placeholder of the value in help; it ends with … if several values with commas are allowed.
     pub value: &'static str,
     /// The sentence in help.
     pub help: &'static str,
-    /// The key of the flag that has to stand beside it.
+    /// The key of another option that this one requires.
     pub needs: Option<&'static str>,
 }
 
-/// The part of a request that a setting sets.
+/// Access to the field of a request that a setting sets.
 type Of<T> = fn(&mut Request) -> &mut T;
 
-/// The field that a setting sets, and the form of its values.
+/// The field that a setting sets, and the syntax of its values.
 #[derive(Clone, Copy, Debug)]
 pub enum SettingForm {
     /// The file that describes the robot.
@@ -51,13 +48,13 @@ pub enum SettingForm {
     Names(Of<Vec<Name>>),
     /// Joints, each with or without a coordinate.
     Positions(Of<Vec<(Name, Option<Number>)>>),
-    /// Joints, each with a number or one for each velocity; or the key alone, where that is a switch.
+    /// Joints, each with one number or one for each velocity; or the key alone, if it is a switch as well.
     Drive(Part, Option<Of<bool>>),
-    /// Links on which external forces act, and the frame of these.
+    /// Links with external wrenches, and their frame.
     External(Of<Vec<Name>>),
-    /// Three numbers, or none.
+    /// Three numbers, or `none`.
     Gravity,
-    /// A positive number, in these words.
+    /// A positive number, with a noun for messages.
     Count(Of<Option<usize>>, &'static str),
     /// Functions, alone or together.
     Functions,
@@ -65,28 +62,28 @@ pub enum SettingForm {
     Formulation,
     /// The name of a processor.
     Processor,
-    /// A type of number.
+    /// The type of numbers.
     Scalar,
     /// The path of the runtime.
     Runtime,
-    /// Loops, each as attributes have it behind the word `loop`.
+    /// Loops, each written as after the word `loop` in attributes.
     Loops,
 }
 
-/// Flags that say which part of a robot moves.
+/// Options of the part of the robot that moves.
 pub const SCOPE: u8 = 1;
-/// Flags that say which robot it is and how it is computed.
+/// Options of the robot and of its computation.
 pub const ROBOT: u8 = 1 << 1;
-/// Flags that name functions.
+/// Options with names of functions.
 pub const FUNCTIONS: u8 = 1 << 2;
-/// Flags that name further frames.
+/// Options with further frames.
 pub const FRAMES: u8 = 1 << 3;
-/// Flags beside the fields of a struct.
+/// Options about fields of the struct.
 pub const FIELDS: u8 = 1 << 4;
-/// Flags of a file in Rust, C or LLVM IR.
+/// Options of a file in Rust, C or LLVM IR.
 pub const FILE: u8 = 1 << 5;
 
-/// A row without what most have.
+/// A row with default values.
 const SETTING: Setting = Setting {
     key: "",
     form: SettingForm::File,
@@ -98,64 +95,66 @@ const SETTING: Setting = Setting {
     needs: None,
 };
 
-/// All of them, in the order in which help, the heads of files and messages list them.
+/// All keys, in the order of help, heads of files and messages.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 30] = [
+pub const SETTINGS: [Setting; 32] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
+    Setting { key: "mjcf", form: SettingForm::File, example: r#"mjcf = "arm.xml""#, ..SETTING },
     Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
     Setting { key: "base", form: SettingForm::Name(|asked| &mut asked.base), example: r#"base = "link""#, group: SCOPE, value: "LINK",
-        help: "The link taken as fixed [default: the root]", ..SETTING },
+        help: "The fixed link [default: the root]", ..SETTING },
     Setting { key: "floating", form: SettingForm::Switch(|asked| &mut asked.floating), example: "floating", group: SCOPE,
-        help: "Free the base: it moves anyhow, as the joint `root` with seven coordinates (x, y, z, and a quaternion x, y, z, w) and six velocities in its own frame, linear first", ..SETTING },
+        help: "A floating base: the joint `root` with seven coordinates (x, y, z, and a quaternion x, y, z, w) and six velocities in its own frame, linear first", ..SETTING },
     Setting { key: "tip", form: SettingForm::Name(|asked| &mut asked.tip), example: r#"tip = "link""#, group: SCOPE, value: "LINK",
-        help: "The link whose frame poses and Jacobians are of [default: the last link, where there is only one]", ..SETTING },
+        help: "The end effector: the link of poses and Jacobians [default: the last link, if there is only one]", ..SETTING },
     Setting { key: "path_only", form: SettingForm::Switch(|asked| &mut asked.path_only), example: "path_only", group: SCOPE,
-        help: "Lock every joint that does not move the tip; the bodies stay as mass", ..SETTING },
+        help: "Lock every joint that does not move the end effector; the bodies stay as mass", ..SETTING },
     Setting { key: "lock", form: SettingForm::Positions(|asked| &mut asked.lock), example: "lock(joint, other = 0.3)", group: SCOPE, value: "JOINT[=q]",
         help: "Hold a joint still, at 0 or at a given coordinate (rad or m); its body stays as mass", ..SETTING },
     Setting { key: "drop", form: SettingForm::Names(|asked| &mut asked.drop), example: "drop(link)", group: ROBOT, value: "LINK",
-        help: "Take a link off with all that it carries, and with their mass", ..SETTING },
+        help: "Remove a link with everything that it carries, and with their mass", ..SETTING },
     Setting { key: "loop", form: SettingForm::Loops, group: ROBOT, value: "NAME: TYPE {…}",
-        help: "Close a loop by a joint between two links, as attributes have it: 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'", ..SETTING },
+        help: "Close a loop by a joint between two links, written as in attributes: 'pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(0.2, 0, 0) }'", ..SETTING },
     Setting { key: "actuated", form: SettingForm::Names(|asked| &mut asked.actuated), example: "actuated(joint, other)", group: ROBOT, value: "JOINT",
-        help: "A joint that is driven, where loops move the others", ..SETTING },
+        help: "An actuated joint of a robot with loops", ..SETTING },
     Setting { key: "gravity", form: SettingForm::Gravity, example: "gravity = [0.0, 0.0, -9.81], or gravity = none", group: ROBOT, value: "x,y,z",
         help: "Acceleration of gravity in the base frame (m/s²), or none [default: 0,0,-9.81]", ..SETTING },
     Setting { key: "external", form: SettingForm::External(|asked| &mut asked.external), example: "external(gripper)", group: ROBOT, value: "LINK,…",
-        help: "A link on which the surroundings act: inverse and forward dynamics and their derivatives take an action for each, in its own frame", ..SETTING },
+        help: "A link with an external wrench: inverse and forward dynamics and their derivatives take one for each, in the link's frame", ..SETTING },
     Setting { key: "external_in_frame_0", form: SettingForm::Switch(|asked| &mut asked.external_in_frame_0), group: ROBOT, needs: Some("external"),
-        help: "These actions are in frame 0", ..SETTING },
+        help: "These wrenches are in frame 0", ..SETTING },
     Setting { key: "friction", form: SettingForm::Drive(Part::Friction, Some(|asked| &mut asked.friction)), example: "friction(joint = 0.1)", group: ROBOT, value: "JOINT=f",
-        help: "Model the friction that the file has, and that of a joint where one is given (N m or N)", ..SETTING },
+        help: "Model the friction of the file, and Coulomb friction of a joint if one is named (N m or N)", ..SETTING },
     Setting { key: "damping", form: SettingForm::Drive(Part::Damping, None), example: "damping(joint = 0.1)", group: ROBOT, value: "JOINT=d",
-        help: "Viscous friction of a joint (N m s/rad or N s/m), and all friction that the file has", ..SETTING },
+        help: "Viscous friction of a joint (N m s/rad or N s/m), and all friction of the file", ..SETTING },
     Setting { key: "rotors", form: SettingForm::Switch(|asked| &mut asked.rotors), example: "rotors", group: ROBOT,
-        help: "Model the rotors that the file has, with their gears", ..SETTING },
+        help: "Model the rotors of the file, with their gears", ..SETTING },
     Setting { key: "armature", form: SettingForm::Drive(Part::Armature, None), example: "armature(joint = 0.1)", group: ROBOT, value: "JOINT=a",
-        help: "Inertia that a joint feels beside that of the bodies (kg m² or kg), and all rotors that the file has", ..SETTING },
+        help: "Armature: inertia at a joint in addition to the bodies (kg m² or kg), and all rotors of the file", ..SETTING },
     Setting { key: "rotor", form: SettingForm::Drive(Part::Rotor, None), example: "rotor(joint = 0.1)", group: ROBOT, value: "JOINT=j",
-        help: "Inertia of a joint's rotor (kg m²), which counts times the square of the ratio", ..SETTING },
+        help: "Inertia of a joint's rotor (kg m²), multiplied by the square of the ratio", ..SETTING },
     Setting { key: "ratio", form: SettingForm::Drive(Part::Ratio, None), example: "ratio(joint = 0.1)", group: ROBOT, value: "JOINT=n",
-        help: "Turns of a rotor for each of its joint [default: what the file says, or 1]", ..SETTING },
+        help: "Turns of a rotor for one of its joint [default: that of the file, or 1]", ..SETTING },
     Setting { key: "exact", form: SettingForm::Switch(|asked| &mut asked.exact), example: "exact", group: ROBOT,
-        help: "Keep an angle such as 1.5708 as written instead of taking it for a right angle", ..SETTING },
+        help: "Keep an angle such as 1.5708 as written instead of taking it as a right angle", ..SETTING },
     Setting { key: "strict", form: SettingForm::Switch(|asked| &mut asked.strict), example: "strict", group: ROBOT,
-        help: "Refuse what is doubtful, such as inertias that no body can have, instead of warning", ..SETTING },
+        help: "Make warnings errors, such as those of non-physical inertias", ..SETTING },
+    Setting { key: "quiet", form: SettingForm::Switch(|asked| &mut asked.quiet), example: "quiet", ..SETTING },
     Setting { key: "processor", form: SettingForm::Processor, example: r#"processor = "cortex-m4""#, group: ROBOT, value: "NAME",
         help: "The processor that the functions run on: cortex-m4, cortex-m7, x86-64, x86-64-v3 or aarch64 [default: portable]", ..SETTING },
     Setting { key: "formulation", form: SettingForm::Formulation, example: "formulation(raw, refined = 1)", group: ROBOT, value: "WORD,…",
-        help: "How functions are computed: frame-0, raw, refined=1 (or 0, 2), articulated, merged, unfused, platform-sines [default: what the engine chooses]", ..SETTING },
+        help: "The formulation: frame-0, raw, refined=1 (or 0, 2), articulated, merged, unfused, platform-sines [default: the engine's choice]", ..SETTING },
     Setting { key: "generate", form: SettingForm::Functions, example: "generate(inverse_dynamics)", name: Some("functions"), group: FUNCTIONS, value: "NAME,…",
         help: "The functions; several with + between them share their work and count as one [default: all]", ..SETTING },
     Setting { key: "frames", form: SettingForm::Names(|asked| &mut asked.frames), example: "frames(link, other)", group: FRAMES, value: "LINK,…",
-        help: "Further links whose poses and Jacobians are wanted", ..SETTING },
+        help: "Further links with poses and Jacobians", ..SETTING },
     Setting { key: "scalar", form: SettingForm::Scalar, example: "scalar = f32", ..SETTING },
     Setting { key: "prepare", form: SettingForm::Switch(|asked| &mut asked.prepare), example: "prepare", group: FIELDS,
         help: "Compute once what depends on fields alone", ..SETTING },
     Setting { key: "batch", form: SettingForm::Switch(|asked| &mut asked.batch), example: "batch", group: FILE, needs: Some("runtime"),
-        help: "Functions of slices of states besides", ..SETTING },
-    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the most statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
-        help: "The most statements of one compiled function: longer ones are cut into sections that are called one after the other [default: 2000, of functions with more than 8000]", ..SETTING },
+        help: "Functions of slices of states in addition", ..SETTING },
+    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the maximum number of statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
+        help: "Maximum number of statements of one compiled function: longer ones are cut into sections that are called in order [default: 2000, of functions with more than 8000]", ..SETTING },
     Setting { key: "crate", form: SettingForm::Runtime, example: r#"crate = "::homogen""#, name: Some("runtime"), ..SETTING },
 ];
 
@@ -166,7 +165,7 @@ pub fn of_attributes() -> impl Iterator<Item = &'static Setting> {
         .filter(|setting| !setting.example.is_empty())
 }
 
-/// The table of the guide: each flag, and the key of attributes that says the same.
+/// The table of the guide: each option, with the key of attributes.
 #[must_use]
 pub fn page() -> String {
     let mut page = "| option | in attributes | |\n|---|---|---|\n".to_owned();
@@ -183,7 +182,7 @@ pub fn page() -> String {
 }
 
 impl Setting {
-    /// The flag of the command line, without the dashes before it.
+    /// The option of the command line, without dashes.
     #[must_use]
     pub fn flag_name(&self) -> String {
         self.name.unwrap_or(self.key).replace('_', "-")

@@ -1,14 +1,13 @@
-//! Which steps of a long program stand together in a block of their own.
+//! Scopes: nested blocks of the steps of a long program.
 //!
-//! In: a [`Program`]. Out: its steps in the order in which they run, nested: a block hands on what
-//! is read behind it, and nothing else. It never changes or moves a step, and knows no language.
+//! In: a [`Program`]. Out: its steps in execution order, nested in blocks; each block returns the values that are read
+//! after it. Steps are neither changed nor moved.
 //!
-//! Each `let` of Rust is a scope for all that follow it in its block, and rustc describes scopes to
-//! debuggers by recursion: between 2,800 and 3,000 of them, one within the other, take its whole
-//! stack of 8 MiB (1.63 and 1.95 on x86-64 Linux, unoptimised and optimised, for `core` alone and
-//! generic). What counts is the longest way inwards, since a block ends the scopes inside it: here
-//! [`FLAT`] steps and angles in a short program, in others [`LONGEST_SCOPE`] for each level of
-//! blocks. A tree of 39 joints, with 10,000 steps, stays below 300, a tenth of what there is.
+//! In Rust, each `let` opens a scope for the rest of its block, and rustc describes scopes to debuggers by recursion:
+//! between 2,800 and 3,000 nested scopes exhaust its stack of 8 MiB (1.63 and 1.95 on x86-64 Linux, unoptimised and
+//! optimised, for `core` alone and generic). A block ends the scopes inside it, so only the longest chain of open
+//! scopes counts: at most [`FLAT`] steps and angles in a short program, and [`LONGEST_SCOPE`] for each level of blocks
+//! in a longer one. A tree of 39 joints, with 10,000 steps, stays below 300, a tenth of the limit.
 
 use std::ops::Range;
 
@@ -16,45 +15,44 @@ use super::readers::{note_readers, read_until};
 use super::repeats::Repeat;
 use super::{Operand, Program};
 
-/// A program of up to so many steps and angles is one scope: a third of what a compiler bears.
+/// Maximum number of steps and angles of a program in one scope: a third of the limit of rustc.
 const FLAT: usize = 900;
 
-/// The most bindings of one scope in a longer program: a block, or what comes before the sines or
-/// after them outside of all blocks. Blocks are nested once from here on, twice from somewhere
-/// below its square (22,500 steps), and a third time at some million, which is more than 1,000
-/// joints need.
+/// Maximum number of bindings of one scope in a longer program: a block, or the steps before or after the sines outside
+/// of blocks. Beyond it, blocks are nested once; beyond about its square (22,500 steps) twice; beyond some millions,
+/// more than 1,000 joints need, three times.
 pub const LONGEST_SCOPE: usize = 150;
 
-/// The fewest entries of a block; anything from here on can be divided into blocks.
+/// Minimum number of entries of a block; any number from here on can be divided into blocks.
 const SHORTEST: usize = LONGEST_SCOPE / 2;
 
-/// An entry of a scope.
+/// Entry of a scope.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Part {
-    /// The step of that index, as [`Operand::Step`] has it.
+    /// Step with this index, as in [`Operand::Step`].
     Step(u32),
-    /// Several parts in a scope of their own.
+    /// Inner scope.
     Block(Block),
 }
 
-/// A scope within a scope.
+/// Inner scope.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
-    /// What it consists of.
+    /// Contents.
     pub parts: Vec<Part>,
-    /// The steps inside that are read behind it, in their order.
-    pub handed_on: Vec<u32>,
+    /// Steps inside that are read after the block, in order.
+    pub outputs: Vec<u32>,
 }
 
-/// The steps of a program that stays whole.
+/// Steps of a program without sections.
 pub struct Nested {
-    /// Those before the sines and cosines.
+    /// Steps before the sines and cosines.
     pub before: Vec<Part>,
-    /// Those after them: before the first repeat, between two, and behind the last.
+    /// Steps after them: before the first repeat, between two, and after the last.
     pub after: Vec<Vec<Part>>,
 }
 
-/// The steps of a program whose repeats are loops, and of which these results are read at the end.
+/// Steps of a program with loops; `results` are read at the end.
 #[must_use]
 pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nested {
     let steps = (0_u32..).take(program.steps.len()).map(Part::Step);
@@ -83,7 +81,7 @@ pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nes
     nested
 }
 
-/// The steps before the sines and cosines of a program in sections.
+/// Steps before the sines and cosines of a program with sections.
 #[must_use]
 pub fn before(program: &Program) -> Vec<Part> {
     let steps = (0_u32..).take(program.before_angles);
@@ -93,8 +91,8 @@ pub fn before(program: &Program) -> Vec<Part> {
     )
 }
 
-/// The steps of a section, or of the first round of a repeat: of these only some are read outside where they are
-/// bound, the others where they wait.
+/// Steps of a section, or of the first iteration of a repeat. `bound` steps are read by name after it; all others are
+/// read from the work array or the table.
 #[must_use]
 pub fn within(program: &Program, section: Range<u32>, bound: &[u32]) -> Vec<Part> {
     let parts = section.clone().map(Part::Step).collect();
@@ -110,7 +108,7 @@ pub fn within(program: &Program, section: Range<u32>, bound: &[u32]) -> Vec<Part
     in_blocks(parts, &read_until)
 }
 
-/// The parts in no more bindings than a scope may have.
+/// Groups the parts until a scope has at most [`LONGEST_SCOPE`] bindings.
 fn in_blocks(mut parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
     while parts.len() > LONGEST_SCOPE {
         parts = grouped(parts, read_until);
@@ -119,15 +117,15 @@ fn in_blocks(mut parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
 }
 
 impl Part {
-    /// The steps inside that are read behind it.
-    fn handed_on(&self) -> &[u32] {
+    /// Steps inside that are read after it.
+    fn outputs(&self) -> &[u32] {
         match self {
             Self::Step(step) => std::slice::from_ref(step),
-            Self::Block(block) => &block.handed_on,
+            Self::Block(block) => &block.outputs,
         }
     }
 
-    /// The step behind its last one.
+    /// Index after its last step.
     fn end(&self) -> u32 {
         match self {
             Self::Step(step) => step + 1,
@@ -136,39 +134,37 @@ impl Part {
     }
 }
 
-/// The parts in blocks of [`SHORTEST`] to [`LONGEST_SCOPE`], cut where the blocks hand on the fewest
-/// values in all.
+/// Parts in blocks of [`SHORTEST`] to [`LONGEST_SCOPE`], cut such that the blocks return the fewest values.
 fn grouped(parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
     let mut rest = parts.into_iter();
     let cuts = cuts(rest.as_slice(), read_until);
     let blocks = cuts.into_iter().map(|cut| {
         let parts: Vec<_> = rest.by_ref().take(cut.len()).collect();
         let end = parts.last().map_or(0, Part::end);
-        let inside = parts.iter().flat_map(Part::handed_on).copied();
-        let handed_on = inside
+        let inside = parts.iter().flat_map(Part::outputs).copied();
+        let outputs = inside
             .filter(|&step| read_until[step as usize] >= end)
             .collect();
-        Part::Block(Block { parts, handed_on })
+        Part::Block(Block { parts, outputs })
     });
     blocks.collect()
 }
 
-/// The cheapest cuts: those of the parts up to each place come from those of the parts up to the
-/// place where the block that ends there begins.
+/// Best cuts by dynamic programming: those up to an index extend those up to the start of the last block.
 fn cuts(parts: &[Part], read_until: &[u32]) -> Vec<Range<usize>> {
-    // What all blocks up to a place hand on, and where the last one begins.
+    // For each index: number of values returned by all blocks before it, and start of the last one.
     let mut best = vec![None; parts.len() + 1];
     best[0] = Some((0, 0));
     for end in SHORTEST..=parts.len() {
         let behind = parts[end - 1].end();
-        let mut handed_on = 0;
+        let mut outputs = 0;
         let mut found = None;
         for start in (end.saturating_sub(LONGEST_SCOPE)..end).rev() {
-            for &step in parts[start].handed_on() {
-                handed_on += u32::from(read_until[step as usize] >= behind);
+            for &step in parts[start].outputs() {
+                outputs += u32::from(read_until[step as usize] >= behind);
             }
             if let (true, Some((before, _))) = (end - start >= SHORTEST, best[start]) {
-                let all = before + handed_on;
+                let all = before + outputs;
                 if found.is_none_or(|(least, _)| all < least) {
                     found = Some((all, start));
                 }
@@ -195,7 +191,7 @@ mod tests {
     use crate::schedule::{Operand, Operation, Program, Step};
     use crate::space::Variable;
 
-    /// A program in which `read` says the two steps that each one reads; the first reads none.
+    /// Program in which `read` gives the two steps that each step reads; the first reads none.
     fn program(steps: usize, mut read: impl FnMut(u32) -> [u32; 2]) -> Program {
         let operation = |k: u32| {
             let [a, b] = read(k).map(Operand::Step);
@@ -220,7 +216,7 @@ mod tests {
         }
     }
 
-    /// One of the 300 steps before mostly, any other one step in ten.
+    /// Reads mostly from the last 300 steps, and any other step at every tenth one.
     fn tangled(steps: usize) -> Program {
         let mut random = Random::new(1);
         let mut below =
@@ -233,7 +229,7 @@ mod tests {
         })
     }
 
-    /// Programs that are cut, with values before the sines and after them.
+    /// Long programs, with values before and after the sines.
     fn long() -> [Program; 2] {
         let mut program = tangled(5000);
         program.angles = vec![Operand::Step(3), Operand::Step(398)];
@@ -241,17 +237,17 @@ mod tests {
         [program, tangled(LONGEST_SCOPE * LONGEST_SCOPE + 1)]
     }
 
-    /// Goes through scopes as a compiler does.
+    /// Visits scopes as a compiler does.
     struct Walk<'p> {
         program: &'p Program,
-        /// The step that comes next.
+        /// Next step.
         next: u32,
-        /// Whether each step has a name in the scopes that are open.
+        /// True for each step with a name in an open scope.
         visible: Vec<bool>,
     }
 
     impl Walk<'_> {
-        /// What a scope binds, and how many bindings one within the other there are at most.
+        /// Steps that a scope binds, and the maximum number of nested bindings.
         fn scope(&mut self, parts: &[Part]) -> (Vec<u32>, usize) {
             let (mut bound, mut deepest) = (Vec::new(), parts.len());
             for (before, part) in parts.iter().enumerate() {
@@ -260,15 +256,15 @@ mod tests {
                         self.step(*step);
                         vec![*step]
                     }
-                    Part::Block(Block { parts, handed_on }) => {
+                    Part::Block(Block { parts, outputs }) => {
                         assert!((SHORTEST..=LONGEST_SCOPE).contains(&parts.len()));
                         let (inside, depth) = self.scope(parts);
                         deepest = deepest.max(before + depth);
                         for step in &inside {
                             self.visible[*step as usize] = false;
                         }
-                        assert!(handed_on.iter().all(|step| inside.contains(step)));
-                        handed_on.clone()
+                        assert!(outputs.iter().all(|step| inside.contains(step)));
+                        outputs.clone()
                     }
                 };
                 for step in &new {
@@ -296,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_that_is_read_can_be_seen() {
+    fn values_are_in_scope_where_they_are_read() {
         for (program, levels) in long().iter().zip([2, 3]) {
             let mut walk = Walk {
                 program,
@@ -315,10 +311,10 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_handed_on_that_nobody_reads() {
+    fn blocks_return_only_values_that_are_read() {
         fn check(parts: &[Part], program: &Program) {
             for part in parts {
-                if let Part::Block(Block { parts, handed_on }) = part {
+                if let Part::Block(Block { parts, outputs }) = part {
                     let end = part.end() as usize;
                     let behind = program.steps[end..].iter();
                     let behind = behind.flat_map(|step| step.operation.operands());
@@ -327,7 +323,7 @@ mod tests {
                         behind.extend(&program.angles);
                     }
                     let read = |step: &u32| behind.contains(&Operand::Step(*step));
-                    assert!(handed_on.iter().all(read));
+                    assert!(outputs.iter().all(read));
                     check(parts, program);
                 }
             }
@@ -354,9 +350,9 @@ mod tests {
         assert!(!after.iter().any(is_step));
     }
 
-    /// Stretches that all read the first of their steps, and of the stretch before the last one.
+    /// Stretches of steps that all read their first step, and one step of the stretch before the last.
     #[test]
-    fn cuts_are_where_one_value_is_left() {
+    fn cuts_are_where_blocks_return_one_value() {
         let stretch = 110;
         let program = program(1100, |k| match k % stretch {
             0 => [k - 1, k - 1],
@@ -364,8 +360,8 @@ mod tests {
             since => [k - since, k - 1],
         });
         let after = nested(&program, &[], &program.results).after.concat();
-        let handed_on: Vec<_> = after.iter().map(|part| part.handed_on().to_vec()).collect();
+        let outputs: Vec<_> = after.iter().map(|part| part.outputs().to_vec()).collect();
         let last_of_each = (1..=10).map(|k| vec![k * stretch - 1]);
-        assert_eq!(handed_on, last_of_each.collect::<Vec<_>>());
+        assert_eq!(outputs, last_of_each.collect::<Vec<_>>());
     }
 }

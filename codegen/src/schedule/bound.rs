@@ -1,10 +1,9 @@
-//! How far rounding can take the results of a program from those of exact arithmetic.
+//! Bounds of the rounding errors of a program by a running error analysis.
 //!
-//! In: a [`Program`] and the [`Conditions`] it runs under. Out: a bound for each result, by a running
-//! error analysis: every step carries the range of its exact value and the greatest error of the
-//! computed one. It holds whether products are fused with sums or not, for sines and cosines within
-//! one unit in the last place, and whether subnormal numbers are rounded or taken for zero; what may
-//! overflow has none. It never runs the program.
+//! In: a [`Program`] and its [`Conditions`]. Out: a bound for each result. Every step has the range of its exact value
+//! and a bound of the error of the computed value. Bounds hold with and without fused operations, for sines and cosines
+//! within one ulp, and whether subnormal numbers are rounded or flushed to zero. A value that may overflow has no
+//! bound.
 
 mod combination;
 mod group;
@@ -33,17 +32,16 @@ use self::value::SLACK;
 pub use self::value::Value;
 use super::{Operand, Operation, Program, Step};
 
-/// A result: its range and its greatest error, infinite where none can be given, for a reason unless
-/// an input is not known.
+/// Bound of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// Range and error.
+    /// Range and error; the error is infinite without a bound.
     pub value: Value,
-    /// Why there is no bound.
+    /// Reason why there is no bound; `None` also if an input is unknown.
     pub reason: Option<Reason>,
 }
 
-/// The range of each result, and its greatest error.
+/// Bound of each result.
 #[must_use]
 pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
     let mut known = Known {
@@ -65,7 +63,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
     }
     let results = program.results.iter();
     let found = results.map(|&result| Found {
-        // An argument that is a result is read by no operation.
+        // No operation reads an argument that is a result.
         value: match result {
             Operand::Input(input) => (conditions.range)(input),
             other => known.value(other),
@@ -84,7 +82,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
 }
 
 impl<'p> Known<'p> {
-    /// Takes in the sines and cosines.
+    /// Adds the sines and cosines.
     fn turn(&mut self) {
         for &angle in &self.program.angles {
             let value = self.value(angle);
@@ -98,7 +96,7 @@ impl<'p> Known<'p> {
         }
     }
 
-    /// Takes in a step.
+    /// Adds a step.
     fn take(&mut self, taken: &'p Step, lengths: &mut Lengths) {
         let operation = taken.operation;
         let step = u32::try_from(self.steps.len()).expect("fewer than 2³² steps");
@@ -134,7 +132,7 @@ impl<'p> Known<'p> {
         }
     }
 
-    /// Why an operation has no bound; none where an operand is not known.
+    /// Reason why an operation has no bound; `None` if an operand is unknown.
     fn why(&self, operation: Operation) -> Option<Reason> {
         let operands = operation.operands();
         if let Some(reason) = operands.iter().find_map(|&operand| self.reason(operand)) {
@@ -147,8 +145,7 @@ impl<'p> Known<'p> {
         })
     }
 
-    /// Range and error of what is computed, within a range where one is known; none where something on the way may
-    /// overflow.
+    /// Range and error of a result, within `range` if it is known; `None` if an intermediate value may overflow.
     fn step(
         &self,
         operation: Operation,
@@ -162,9 +159,9 @@ impl<'p> Known<'p> {
             Operation::Mul(a, b) => self.product([a, b]),
             Operation::Div(a, b) => self.value(a).times(self.value(b).reciprocal()),
             Operation::Sqrt(a) => self.value(a).root(),
-            // Exact, and part of nothing.
+            // Exact, and not part of a vector.
             Operation::Sign(a) => return (Some(self.value(a).sign(self.scalar())), Form::Plain),
-            // Only a result or an angle needs one: it is never part of a vector.
+            // Negations occur only before results and angles, never within a vector.
             Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
             _ => unreachable!("a sum has terms"),
         };
@@ -177,7 +174,7 @@ impl<'p> Known<'p> {
         range: Option<[f64; 2]>,
         lengths: &mut Lengths,
     ) -> (Option<Value>, Form) {
-        // A product is rounded before it is added, or else the error is smaller.
+        // A product is rounded before the sum; if they are fused, the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
             (Some(whole), _) => self.value(whole),
             (None, Some(factors)) => self.product(factors).rounded(self.scalar()),
@@ -191,7 +188,7 @@ impl<'p> Known<'p> {
         let sum = sum.kept(range);
         let wholes = (terms[0].whole, terms[1].whole);
         let sum = if range.is_some() && wholes.0.is_some() && wholes.0 == wholes.1 {
-            // 2 a of an entry a of a quaternion has its digits, where they are not subnormal; a − a is 0.
+            // For an entry a of a quaternion, 2 a has the digits of a unless they are subnormal; a − a is 0.
             sum.read(self.scalar())
         } else {
             sum.rounded(self.scalar())

@@ -1,12 +1,11 @@
-//! Which sums take a product with them into one fused operation.
+//! Choice of the sums that combine with a product to a fused operation.
 //!
-//! In: a graph and what is needed of it. Out: a choice for each sum. A difference of two products
-//! that can cancel while the program runs is left alone: fused on one side only, it would keep the
-//! rounding of the other.
+//! In: a graph and its needed expressions. Out: a choice for each sum. A difference of two products that may cancel at
+//! run time is not fused: with one product rounded and the other not, it would return the rounding error.
 
 use crate::expression::{Expr, Graph, Node};
 
-/// How a product enters a sum.
+/// Form of a fused operation.
 #[derive(Clone, Copy)]
 pub enum Form {
     /// a b + c.
@@ -17,14 +16,14 @@ pub enum Form {
     From,
 }
 
-/// The sums that are fused and the products that vanish in them.
+/// Fused sums, and the products that only they read.
 pub struct Fused {
     product_of: Vec<Option<(Expr, Expr, Expr, Form)>>,
     vanishes: Vec<bool>,
 }
 
 impl Fused {
-    /// No sum takes a product with it, in a graph of so many nodes.
+    /// No fused sums, in a graph with this number of nodes.
     pub fn nothing(nodes: usize) -> Self {
         Self {
             product_of: vec![None; nodes],
@@ -32,18 +31,18 @@ impl Fused {
         }
     }
 
-    /// The factors, the other term and the form, where the sum is fused.
+    /// Factors, other term and form of a fused sum.
     pub fn product_of(&self, sum: Expr) -> Option<(Expr, Expr, Expr, Form)> {
         self.product_of[sum.index()]
     }
 
-    /// Whether a product is computed only inside a sum.
+    /// True if a product is computed only inside a fused sum.
     pub fn vanishes(&self, product: Expr) -> bool {
         self.vanishes[product.index()]
     }
 }
 
-/// Chooses one product a sum, among those that nothing else uses.
+/// Chooses at most one product for each sum, among those that no other expression reads.
 pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
     let mut fused = Fused::nothing(uses.len());
     let product = |expr: Expr| match graph.node(expr) {
@@ -60,7 +59,7 @@ pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
         {
             continue;
         }
-        // The younger product waits longer for its factors: it goes with the sum.
+        // The product that is computed later has the longer latency; fusing it shortens the chain.
         let candidates = [(a, b, forms[0]), (b, a, forms[1])];
         let best = candidates
             .into_iter()
@@ -76,8 +75,8 @@ pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
     fused
 }
 
-/// Whether both are products of values that only the state decides. A factor that is a number, a
-/// sine or a cosine keeps two products from being each other's mirror.
+/// True if both are products of values that depend on the state. A literal, sine or cosine as a factor excludes that
+/// the two products are equal.
 fn can_cancel(graph: &Graph, a: Expr, b: Expr) -> bool {
     let free = |expr: Expr| match graph.node(expr) {
         Node::Mul(x, y) => [x, y].into_iter().all(|factor| {
@@ -95,7 +94,7 @@ mod tests {
     use crate::schedule::{Operation, schedule};
     use crate::space::Variable;
 
-    /// The operations of a ○ b with products of four values that only the state decides.
+    /// Operations of a ○ b, with a and b products of values that depend on the state.
     fn operations(combine: for<'g> fn(Term<'g>, Term<'g>) -> Term<'g>) -> Vec<Operation> {
         let graph = Graph::new();
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| graph.input(Input::Variable(Variable::Qd, k)));
@@ -103,7 +102,7 @@ mod tests {
         program.steps.iter().map(|step| step.operation).collect()
     }
 
-    /// Fused on one side, a b − b a would be the rounding of the other product and not zero.
+    /// Fused on one side, a b − b a would be the rounding error of one product and not zero.
     #[test]
     fn a_difference_of_products_that_can_cancel_is_not_fused() {
         let operations = operations(|x, y| x - y);
@@ -115,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sum_of_products_takes_one_with_it() {
+    fn a_sum_of_products_fuses_with_one() {
         let operations = operations(|x, y| x + y);
         assert_eq!(operations.len(), 2, "{operations:?}");
         assert!(operations[1].is_fused(), "{operations:?}");

@@ -1,19 +1,18 @@
-//! Names that cannot clash.
+//! Unique identifiers.
 //!
-//! In: the words that are taken, and the name that a reader would like to see. Out: a name in the
-//! alphabet of identifiers that nothing else in the same scope has. It never invents a name that was
-//! not wished for: it appends underscores.
+//! In: reserved words, and preferred names. Out: identifiers that are unique in their scope. A name that is taken gets
+//! underscores at its end.
 
 use std::collections::BTreeSet;
 
-/// The names of one scope.
+/// Names of one scope.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     taken: BTreeSet<String>,
 }
 
 impl Names {
-    /// Names beside words that a language keeps for itself.
+    /// No names but the reserved words of a language.
     #[must_use]
     pub fn beside(words: &[&str]) -> Self {
         Self {
@@ -21,18 +20,17 @@ impl Names {
         }
     }
 
-    /// Keeps a name from being given away.
+    /// Reserves a name.
     pub fn take(&mut self, name: &str) {
         self.taken.insert(name.to_owned());
     }
 
-    /// The name wished for, in the alphabet of identifiers, with as many underscores behind it as
-    /// it takes to be alone.
+    /// The preferred name as an identifier, with as many underscores at its end as make it unique.
     pub fn fresh(&mut self, wish: &str) -> String {
         self.alone(&sanitize(wish))
     }
 
-    /// The same for an identifier, whose letters stay as they are.
+    /// The same for a text that is an identifier already.
     pub fn alone(&mut self, wish: &str) -> String {
         let mut name = wish.to_owned();
         while self.taken.contains(&name) {
@@ -43,8 +41,7 @@ impl Names {
     }
 }
 
-/// A text as an identifier: lower case, with one underscore for every run of what no identifier
-/// can hold. It may be a word that a language keeps for itself.
+/// Text as an identifier: lower case, with one underscore for every run of other characters. It may be a reserved word.
 pub(crate) fn sanitize(text: &str) -> String {
     let mut name = String::with_capacity(text.len());
     for letter in text.chars().flat_map(char::to_lowercase) {
@@ -55,7 +52,7 @@ pub(crate) fn sanitize(text: &str) -> String {
         }
     }
     let trimmed = name.trim_matches('_');
-    // Whatever may continue a name may follow a letter.
+    // Any letter that may continue a name may follow another letter.
     let prefix = match trimmed.chars().next() {
         Some(first) if first.is_alphabetic() => "",
         Some(_) => "n",
@@ -64,9 +61,9 @@ pub(crate) fn sanitize(text: &str) -> String {
     format!("{prefix}{trimmed}")
 }
 
-/// Whether a letter other than the underscore may stand within an identifier: those of Latin script,
-/// Chinese characters, Japanese kana, Korean syllables. Of other scripts many look like one of those,
-/// have no width, or are the same letter in two encodings, which the compiler takes for one.
+/// True if a letter other than the underscore may stand within an identifier: Latin script, Chinese characters,
+/// Japanese kana, Korean syllables. Many letters of other scripts look like one of these, have no width, or are the
+/// same letter in two encodings, which compilers treat as one.
 fn is_continue(letter: char) -> bool {
     match letter {
         // Ligatures, and letters that stand for two others.
@@ -85,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn no_two_are_equal() {
+    fn names_are_unique() {
         assert_eq!(
             fresh(Names::default(), &["m_0_3", "m_0_3", "m_0_3_", "M-0-3"]),
             ["m_0_3", "m_0_3_", "m_0_3__", "m_0_3___"]
@@ -93,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn none_is_a_word_that_is_kept_or_no_name_at_all() {
+    fn names_are_valid_and_not_reserved() {
         let wishes = [
             "fn",
             "gen",

@@ -1,8 +1,8 @@
-//! What of some programs depends on struct fields alone.
+//! Separation of programs into the part that depends on struct fields alone, and the rest.
 //!
-//! In: the programs of a robot. Out: one program of fields, which computes all that they share or have of
-//! it, and for each of them what is left, which reads those results in place of fields. It never changes an
-//! operation, adds one or moves one past another that it depends on, so that results keep their bits.
+//! In: the programs of a robot. Out: one program of the fields with everything that the programs compute from fields
+//! alone, and for each program its rest, which reads the results of the first in place of fields. Operations are
+//! neither changed nor added, and none is moved past another that it depends on, so that results have the same bits.
 
 #[cfg(test)]
 mod tests;
@@ -13,18 +13,18 @@ use super::names::sanitize;
 use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
 
-/// Programs in two parts.
+/// Separated programs.
 #[derive(Clone, Debug)]
 pub struct Parts {
-    /// What depends on fields alone. Its results are the values that the others read.
+    /// Program that depends on fields alone. Its results are the values that the others read.
     pub once: Program,
-    /// What those values would like to be called, none twice.
+    /// Preferred names of these values, all different.
     pub names: Vec<String>,
-    /// What is left of each program: no field is read, and [`Input::Parameter`] with field 0 is a value.
+    /// Rest of each program: it reads no field, and [`Input::Parameter`] with field 0 is a value of `once`.
     pub each: Vec<Program>,
 }
 
-/// Parts programs; the entries of each field have a name.
+/// Separates programs; `fields` has a name for each entry of each field.
 #[must_use]
 pub fn part(programs: &[&Program], fields: &[Vec<String>]) -> Parts {
     let mut once = Once::default();
@@ -37,7 +37,7 @@ pub fn part(programs: &[&Program], fields: &[Vec<String>]) -> Parts {
     }
 }
 
-/// What an operand is by its bits, so that equal ones are found.
+/// Operand by its bits, for the search of equal ones.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Key {
     Literal(u64),
@@ -59,7 +59,7 @@ impl Key {
     }
 }
 
-/// The program of fields in the making: its steps in the order in which they were found.
+/// State of the program of fields: its steps in the order in which they were added.
 #[derive(Default)]
 struct Once {
     steps: Vec<Step>,
@@ -70,7 +70,7 @@ struct Once {
     known_values: HashMap<Key, u16>,
 }
 
-/// Where the steps and angles of one program went: into that of fields, or what is left of its own.
+/// New places of the steps and angles of one program: in the program of fields or in the rest.
 struct Moved {
     steps: Vec<Place>,
     angles: Vec<Place>,
@@ -83,7 +83,7 @@ enum Place {
 }
 
 impl Moved {
-    /// An operand in the program of fields, where it depends on nothing else.
+    /// Operand in the program of fields; `None` if it depends on anything else.
     fn once(&self, operand: Operand) -> Option<Operand> {
         let place = |places: &[Place], k: u32| match places[k as usize] {
             Place::Once(k) => Some(k),
@@ -98,7 +98,7 @@ impl Moved {
         }
     }
 
-    /// An operand in what is left.
+    /// Operand in the rest.
     fn left(&self, operand: Operand, once: &mut Once) -> Operand {
         let place = |places: &[Place], k: u32| match places[k as usize] {
             Place::Once(k) | Place::Left(k) => k,
@@ -115,7 +115,7 @@ impl Moved {
 }
 
 impl Once {
-    /// Takes what a program has of fields alone, and returns what is left.
+    /// Moves the steps that depend on fields alone, and returns the rest.
     fn take(&mut self, program: &Program) -> Program {
         let mut moved = Moved {
             steps: Vec::with_capacity(program.steps.len()),
@@ -165,7 +165,7 @@ impl Once {
         }
     }
 
-    /// The step that does the same with these operands.
+    /// Step with this operation and these operands, added if it is new.
     fn step(&mut self, step: &Step, operands: &[Operand]) -> u32 {
         let keys = operands.iter().copied().map(Key::of).collect();
         let key = (std::mem::discriminant(&step.operation), keys);
@@ -200,7 +200,7 @@ impl Once {
         found
     }
 
-    /// What the values would like to be called: as the step or the entry of the field is.
+    /// Preferred names of the values: those of the matrix entry or the field.
     fn names(&self, fields: &[Vec<String>]) -> Vec<String> {
         let mut taken = HashMap::new();
         let values = self.values.iter().map(|value| {
@@ -226,7 +226,7 @@ impl Once {
         values.collect()
     }
 
-    /// The program: what angles depend on first.
+    /// The program, with the steps that angles depend on first.
     fn program(self) -> Program {
         let mut early = vec![false; self.steps.len()];
         let mut waiting = self.angles.clone();
@@ -238,7 +238,7 @@ impl Once {
                 waiting.extend(self.steps[step as usize].operation.operands());
             }
         }
-        // The early ones keep their order among themselves, and so do the others.
+        // The sort is stable: both groups keep their order.
         let mut order: Vec<usize> = (0..self.steps.len()).collect();
         order.sort_by_key(|&step| !early[step]);
         let mut places = vec![0; order.len()];

@@ -1,7 +1,7 @@
-//! From a graph to a program: what the results need, children first.
+//! Program of a graph: the expressions that the results need, operands first.
 //!
-//! In: a graph and the expressions asked for. Out: a [`Program`]. Because children are older than
-//! parents, this is a filter and not a sort. It never changes what is computed.
+//! In: a graph and expressions. Out: a [`Program`]. Expressions are created after their operands, so that filtering the
+//! graph keeps the order; nothing is sorted.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,10 @@ use super::signs::Signs;
 use super::{Operand, Operation, Program, Step};
 use crate::expression::{Expr, Graph, Input, Label, Node};
 
-/// The program that computes the given expressions and nothing else.
+/// Program that computes the given expressions.
 ///
 /// # Panics
-/// Where an expression is not of this graph, or where the angle of a sine depends on another sine.
+/// If an expression belongs to another graph, or if the angle of a sine depends on another sine.
 #[must_use]
 pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     let (needed, uses) = graph.needed(results);
@@ -21,7 +21,7 @@ pub fn schedule(graph: &Graph, results: &[Expr]) -> Program {
     place(graph, results, &needed, fused)
 }
 
-/// The same program with every product and every sum rounded for itself.
+/// The same program without fused operations.
 ///
 /// # Panics
 /// As [`schedule`] does.
@@ -40,7 +40,7 @@ fn place(graph: &Graph, results: &[Expr], needed: &[Expr], fused: Fused) -> Prog
         steps: Vec::new(),
         open: BTreeMap::new(),
     };
-    // Whether each expression takes part in an angle.
+    // True for each expression that an angle depends on.
     let mut early = vec![false; graph.len()];
     let turns = angles(graph, needed);
     for &angle in &turns {
@@ -83,19 +83,20 @@ fn place(graph: &Graph, results: &[Expr], needed: &[Expr], fused: Fused) -> Prog
     }
 }
 
-/// A program in the making.
+/// State of the construction of a program.
 struct Placing<'g> {
     graph: &'g Graph,
     fused: Fused,
     signs: Signs,
-    /// Where the value of each expression is found.
+    /// Operand that holds each expression.
     operands: Vec<Option<Operand>>,
     steps: Vec<Step>,
     /// As [`Program::open`].
     open: BTreeMap<u64, f64>,
 }
 
-/// 2⁻³² of the roundoff of `f64`: less of a literal is part of what bounds are multiplied by for their own roundings.
+/// 2⁻³² of the unit roundoff of `f64`. Smaller errors of literals are covered by the factor that bounds include for the
+/// rounding of their own computation.
 const OPEN: f64 = f64::from_bits((1023 - 85) << 52);
 
 impl Placing<'_> {
@@ -109,14 +110,13 @@ impl Placing<'_> {
         }
     }
 
-    /// Where the value of an expression, or its opposite where its sign is turned, is found, after
-    /// adding what computes it.
+    /// Adds the steps that compute an expression, or its negative if [`Signs`] chose that, and returns its operand.
     fn found(&mut self, expr: Expr) -> Operand {
         if let Some(value) = self.graph.value(expr) {
             if !value.is_known() {
                 return Operand::Literal(f64::NAN);
             }
-            // Without the sign of a negative zero.
+            // Turns −0 into 0.
             let literal = value.to_f64() + 0.0;
             if value.radius() > OPEN * literal.abs() {
                 let open = self.open.entry(literal.abs().to_bits()).or_default();
@@ -149,7 +149,7 @@ impl Placing<'_> {
         self.push(label, operation)
     }
 
-    /// a ± b, with the signs under which the operands are found.
+    /// Operation for a ± b, by the signs with which the operands are computed.
     fn sum(&self, expr: Expr, a: Expr, (b, minus): (Expr, bool)) -> Operation {
         let turned = self.signs.turned(expr);
         if let Some((x, y, rest, form)) = self.fused.product_of(expr) {
@@ -180,7 +180,7 @@ impl Placing<'_> {
         }
     }
 
-    /// A term of a sum and whether a minus is left before it; a number takes it in.
+    /// Operand of a term and whether it still has to be negated; a literal is negated itself.
     fn term(&self, expr: Expr, minus: bool) -> (Operand, bool) {
         match (self.at(expr), minus != self.signs.turned(expr)) {
             (Operand::Literal(k), true) => (Operand::Literal(-k), false),
@@ -188,7 +188,7 @@ impl Placing<'_> {
         }
     }
 
-    /// The value itself, whatever its sign.
+    /// Operand of the value with its own sign.
     fn positive(&mut self, expr: Expr) -> Operand {
         match self.term(expr, false) {
             (operand, false) => operand,
@@ -203,7 +203,7 @@ impl Placing<'_> {
     }
 }
 
-/// The arguments of all sines and cosines, in the order of the joints they belong to.
+/// Angles of all sines and cosines, in the order of their joints.
 fn angles(graph: &Graph, needed: &[Expr]) -> Vec<Expr> {
     let mut angles: Vec<Expr> = (needed.iter())
         .filter(|&&expr| graph.value(expr).is_none())
@@ -217,7 +217,7 @@ fn angles(graph: &Graph, needed: &[Expr]) -> Vec<Expr> {
     angles
 }
 
-/// The coordinate of a joint that an angle is, or is a sum with.
+/// Coordinate in an angle: the angle itself, or a term of its sum.
 fn coordinate(graph: &Graph, angle: Expr) -> Option<Input> {
     let inputs = |expr: Expr| match graph.node(expr) {
         Node::Input(input) => Some(input),

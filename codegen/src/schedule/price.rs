@@ -1,7 +1,7 @@
-//! What a program costs.
+//! Operation counts of programs.
 //!
-//! In: a [`Program`]. Out: its [`Price`], the numbers that stand above a generated function and in
-//! the tables of `homogen count`, and what they weigh on a [`Processor`]. It never chooses a program.
+//! In: a [`Program`]. Out: its [`Price`], which comments and `homogen count` print, and its cycles on a [`Processor`],
+//! by which formulations are compared.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -10,10 +10,9 @@ use super::{Operand, Operation, Program};
 use crate::processor::{Costs, Processor};
 use crate::real::Real;
 
-/// How many operations of each kind a program runs.
+/// Numbers of operations of a program.
 ///
-/// A fused operation counts as the product and the sum that it is made of, so that the price of a
-/// function does not depend on what the target can fuse.
+/// A fused operation counts as a product and a sum, so that the counts do not depend on the target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Price {
     /// Products.
@@ -26,29 +25,28 @@ pub struct Price {
     pub sqrt: usize,
     /// Signs of numbers: −1, 0 or 1.
     pub sign: usize,
-    /// Changes of sign that stand alone.
+    /// Separate negations.
     pub neg: usize,
-    /// Sines that are used.
+    /// Sines that are read.
     pub sin: usize,
-    /// Cosines that are used.
+    /// Cosines that are read.
     pub cos: usize,
-    /// Pairs of a product and a sum that may be rounded once.
+    /// Products and sums that a fused operation combines.
     pub fused: usize,
-    /// The longest chain of operations of which each waits for the one before.
+    /// Length of the longest chain of dependent operations.
     pub depth: usize,
-    /// Distinct numbers that operations read, whatever their signs.
+    /// Number of different literals, signs ignored.
     pub literals: usize,
-    /// Products where every 4×4 matrix is multiplied out densely; 0 where that was not counted.
+    /// Products by dense 4×4 matrices; 0 if not counted.
     pub naive_mul: usize,
-    /// Sums and differences there.
+    /// Sums and differences by dense 4×4 matrices.
     pub naive_add: usize,
-    /// The processor that the program is for, where one was chosen, and the cycles of its arithmetic
-    /// there, sines and cosines apart.
+    /// Processor that the program was chosen for, if any, and cycles of its arithmetic there without sines and cosines.
     pub cycles: Option<(Processor, usize)>,
 }
 
 impl Price {
-    /// The price of a program, without the dense products beside it.
+    /// Counts of a program, without those of dense matrices.
     #[must_use]
     pub fn of(program: &Program) -> Self {
         let mut price = Self::default();
@@ -81,7 +79,7 @@ impl Price {
         price
     }
 
-    /// The same price with that of the dense 4×4 products beside it.
+    /// The same counts with those of dense 4×4 matrices.
     #[must_use]
     pub const fn beside_dense(self, naive_mul: usize, naive_add: usize) -> Self {
         Self {
@@ -91,8 +89,7 @@ impl Price {
         }
     }
 
-    /// The same price with the cycles of a processor beside it; of [`Processor::Portable`] none are
-    /// known.
+    /// The same counts with the cycles on a processor; [`Processor::Portable`] has none.
     #[must_use]
     pub fn on(self, processor: Processor, scalar: Real) -> Self {
         let chosen = processor != Processor::Portable;
@@ -100,15 +97,15 @@ impl Price {
         Self { cycles, ..self }
     }
 
-    /// One number to compare two programs for the same function by; only the order is meaningful.
+    /// Cost for the comparison of programs for the same function; only the order is meaningful.
     #[must_use]
     pub const fn weight(&self, processor: Processor, scalar: Real) -> usize {
         let costs = processor.costs(scalar);
         self.arithmetic(&costs) + costs.turn * (self.sin + self.cos)
     }
 
-    /// For how many cycles the arithmetic units of a processor are busy, sines and cosines apart.
-    /// Loads, stores and waiting for results come on top.
+    /// Cycles for which the arithmetic units of a processor are busy, without sines and cosines. Loads, stores and
+    /// latencies come on top.
     const fn cycles_on(&self, processor: Processor, scalar: Real) -> usize {
         let costs = processor.costs(scalar);
         self.arithmetic(&costs).div_ceil(costs.units)
@@ -164,14 +161,14 @@ impl fmt::Display for Price {
             let name = processor.name();
             write!(
                 out,
-                "; on {name} {cycles} cycles of arithmetic, sines and cosines apart"
+                "; on {name} {cycles} cycles of arithmetic without sines and cosines"
             )?;
         }
         Ok(())
     }
 }
 
-/// The longest chain of operations; a sine or cosine is one.
+/// Length of the longest chain of operations; a sine or cosine counts as one.
 fn depth(program: &Program) -> usize {
     let (before, after) = program.steps.split_at(program.before_angles);
     let mut depths = Depths::default();
@@ -277,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_is_used_counts() {
+    fn only_used_values_count() {
         let sine = program(vec![], vec![Operand::Sin(0), Operand::Literal(0.0)]);
         let price = Price::of(&sine).beside_dense(64, 48);
         assert_eq!((price.sin, price.cos, price.literals), (1, 0, 0));
@@ -305,7 +302,7 @@ mod tests {
     };
 
     #[test]
-    fn cycles_are_those_of_the_units_that_are_busy() {
+    fn cycles_count_busy_units() {
         for (processor, scalar, cycles) in [
             (Processor::CortexM4, Real::F32, 30 + 21 + 2 * 14),
             (Processor::CortexM7, Real::F32, 30 + 21 + 2 * 16),

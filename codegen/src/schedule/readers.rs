@@ -1,10 +1,10 @@
-//! Until when each result of a program is read.
+//! Last reader of each result of a program.
 //!
-//! In: steps. Out: for each the last step that reads it.
+//! In: steps. Out: for each step the last step that reads it.
 
 use super::{Operand, Program, Step};
 
-/// The last step that reads each step; what sines are of, and these results, is read behind every block.
+/// Last step that reads each step. Angles of sines, and these results, count as read after every block.
 #[must_use]
 pub fn read_until(program: &Program, results: &[Operand]) -> Vec<u32> {
     let mut read_until = vec![0; program.steps.len()];
@@ -17,7 +17,7 @@ pub fn read_until(program: &Program, results: &[Operand]) -> Vec<u32> {
     read_until
 }
 
-/// Notes of each step which of these is the last that reads it.
+/// Records the last of these steps that reads each step.
 pub fn note_readers<'s>(steps: impl Iterator<Item = (u32, &'s Step)>, read_until: &mut [u32]) {
     for (at, step) in steps {
         for operand in step.operation.operands() {

@@ -1,11 +1,11 @@
-//! Stretches of a long program that compute the same again and again, of other values.
+//! Loops in a long program: consecutive stretches with the same operations on different values.
 //!
-//! In: a [`Program`]. Out: its [`Repeat`]s, which a language can write as loops. It never changes or moves a step:
-//! what a program computes does not depend on what is found here.
+//! In: a [`Program`]. Out: its [`Repeat`]s, which languages print as loops. Steps are neither changed nor moved, so
+//! results do not depend on the loops.
 //!
-//! A core reads instructions as fast as it computes only as long as it holds them all, and boards have little room
-//! for them; the columns of a solution are the same instructions for each. What differs between rounds goes through
-//! a table, so that a loop pays only where rounds compute several times what they read and leave.
+//! Straight-line code is slow once it exceeds the instruction cache, and small processors have little program memory.
+//! The columns of a solution are the same instructions. Values that differ between iterations pass through a table, so
+//! a loop pays only if an iteration computes several times the values that it reads from the table or writes to it.
 
 #[cfg(test)]
 pub mod tests;
@@ -17,65 +17,65 @@ use std::ops::Range;
 use super::readers::read_until;
 use super::{Operand, Program};
 
-/// Shorter programs are read as they are.
+/// Minimum number of steps of a program with loops.
 const SHORTEST: usize = 900;
 
-/// Rounds are looked for where so many operations are of the same kinds.
+/// Number of consecutive operations that must be of the same kinds at a candidate for the next iteration.
 const ALIKE: usize = 16;
 
-/// How many stretches of such kinds are tried as the next round.
+/// Maximum number of candidates for the length of an iteration.
 const TRIED: usize = 4;
 
-/// The fewest rounds: of fewer a processor with vectors can do none at a time.
-const ROUNDS: usize = 4;
+/// Minimum number of iterations; fewer do not fill the vector registers of a processor.
+const ITERATIONS: usize = 4;
 
-/// The fewest steps that need not be written any more.
+/// Minimum number of steps saved.
 const SAVED: usize = 300;
 
-/// The fewest steps of a round for each value that it reads from the table or leaves there.
+/// Minimum number of steps of an iteration for each value in the table.
 const EACH: usize = 3;
 
-/// Rounds of the same operations, one behind the other, none of which reads a result of another.
+/// Iterations of the same operations, one after the other; none reads a result of another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeat {
-    /// The steps of the first round.
+    /// Steps of the first iteration.
     pub first: Range<u32>,
-    /// How many rounds there are.
-    pub rounds: u32,
-    /// What differs between rounds, with its operand in each of them.
-    pub taken: Vec<Vec<Operand>>,
-    /// Which of these a step of the first round reads as which of its operands.
+    /// Number of iterations.
+    pub iterations: u32,
+    /// Values that differ between iterations, with the operand of each iteration.
+    pub loads: Vec<Vec<Operand>>,
+    /// Index into `loads` of the value that a step of the first iteration reads as one of its operands.
     pub reads: HashMap<(u32, usize), usize>,
-    /// The steps of the first round whose results are read behind all rounds, in this one or in others.
-    pub left: Vec<u32>,
+    /// Steps of the first iteration whose results are read after the loop, in any of its iterations.
+    pub stores: Vec<u32>,
 }
 
 impl Repeat {
-    /// The steps of all rounds.
+    /// Steps of all iterations.
     #[must_use]
     pub fn steps(&self) -> Range<u32> {
-        self.first.start..self.first.start + self.length() * self.rounds
+        self.first.start..self.first.start + self.length() * self.iterations
     }
 
-    /// How many steps a round has.
+    /// Number of steps of an iteration.
     #[must_use]
     pub fn length(&self) -> u32 {
         self.first.end - self.first.start
     }
 
-    /// How many steps need not be written.
+    /// Number of steps saved.
     #[must_use]
     pub fn saved(&self) -> usize {
         self.steps().len() - self.first.len()
     }
 
     fn pays(&self) -> bool {
-        let crossing = self.taken.len() + self.left.len();
-        self.saved() >= SAVED && self.first.len() >= EACH * crossing && !self.taken.is_empty()
+        let crossing = self.loads.len() + self.stores.len();
+        self.saved() >= SAVED && self.first.len() >= EACH * crossing && !self.loads.is_empty()
     }
 }
 
-/// The repeats behind the sines of a program, in their order.
+/// Repeats after the sines of a program, in order.
 #[must_use]
 pub fn repeats(program: &Program) -> Vec<Repeat> {
     let mut found: Vec<Repeat> = Vec::new();
@@ -99,7 +99,7 @@ pub fn repeats(program: &Program) -> Vec<Repeat> {
     found
 }
 
-/// For each step, as far as enough follow it, the next one from which on operations are of the same kinds.
+/// For each step, the next one at which the same kinds of operations begin.
 fn next_alike(program: &Program) -> Vec<Option<usize>> {
     let kinds: Vec<_> = (program.steps.iter())
         .map(|step| discriminant(&step.operation))
@@ -113,23 +113,23 @@ fn next_alike(program: &Program) -> Vec<Option<usize>> {
     next
 }
 
-/// As many rounds as there are like the first one.
+/// The repeat that begins with this first iteration, with as many iterations as are alike.
 fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<Repeat> {
     let length = first.len();
     let most = (program.steps.len() - first.start) / length;
-    let rounds = 1
+    let iterations = 1
         + (1..most)
-            .take_while(|round| is_alike(program, &first, round * length))
+            .take_while(|iteration| is_alike(program, &first, iteration * length))
             .count();
-    if rounds < ROUNDS {
+    if iterations < ITERATIONS {
         return None;
     }
     let number = |k: usize| u32::try_from(k).expect("fewer than 2³² steps");
-    let of_round = |at: usize| (0..rounds).map(move |round| at + round * length);
-    let mut taken: Vec<Vec<Operand>> = Vec::new();
+    let of_iteration = |at: usize| (0..iterations).map(move |iteration| at + iteration * length);
+    let mut loads: Vec<Vec<Operand>> = Vec::new();
     let mut reads = HashMap::new();
     for at in first.clone() {
-        let operands: Vec<_> = of_round(at)
+        let operands: Vec<_> = of_iteration(at)
             .map(|at| program.steps[at].operation.operands())
             .collect();
         for (slot, &operand) in operands[0].iter().enumerate() {
@@ -138,28 +138,28 @@ fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<
             if is_own || column.iter().all(|other| *other == operand) {
                 continue;
             }
-            let known = taken.iter().position(|known| *known == column);
+            let known = loads.iter().position(|known| *known == column);
             let row = known.unwrap_or_else(|| {
-                taken.push(column);
-                taken.len() - 1
+                loads.push(column);
+                loads.len() - 1
             });
             reads.insert((number(at), slot), row);
         }
     }
-    let end = number(first.start + rounds * length);
-    let is_left = |at: &usize| of_round(*at).any(|at| read_until[at] >= end);
-    let left = first.clone().filter(is_left).map(number);
+    let end = number(first.start + iterations * length);
+    let is_read_later = |at: &usize| of_iteration(*at).any(|at| read_until[at] >= end);
+    let stores = first.clone().filter(is_read_later).map(number);
     Some(Repeat {
-        rounds: number(rounds),
-        taken,
+        iterations: number(iterations),
+        loads,
         reads,
-        left: left.collect(),
+        stores: stores.collect(),
         first: number(first.start)..number(first.end),
     })
 }
 
-/// Whether the steps so far behind the first round are one: the same operations of its own results, and of what is
-/// older than all rounds.
+/// True if the steps at this distance are an iteration: the same operations on its own results and on values from
+/// before the loop.
 fn is_alike(program: &Program, first: &Range<usize>, behind: usize) -> bool {
     first.clone().all(|at| {
         let [one, other] = [at, at + behind].map(|at| program.steps[at].operation);

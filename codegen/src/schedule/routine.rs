@@ -1,7 +1,7 @@
-//! A program as every language writes it: names, statements, spaces.
+//! Routines: programs with names, statements and scopes, in the structure that every language prints.
 //!
-//! In: a [`Program`], what it can read, and the names that are taken. Out: a [`Routine`]. It knows no
-//! language, never names what nobody reads, and changes no operation.
+//! In: a [`Program`], its readable inputs, and reserved names. Out: a [`Routine`]. Values that are not read get no
+//! name.
 
 mod apart;
 mod meaning;
@@ -11,9 +11,9 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-pub use self::apart::{Apart, Work};
+pub use self::apart::{SectionBody, Work};
 pub use self::meaning::{Meaning, Turn};
-pub use self::rounds::Rounds;
+pub use self::rounds::Loop;
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
 use super::repeats::repeats;
@@ -22,78 +22,77 @@ use super::{Operand, Operation, Program, Step};
 use crate::expression::Input;
 use crate::space::{Spaces, Variable};
 
-/// What a function can read.
+/// Inputs of a function.
 #[derive(Clone, Copy, Debug)]
 pub struct Readable<'a> {
-    /// Its arguments.
+    /// Arguments.
     pub arguments: &'a [Variable],
-    /// What they are over.
+    /// Spaces of the arguments.
     pub spaces: &'a Spaces,
-    /// The names that the entries of each field would like, in the order in which
-    /// [`Input::Parameter`] counts the fields.
+    /// Preferred names of the entries of each field, in the order of the fields in [`Input::Parameter`].
     pub fields: &'a [Vec<String>],
 }
 
-/// The body of one function.
+/// Body of one function.
 #[derive(Clone, Debug)]
 pub struct Routine {
-    /// The arguments; their own names are given to nothing else.
+    /// Arguments; no other value has their names.
     pub arguments: Vec<(Variable, Entries)>,
-    /// All fields.
+    /// Fields.
     pub fields: Vec<Entries>,
-    /// What is computed, in the order in which it is.
+    /// Statements in execution order.
     pub statements: Vec<Statement>,
-    /// What is computed behind that in functions of their own, where it is long.
+    /// Sections that run after the statements, if the function is long.
     pub work: Option<Work>,
-    /// The results, as the program has them; those that are stored as they are found may be bound no more.
+    /// Results; those in `stored` need not be bound to a name at the end.
     pub results: Vec<Value>,
-    /// The results that are stored as they are found.
+    /// Indices of results that are stored as soon as they are computed.
     pub stored: BTreeSet<usize>,
-    /// Whether a number known at generation is among the values, but for those of functions of their own.
+    /// True if a value is a literal, outside of sections.
     pub has_literals: bool,
-    /// Whether an operation is a product and a sum at once, but for those of functions of their own.
+    /// True if an operation is fused, outside of sections.
     pub is_fused: bool,
-    /// All these names and those that were taken before, for what a language binds besides.
+    /// All names in use and the reserved ones, for further names of a language.
     pub names: Names,
-    /// The names with what they stand for, in the order in which they were given, but for those of fields.
+    /// Meanings of the names in the order of their creation, without those of fields.
     pub meanings: Vec<(String, Meaning)>,
 }
 
-/// The name of each entry of an argument or a field; none where it is not read.
+/// Name of each entry of an argument or a field; `None` for an entry that is not read.
 pub type Entries = Vec<Option<String>>;
 
 /// One statement of a routine.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
-    /// An operation and the name of its result.
+    /// Operation and the name of its result.
     Operation(String, Operation<Value>),
-    /// All sines and cosines; there is at least one angle.
+    /// All sines and cosines; at least one angle.
     SinesAndCosines(Vec<Angle>),
-    /// Statements in a scope of their own.
+    /// Statements in an inner scope.
     Block {
-        /// What is inside.
+        /// Statements of the scope.
         statements: Vec<Statement>,
-        /// The names that are read behind it.
-        handed_on: Vec<String>,
+        /// Names that are read after the scope.
+        outputs: Vec<String>,
     },
-    /// The value is put into the work array, at that place.
-    Left(usize, Value),
-    /// The value is stored as the result of that index.
-    Found(usize, Value),
-    /// The same statements in each of several rounds.
-    Rounds(Rounds),
+    /// Stores a value in the work array at an index.
+    StoreWork(usize, Value),
+    /// Stores a value as the result with an index.
+    StoreResult(usize, Value),
+    /// Loop.
+    Loop(Loop),
 }
 
-/// When results are stored.
+/// Time at which results are stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stored {
-    /// All of them, behind the last statement.
+    /// All of them, after the last statement.
     AtTheEnd,
-    /// Each that is computed, behind the statement that computes it; where that is possible.
-    AsFound,
+    /// Each after the statement that computes it, if possible.
+    Early,
 }
 
-/// An angle, and the names of its sine and cosine; none where it is not read.
+/// Angle, and the names of its sine and cosine; `None` if it is not read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Angle {
     /// The angle \[rad\].
@@ -104,25 +103,26 @@ pub struct Angle {
     pub cosine: Option<String>,
 }
 
-/// What an operation of a routine acts on.
+/// Operand of a routine's operation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// A number known at generation.
+    /// Number known during generation.
     Literal(f64),
-    /// What is bound to the name.
+    /// Value bound to a name.
     Name(String),
-    /// What waits at a place of the work array.
-    Waiting(usize),
-    /// What stands in a table of rounds: its name, the row, and the round.
+    /// Entry of the work array.
+    Work(usize),
+    /// Entry of a loop's table: name of the table, row, and iteration.
     Entry(String, usize, usize),
 }
 
 impl Routine {
-    /// Names what a program reads and computes, beside the names that are taken, in functions of a length.
-    /// Results are stored at the end where anything waits in an array, or no number can be written in their place.
+    /// Names the inputs and values of a program, beside the reserved names, and divides it by the length of functions.
+    /// Results are stored at the end if the function has sections or loops, or no literal to initialise their array
+    /// with.
     ///
     /// # Panics
-    /// Where the program reads an input that it cannot, or a step before it is computed.
+    /// If the program reads an input that is not readable, or a step before it is computed.
     #[must_use]
     pub fn of(
         (program, length): (&Program, Length),
@@ -142,9 +142,9 @@ impl Routine {
             steps: Vec::with_capacity(program.steps.len()),
             sums: Vec::with_capacity(program.steps.len()),
             unnamed: 0,
-            left: BTreeMap::new(),
+            stores: BTreeMap::new(),
             found: BTreeMap::new(),
-            taken: HashMap::new(),
+            loads: HashMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
             let count = readable.spaces.len(argument.space());
@@ -160,7 +160,7 @@ impl Routine {
         let repeats = repeats(program);
         let is_literal = |read| matches!(read, Operand::Literal(_));
         let has_literals = program.operands().any(is_literal);
-        let early = stored == Stored::AsFound && repeats.is_empty() && has_literals;
+        let early = stored == Stored::Early && repeats.is_empty() && has_literals;
         let kept = if early { &[][..] } else { &program.results };
         let mut stored = BTreeSet::new();
         let mut turned = Vec::new();
@@ -175,13 +175,13 @@ impl Routine {
         let parts = nested(program, &repeats, kept);
         let mut statements = naming.statements(&parts.before);
         statements.extend(naming.sines_and_cosines());
-        let found = |(result, operand)| Statement::Found(result, naming.value(operand));
+        let found = |(result, operand)| Statement::StoreResult(result, naming.value(operand));
         statements.extend(turned.into_iter().map(found));
         let mut repeats = repeats.iter();
         for parts in &parts.after {
             statements.extend(naming.statements(parts));
-            let rounds = repeats.next().map(|repeat| naming.rounds(repeat));
-            statements.extend(rounds.map(Statement::Rounds));
+            let each = repeats.next().map(|repeat| naming.loop_of(repeat));
+            statements.extend(each.map(Statement::Loop));
         }
         let results = program.results.iter();
         Self {
@@ -199,7 +199,7 @@ impl Routine {
     }
 }
 
-/// Of each angle whether anything reads its sine, and its cosine.
+/// For each angle: is its sine read, is its cosine read.
 fn turns(program: &Program) -> Vec<[bool; 2]> {
     let mut turns = vec![[false; 2]; program.angles.len()];
     for operand in program.operands() {
@@ -212,36 +212,36 @@ fn turns(program: &Program) -> Vec<[bool; 2]> {
     turns
 }
 
-/// A routine in the making.
+/// State of the naming of a routine.
 struct Naming<'p> {
     program: &'p Program,
     names: Names,
     meanings: Vec<(String, Meaning)>,
-    /// All inputs that are read, with their names once they are bound.
+    /// All inputs that are read, with their names as soon as they are bound.
     inputs: BTreeMap<Input, Option<String>>,
     angles: Vec<Angle>,
-    /// Where the result of each step is found.
+    /// Location of the result of each step.
     steps: Vec<Value>,
-    /// The coordinates that a step is the sum of.
+    /// Coordinates whose sum a step is.
     sums: Vec<Option<Vec<u16>>>,
     unnamed: usize,
-    /// The steps that are put into the work array, and where.
-    left: BTreeMap<u32, usize>,
-    /// The steps that are stored as results, and as which.
+    /// Steps that are stored in the work array, with their indices.
+    stores: BTreeMap<u32, usize>,
+    /// Steps that are stored as results, with the indices of the results.
     found: BTreeMap<u32, Vec<usize>>,
-    /// Of the round that is written, what a step takes as one of its operands; nothing outside of rounds.
-    taken: HashMap<(u32, usize), String>,
+    /// Names of the table entries that the steps of the current loop read, by step and operand; empty outside of loops.
+    loads: HashMap<(u32, usize), String>,
 }
 
 impl Naming<'_> {
-    /// The name of a value of that meaning.
+    /// Name of a value with this meaning.
     fn named(&mut self, meaning: Meaning) -> String {
         let name = self.names.fresh(&meaning.to_string());
         self.meanings.push((name.clone(), meaning));
         name
     }
 
-    /// The names of the entries of an argument.
+    /// Names of the entries of an argument.
     fn argument(&mut self, argument: Variable, count: usize) -> Entries {
         let entries = (0_u16..).take(count).map(|k| {
             let named = |naming: &mut Self| naming.named(Meaning::Argument(argument, k));
@@ -250,7 +250,7 @@ impl Naming<'_> {
         entries.collect()
     }
 
-    /// The names of the entries of a field, which would like to be called so.
+    /// Names of the entries of a field, from their preferred names.
     fn field(&mut self, field: u16, wishes: &[String]) -> Entries {
         let entries = (0_u16..).zip(wishes).map(|(k, wish)| {
             self.bound(Input::Parameter(field, k), |naming| {
@@ -260,7 +260,7 @@ impl Naming<'_> {
         entries.collect()
     }
 
-    /// The name of an input, where it is read.
+    /// Name of an input, if it is read.
     fn bound(&mut self, input: Input, name: impl FnOnce(&mut Self) -> String) -> Option<String> {
         if !self.inputs.contains_key(&input) {
             return None;
@@ -290,21 +290,21 @@ impl Naming<'_> {
             match part {
                 Part::Step(step) => {
                     statements.push(self.operation(&self.program.steps[*step as usize]));
-                    if let Some(&place) = self.left.get(step) {
+                    if let Some(&place) = self.stores.get(step) {
                         let value = self.steps[*step as usize].clone();
-                        statements.push(Statement::Left(place, value));
+                        statements.push(Statement::StoreWork(place, value));
                     }
                     for &result in self.found.get(step).into_iter().flatten() {
                         let value = self.steps[*step as usize].clone();
-                        statements.push(Statement::Found(result, value));
+                        statements.push(Statement::StoreResult(result, value));
                     }
                 }
-                Part::Block(Block { parts, handed_on }) => {
+                Part::Block(Block { parts, outputs }) => {
                     let inside = self.statements(parts);
-                    let handed_on = handed_on.iter().map(|&step| self.name(step));
+                    let outputs = outputs.iter().map(|&step| self.name(step));
                     statements.push(Statement::Block {
                         statements: inside,
-                        handed_on: handed_on.collect(),
+                        outputs: outputs.collect(),
                     });
                 }
             }
@@ -312,25 +312,24 @@ impl Naming<'_> {
         statements
     }
 
-    /// The name that the result of a step is bound to.
+    /// Name of the result of a step.
     fn name(&self, step: u32) -> String {
         match &self.steps[step as usize] {
             Value::Name(name) => name.clone(),
-            _ => unreachable!("a step outside of rounds is bound to a name"),
+            _ => unreachable!("a step outside of loops is bound to a name"),
         }
     }
 
-    /// An operation whose result is called as its entry of a matrix, or after the coordinates
-    /// that it is the sum of, or by a number.
+    /// Operation with a name for its result: that of its matrix entry, of the coordinates that it sums, or a number.
     fn operation(&mut self, step: &Step) -> Statement {
         let mut operand = 0;
         let operation = step.operation.map(|of| {
-            let taken = self.taken.get(&(self.next(), operand));
+            let loaded = self.loads.get(&(self.next(), operand));
             operand += 1;
-            taken.map_or_else(|| self.value(of), |name| Value::Name(name.clone()))
+            loaded.map_or_else(|| self.value(of), |name| Value::Name(name.clone()))
         });
-        // What is computed for several is an entry of none of them.
-        let by_itself = self.taken.is_empty();
+        // In a loop, a value stands for the entries of several matrices.
+        let by_itself = self.loads.is_empty();
         let label = step.label.filter(|_| by_itself);
         let sum = self.sum(step.operation).filter(|_| by_itself);
         let name = match (label, &sum) {
@@ -343,18 +342,18 @@ impl Naming<'_> {
         Statement::Operation(name, operation)
     }
 
-    /// The step that has no name yet.
+    /// Index of the step that is named next.
     fn next(&self) -> u32 {
         u32::try_from(self.steps.len()).expect("fewer than 2³² steps")
     }
 
-    /// The next name of what is no entry of anything.
+    /// Next name of a value without a meaning.
     fn unnamed(&mut self) -> String {
         self.unnamed += 1;
         self.named(Meaning::Part(self.unnamed))
     }
 
-    /// All sines and cosines, called after the coordinates that the angles are sums of.
+    /// All sines and cosines, named after the coordinates that the angles are sums of.
     fn sines_and_cosines(&mut self) -> Option<Statement> {
         for (&angle, &[has_sine, has_cosine]) in
             self.program.angles.iter().zip(&turns(self.program))
@@ -373,11 +372,11 @@ impl Naming<'_> {
         some.then(|| Statement::SinesAndCosines(self.angles.clone()))
     }
 
-    /// An angle with its name and coordinates.
+    /// Angle with its name and coordinates.
     fn turn(&self, angle: Operand, value: &Value) -> Turn {
         let name = match value {
             Value::Name(name) => name.clone(),
-            Value::Literal(_) | Value::Waiting(_) | Value::Entry(..) => "a".to_owned(),
+            Value::Literal(_) | Value::Work(_) | Value::Entry(..) => "a".to_owned(),
         };
         Turn {
             name,
@@ -385,7 +384,7 @@ impl Naming<'_> {
         }
     }
 
-    /// The coordinates that an operation sums, if it does nothing else.
+    /// Coordinates whose sum an operation is, if it is such a sum.
     fn sum(&self, operation: Operation) -> Option<Vec<u16>> {
         let Operation::Add(a, b) = operation else {
             return None;

@@ -1,13 +1,13 @@
-//! A program run as it stands, without a compiler.
+//! Interpreter of programs.
 //!
-//! In: a program and its inputs. Out: its results, in any arithmetic. It never reorders an operation, so
-//! that its results are those of the generated code on a target that fuses products with sums, or
-//! does not, as the arithmetic does.
+//! In: a program and its inputs. Out: its results, in any arithmetic. The order of operations is that of the generated
+//! code, and the arithmetic decides whether fused operations round once, so that results are those of a target with or
+//! without them.
 
 use super::{Operand, Operation, Program};
 use crate::expression::{Arithmetic, Input};
 
-/// Runs a program on what `input` says.
+/// Runs a program on the values of `input`.
 pub fn run<T: Arithmetic>(program: &Program, input: impl Fn(Input) -> T) -> Vec<T> {
     let mut steps: Vec<T> = Vec::with_capacity(program.steps.len());
     let mut angles: Vec<(T, T)> = Vec::new();

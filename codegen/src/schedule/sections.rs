@@ -1,12 +1,11 @@
-//! Which steps of a long program become functions of their own.
+//! Sections: division of a long program into functions.
 //!
-//! In: a [`Program`], and how long a function may be. Out: its steps behind the sines in sections, in the
-//! order in which they run, and where in a work array each value waits that is read in another section
-//! than its own. A repeat is a section by itself. It never changes or moves a step, and knows no language.
+//! In: a [`Program`] and the maximum length of a function. Out: its steps after the sines in sections, in execution
+//! order, and the index in a work array of each value that another section reads. A repeat is a section of its own.
+//! Steps are neither changed nor moved.
 //!
-//! Compilers take more than twice as long for a function twice as long: they look at all values that are
-//! alive at a time, and at all pairs of some. Sections make time and memory linear. A value that waits in
-//! an array was going to wait on the stack anyhow.
+//! The time of compilers grows faster than linearly with the length of a function, since they compare all live values.
+//! Sections make time and memory linear. A value in the work array would otherwise be spilled to the stack.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -16,23 +15,23 @@ use super::repeats::{Repeat, repeats};
 use super::{Operand, Program};
 use crate::expression::Input;
 
-/// How long a function is that compilers see.
+/// Length of functions in generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Length {
-    /// The most steps of a program that stays whole, those of a repeat counted once.
+    /// Maximum number of steps of a program without sections; those of a repeat count once.
     whole: usize,
-    /// The most steps of a section of one that does not.
+    /// Maximum number of steps of a section.
     section: usize,
 }
 
 impl Length {
-    /// Whatever it is, it stays whole.
+    /// No sections.
     pub const UNBOUNDED: Self = Self {
         whole: usize::MAX,
         section: usize::MAX,
     };
 
-    /// No function has more steps than this, of which there is at least one.
+    /// Functions of at most this number of steps, which is at least one.
     #[must_use]
     pub const fn at_most(steps: usize) -> Self {
         let steps = if steps == 0 { 1 } else { steps };
@@ -42,7 +41,7 @@ impl Length {
         }
     }
 
-    /// The most steps of a section.
+    /// Maximum number of steps of a section.
     #[must_use]
     pub const fn of_section(self) -> usize {
         self.section
@@ -50,8 +49,8 @@ impl Length {
 }
 
 impl Default for Length {
-    /// What was measured to be best: from here on a function compiles faster in sections, and runs as fast;
-    /// shorter sections compile no faster, and store more.
+    /// Measured: longer functions compile faster in sections of this length, and run as fast. Shorter sections compile
+    /// no faster and store more values.
     fn default() -> Self {
         Self {
             whole: 8000,
@@ -60,20 +59,20 @@ impl Default for Length {
     }
 }
 
-/// A value that is read in another section than its own, or in one without being of any.
+/// Value that a section reads and does not compute, or that the function's results read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Waiting {
+pub enum Shared {
     /// An argument or a field.
     Input(Input),
-    /// The sine of the angle of that index.
+    /// The sine of the angle with this index.
     Sin(u32),
-    /// The cosine of the angle of that index.
+    /// The cosine of the angle with this index.
     Cos(u32),
     /// The result of a step.
     Step(u32),
 }
 
-impl Waiting {
+impl Shared {
     const fn of(operand: Operand) -> Option<Self> {
         match operand {
             Operand::Literal(_) => None,
@@ -84,7 +83,7 @@ impl Waiting {
         }
     }
 
-    /// The same as an operand.
+    /// The same value as an operand.
     #[must_use]
     pub const fn operand(self) -> Operand {
         match self {
@@ -96,33 +95,33 @@ impl Waiting {
     }
 }
 
-/// A program in sections.
+/// Program in sections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sections {
-    /// What is put into the work array before the first section, and where.
-    pub given: Vec<(Waiting, usize)>,
-    /// The sections, of all steps behind the sines.
+    /// Values that are stored in the work array before the first section, with their indices.
+    pub initial: Vec<(Shared, usize)>,
+    /// Sections of all steps after the sines.
     pub sections: Vec<Section>,
-    /// For each result its place in the work array, where it is the result of a section.
+    /// For each result its index in the work array, if a section computes it.
     pub results: Vec<Option<usize>>,
-    /// How long the work array is.
+    /// Length of the work array.
     pub work: usize,
 }
 
-/// Steps that become a function.
+/// Steps of one function.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
-    /// Which steps.
+    /// Range of steps.
     pub steps: Range<u32>,
-    /// What they read of the work array.
-    pub taken: Vec<(Waiting, usize)>,
-    /// The steps whose results they put into it.
-    pub left: Vec<(u32, usize)>,
-    /// The repeat that they are, if they are one.
+    /// Values that they read from the work array.
+    pub loads: Vec<(Shared, usize)>,
+    /// Steps whose results are stored in the work array.
+    pub stores: Vec<(u32, usize)>,
+    /// Repeat, if the section is one.
     pub repeat: Option<Repeat>,
 }
 
-/// The sections of a program; none where it is short enough to stay whole.
+/// Sections of a program; `None` if it is short enough for one function.
 #[must_use]
 pub fn sections(program: &Program, length: Length) -> Option<Sections> {
     if program.steps.len() <= length.whole {
@@ -135,80 +134,80 @@ pub fn sections(program: &Program, length: Length) -> Option<Sections> {
         return None;
     }
     let (ranges, repeats) = ranges(program, repeats, length.section);
-    // The section that computes a step; none before the sines.
+    // Section that computes each step; `None` before the sines.
     let mut home: Vec<Option<usize>> = vec![None; program.steps.len()];
     for (number, range) in ranges.iter().enumerate() {
         home[range.start as usize..range.end as usize].fill(Some(number));
     }
-    let home = |value: &Waiting| match *value {
-        Waiting::Step(step) => home[step as usize],
+    let home = |value: &Shared| match *value {
+        Shared::Step(step) => home[step as usize],
         _ => None,
     };
-    // The section behind which nobody reads a value that waits.
-    let mut until: BTreeMap<Waiting, usize> = BTreeMap::new();
-    let mut taken: Vec<BTreeSet<Waiting>> = vec![BTreeSet::new(); ranges.len()];
+    // Last section that reads each value.
+    let mut until: BTreeMap<Shared, usize> = BTreeMap::new();
+    let mut loads: Vec<BTreeSet<Shared>> = vec![BTreeSet::new(); ranges.len()];
     for (number, range) in ranges.iter().enumerate() {
         let steps = &program.steps[range.start as usize..range.end as usize];
         let read = steps.iter().flat_map(|step| step.operation.operands());
-        for value in read.filter_map(Waiting::of) {
+        for value in read.filter_map(Shared::of) {
             if home(&value) != Some(number) {
-                taken[number].insert(value);
+                loads[number].insert(value);
                 until.insert(value, number);
             }
         }
     }
-    let result = |&operand: &Operand| Waiting::of(operand).filter(|value| home(value).is_some());
+    let result = |&operand: &Operand| Shared::of(operand).filter(|value| home(value).is_some());
     for value in program.results.iter().filter_map(result) {
         until.insert(value, usize::MAX);
     }
 
     let mut places = Places::default();
-    let given = until.keys().filter(|value| home(value).is_none());
-    let given = given.map(|&value| (value, places.take(value))).collect();
-    let sections = ranges.into_iter().zip(taken).zip(repeats).enumerate();
-    let sections = sections.map(|(number, ((steps, taken), repeat))| {
-        let left = steps
+    let initial = until.keys().filter(|value| home(value).is_none());
+    let initial = initial.map(|&value| (value, places.take(value))).collect();
+    let sections = ranges.into_iter().zip(loads).zip(repeats).enumerate();
+    let sections = sections.map(|(number, ((steps, loads), repeat))| {
+        let stores = steps
             .clone()
-            .filter(|&step| until.contains_key(&Waiting::Step(step)));
-        let left = left
-            .map(|step| (step, places.take(Waiting::Step(step))))
+            .filter(|&step| until.contains_key(&Shared::Step(step)));
+        let stores = stores
+            .map(|step| (step, places.take(Shared::Step(step))))
             .collect();
-        let taken: Vec<_> = (taken.into_iter())
+        let loads: Vec<_> = (loads.into_iter())
             .map(|value| (value, places.of[&value]))
             .collect();
-        // Only what comes later may stand there: a section takes and leaves in any order.
-        for (value, place) in &taken {
+        // A section may read and write the array in any order, so its own values need other entries.
+        for (value, place) in &loads {
             if until[value] == number {
                 places.free.insert(*place);
             }
         }
         Section {
             steps,
-            taken,
-            left,
+            loads,
+            stores,
             repeat,
         }
     });
     let sections = sections.collect();
     let results = program.results.iter().map(result);
     Some(Sections {
-        given,
+        initial,
         sections,
         results: results.map(|value| Some(places.of[&value?])).collect(),
         work: places.len,
     })
 }
 
-/// Where values wait.
+/// Allocation of the work array.
 #[derive(Default)]
 struct Places {
-    of: BTreeMap<Waiting, usize>,
+    of: BTreeMap<Shared, usize>,
     free: BTreeSet<usize>,
     len: usize,
 }
 
 impl Places {
-    fn take(&mut self, value: Waiting) -> usize {
+    fn take(&mut self, value: Shared) -> usize {
         let place = self.free.pop_first().unwrap_or_else(|| {
             self.len += 1;
             self.len - 1
@@ -218,7 +217,7 @@ impl Places {
     }
 }
 
-/// The steps behind the sines in ranges, and which of these are repeats; others hold at most so many.
+/// Ranges of the steps after the sines, and the repeats among them; other ranges have at most `most` steps.
 fn ranges(
     program: &Program,
     repeats: Vec<Repeat>,
@@ -240,8 +239,8 @@ fn ranges(
     (ranges, of)
 }
 
-/// Cuts a stretch where the fewest values are read behind the cut that were computed before it, in the second half
-/// of what a section can be.
+/// Cuts a stretch into sections: each cut is in the second half of the allowed length, where the fewest earlier values
+/// are still read.
 fn cut(stretch: Range<usize>, most: usize, crossing: &[usize], ranges: &mut Vec<Range<u32>>) {
     let mut start = stretch.start;
     while start < stretch.end {
@@ -257,10 +256,10 @@ fn cut(stretch: Range<usize>, most: usize, crossing: &[usize], ranges: &mut Vec<
     }
 }
 
-/// How many results of steps from the first one on are computed before each step, and read by it or behind it.
+/// Number of live values before each step: results of steps from `first` on that are read at this step or later.
 fn crossing(program: &Program, first: u32) -> Vec<usize> {
     let steps = (0_u32..).zip(&program.steps);
-    // What nobody reads ends where it is computed.
+    // A value that is not read lives for one step.
     let mut last_read: Vec<u32> = steps.clone().map(|(at, _)| at).collect();
     note_readers(steps, &mut last_read);
     let mut ending = vec![0; program.steps.len() + 1];

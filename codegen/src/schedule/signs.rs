@@ -1,36 +1,36 @@
-//! Which values are computed with the opposite sign, because that is free and saves a sign change
-//! later or gives a matrix entry its own name instead of its negative's.
+//! Signs: values that are computed with the opposite sign, which is free and saves a negation or gives a matrix entry
+//! its own name.
 //!
-//! In: a graph, what is needed of it, and what is fused. Out: a sign for each expression. It never
-//! costs an operation: a − b and b − a are one each, and a number takes a sign in.
+//! In: a graph, its needed expressions, and its fused sums. Out: a sign for each expression. No operation is added:
+//! a − b and b − a cost the same, and literals are negated during generation.
 
 use super::fuse::{Form, Fused};
 use crate::expression::{Expr, Graph, Node};
 
-/// The signs under which expressions are computed.
+/// Signs with which expressions are computed.
 pub struct Signs {
     turned: Vec<bool>,
-    /// Numbers, which take any sign.
+    /// Expressions that are literals, which may have any sign.
     numbers: Vec<bool>,
 }
 
 impl Signs {
-    /// Whether the opposite of an expression is what is computed.
+    /// True if the negative of an expression is computed.
     pub fn turned(&self, expr: Expr) -> bool {
         self.turned[expr.index()]
     }
 
-    /// Whether a minus stands before the product of what is computed for the factors.
+    /// True if the product of the operands that hold the factors is −x y.
     pub fn of_factors(&self, x: Expr, y: Expr) -> bool {
         self.turned(x) != self.turned(y)
     }
 
-    /// Whether the product of the factors as found is the opposite of the product as computed.
+    /// True if the product of the operands that hold the factors is the negative of the operand that holds the product.
     pub fn of_product(&self, x: Expr, y: Expr, product: Expr) -> bool {
         self.of_factors(x, y) != self.turned(product)
     }
 
-    /// Chooses from the leaves to the results: where both signs are free, the one that is wished.
+    /// Chooses from the leaves to the results: if both signs are free, the preferred one.
     pub fn choose(graph: &Graph, needed: &[Expr], results: &[Expr], fused: &Fused) -> Self {
         let wishes = wishes(graph, needed, results);
         let mut signs = Self {
@@ -61,7 +61,7 @@ impl Signs {
                 (Node::Sub(a, b), _) => sum(signs.term(a), signs.term(b).map(|minus| !minus)),
                 (Node::Mul(a, _), _) if signs.numbers[a.index()] => None,
                 (Node::Mul(a, b) | Node::Div(a, b), _) => Some(signs.of_factors(a, b)),
-                // Of the opposite angle it is the opposite; the cosine is the same.
+                // sin(−a) = −sin a and cos(−a) = cos a.
                 (Node::Sin(a), _) => Some(signs.turned(a)),
                 _ => Some(false),
             };
@@ -70,14 +70,14 @@ impl Signs {
         signs
     }
 
-    /// The sign of a term; none where it is a number and may have either.
+    /// True if a term is computed with the opposite sign; `None` for a literal, which may have either.
     fn term(&self, expr: Expr) -> Option<bool> {
         (!self.numbers[expr.index()]).then(|| self.turned(expr))
     }
 }
 
-/// Whether a value had better be turned: a result by the sign it is wanted with, an entry of a
-/// matrix by its name, and what a sum of equal signs is made of like the sum.
+/// Preferred signs: results and labelled matrix entries prefer their own sign; operands prefer the sign of the value
+/// that reads them, if that saves a negation.
 fn wishes(graph: &Graph, needed: &[Expr], results: &[Expr]) -> Vec<Option<bool>> {
     let mut wishes = vec![None; graph.len()];
     for &result in results {
@@ -106,7 +106,7 @@ fn wishes(graph: &Graph, needed: &[Expr], results: &[Expr]) -> Vec<Option<bool>>
     wishes
 }
 
-/// The sign that a sum must have because both terms have it; none where both are free.
+/// Common sign of both terms, which the sum inherits; `None` if a sum with either sign costs the same.
 fn sum(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     match (a, b) {
         (Some(a), Some(b)) if a == b => Some(a),

@@ -1,17 +1,17 @@
-//! The equations by which sums become cheaper, as a table of named rules.
+//! Rules of simplification: a table of named equations by which sums become cheaper.
 //!
-//! In: a sum of the graph being made. Out: something equal with fewer operations, or nothing. Rules
-//! rely on the canonical form of the graph (constants first, signs outermost), go in one
-//! direction, and each has its equation beside it and its own test.
+//! In: a sum of the graph being made. Out: an equal expression with fewer operations, or `None`. Rules rely on the
+//! canonical form of the graph (constants first, signs outermost) and go in one direction. Each has its equation beside
+//! it and its own test.
 
 use super::Site;
 use crate::expression::{Node, Term};
 
 /// A directional equation.
 pub struct Rule {
-    /// What it is called in tests.
+    /// Its name in tests.
     pub name: &'static str,
-    /// What it says.
+    /// Its equation.
     pub equation: &'static str,
     apply: for<'g> fn(&Site<'g>, &Sum<'g>) -> Option<Term<'g>>,
 }
@@ -32,7 +32,7 @@ struct Sum<'g> {
     minus: bool,
 }
 
-/// The term after the first rule that fits, or as it was.
+/// The result of the first rule that fits, or the term itself.
 pub(super) fn apply<'g>(site: &Site<'g>, term: Term<'g>) -> Term<'g> {
     let Some(sum) = sum(site, term) else {
         return term;
@@ -43,7 +43,7 @@ pub(super) fn apply<'g>(site: &Site<'g>, term: Term<'g>) -> Term<'g> {
         .unwrap_or(term)
 }
 
-/// The term taken as a sum; numbers are folded already.
+/// The term as a sum; constants are folded already.
 fn sum<'g>(site: &Site<'g>, term: Term<'g>) -> Option<Sum<'g>> {
     if term.value().is_some() {
         return None;
@@ -65,7 +65,7 @@ fn sum<'g>(site: &Site<'g>, term: Term<'g>) -> Option<Sum<'g>> {
 }
 
 impl<'g> Sum<'g> {
-    /// Both operands, each with whether a minus stands before it.
+    /// Both operands, each with true if a minus stands before it.
     const fn signed(&self) -> [(bool, Term<'g>); 2] {
         [(false, self.a), (self.minus, self.b)]
     }
@@ -168,7 +168,7 @@ mod tests {
         })[0]
     }
 
-    /// The operations before and after, of an expression whose value must stay.
+    /// The numbers of operations before and after, of an expression whose value must stay.
     fn operations(make: impl for<'g> Fn(&'g Graph) -> Term<'g>) -> (usize, usize) {
         let graph = Graph::new();
         let result = [make(&graph).expr()];
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn random_expressions_keep_their_value_and_never_become_dearer() {
+    fn random_expressions_keep_their_value_and_cost_no_more() {
         let mut random = Random::new(7);
         for _ in 0..300 {
             let choices: Vec<[usize; 3]> = (0..30)

@@ -1,11 +1,10 @@
-//! What a function returns: an entity for each entry of some spaces, or several such by name.
+//! Results of functions: one entity for each entry of some spaces, or several such results by name.
 //!
-//! In: spaces of a robot. Out: how many numbers a result holds, in which arrays, in which units, and
-//! whose they are. It never says how a language writes it.
+//! In: the spaces of a robot. Out: number of values, shape of arrays, units, and the entry that each value belongs to.
 
 use super::{Kind, Space, Spaces};
 
-/// One of the things that results are made of.
+/// Type of the elements of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entity {
     /// A number.
@@ -22,46 +21,45 @@ pub enum Entity {
     Vector,
     /// A momentum matrix: γ_x, γ_y, γ_z, ρ_x, ρ_y, ρ_z.
     Momentum,
-    /// An action matrix: c_x, c_y, c_z, f_x, f_y, f_z.
+    /// A wrench matrix: c_x, c_y, c_z, f_x, f_y, f_z.
     Action,
     /// A screw: u_x, u_y, u_z, b_x, b_y, b_z.
     Screw,
 }
 
-/// An entity for each entry of a product of spaces, the last space's entries next to each other.
+/// An array of entities over a product of spaces, the last space's entries next to each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantity {
-    /// The spaces.
+    /// Spaces, the outermost first.
     pub over: &'static [Space],
-    /// What there is for each entry of each.
+    /// Element for each combination of entries.
     pub entity: Entity,
-    /// The units of one entity's numbers, 1 where there is none, by the kinds of the entries that it is
-    /// for.
+    /// Units of the values of one entity, "1" if dimensionless, by the kinds of the entries that it belongs to.
     pub units: fn(&[Kind]) -> Vec<&'static str>,
 }
 
-/// What a function returns: its numbers stand part by part, in this order.
+/// Result of a function; values are stored part by part, in this order.
 #[derive(Clone, Copy, Debug)]
 pub enum Outcome {
-    /// A quantity by itself.
+    /// A single quantity.
     One(Quantity),
-    /// Several quantities: a struct with named fields, an object, or an array each.
-    Parts(&'static [Part]),
+    /// Several quantities with the name of their struct: a field each, an object in JSON, or an array each in C.
+    Parts(&'static str, &'static [Part]),
 }
 
-/// A quantity among several.
+/// A named quantity of a result.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
-    /// Its name.
+    /// Name of the field.
     pub name: &'static str,
-    /// What it tells, a sentence.
+    /// Sentence for its documentation.
     pub about: &'static str,
-    /// What it is.
+    /// The quantity.
     pub quantity: Quantity,
 }
 
 impl Entity {
-    /// The arrays within arrays that hold its numbers, the outermost first.
+    /// Shape of its array, the outermost dimension first.
     #[must_use]
     pub const fn dimensions(self) -> &'static [usize] {
         match self {
@@ -72,13 +70,13 @@ impl Entity {
         }
     }
 
-    /// How many numbers it is.
+    /// Number of values.
     #[must_use]
     pub fn size(self) -> usize {
         self.dimensions().iter().product()
     }
 
-    /// What its numbers are where they stand in arrays, in a sentence.
+    /// Sentence about the order of values in arrays; `None` for a number.
     #[must_use]
     pub const fn layout(self) -> Option<&'static str> {
         Some(match self {
@@ -95,25 +93,25 @@ impl Entity {
 }
 
 impl Quantity {
-    /// Whether it is one number by itself.
+    /// True for a single number.
     #[must_use]
     pub fn is_number(&self) -> bool {
         self.over.is_empty() && self.entity == Entity::Number
     }
 
-    /// How many entries each of its spaces has.
+    /// Number of entries of each space.
     #[must_use]
     pub fn lengths(&self, spaces: &Spaces) -> Vec<usize> {
         self.over.iter().map(|&space| spaces.len(space)).collect()
     }
 
-    /// How many numbers it is.
+    /// Number of values.
     #[must_use]
     pub fn size(&self, spaces: &Spaces) -> usize {
         self.lengths(spaces).iter().product::<usize>() * self.entity.size()
     }
 
-    /// The unit of each number.
+    /// Unit of each value.
     #[must_use]
     pub fn units(&self, spaces: &Spaces) -> Vec<&'static str> {
         let mut kinds: Vec<Vec<Kind>> = vec![Vec::new()];
@@ -129,7 +127,7 @@ impl Quantity {
         units.collect()
     }
 
-    /// The first of its spaces, and the entry of it that a number belongs to; none where it is over no space.
+    /// First space, and the entry of it that a value belongs to; `None` without spaces.
     #[must_use]
     pub fn owner(&self, spaces: &Spaces, number: usize) -> Option<(Space, usize)> {
         let &first = self.over.first()?;
@@ -139,34 +137,34 @@ impl Quantity {
 }
 
 impl Outcome {
-    /// Its quantities, by name where there are several.
+    /// Quantities, with their names if there are several.
     pub fn parts(self) -> impl Iterator<Item = (Option<&'static str>, Quantity)> {
         let (one, parts): (_, &[Part]) = match self {
             Self::One(quantity) => (Some((None, quantity)), &[]),
-            Self::Parts(parts) => (None, parts),
+            Self::Parts(_, parts) => (None, parts),
         };
         let parts = parts.iter().map(|part| (Some(part.name), part.quantity));
         one.into_iter().chain(parts)
     }
 
-    /// Whether it is one number by itself.
+    /// True for a single number.
     #[must_use]
     pub fn is_number(self) -> bool {
         matches!(self, Self::One(quantity) if quantity.is_number())
     }
 
-    /// How many numbers it is.
+    /// Number of values.
     #[must_use]
     pub fn size(self, spaces: &Spaces) -> usize {
         self.parts().map(|(_, part)| part.size(spaces)).sum()
     }
 
-    /// The numbers of each of its quantities, of all of them.
+    /// Splits the values of the whole result into those of each quantity.
     #[must_use]
     pub fn split<'n, T>(self, spaces: &Spaces, numbers: &'n [T]) -> Vec<&'n [T]> {
         let mut rest = numbers;
         let parts = self.parts().map(|(_, part)| {
-            // Of a function that could not be expanded there are none.
+            // A function that could not be expanded has no values.
             let (own, others) = rest.split_at(part.size(spaces).min(rest.len()));
             rest = others;
             own
@@ -174,7 +172,7 @@ impl Outcome {
         parts.collect()
     }
 
-    /// The unit of each number.
+    /// Unit of each value.
     #[must_use]
     pub fn units(self, spaces: &Spaces) -> Vec<&'static str> {
         self.parts()
@@ -182,8 +180,7 @@ impl Outcome {
             .collect()
     }
 
-    /// The first of the spaces of the quantity that a number is of, and the entry of it that the number
-    /// belongs to; none where the quantity is over no space.
+    /// First space of the quantity that a value belongs to, and its entry; `None` if the quantity has no space.
     #[must_use]
     pub fn owner(self, spaces: &Spaces, number: usize) -> Option<(Space, usize)> {
         let mut number = number;

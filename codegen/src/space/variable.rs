@@ -1,4 +1,4 @@
-//! What an argument of a generated function holds: a number for each entry of a space.
+//! Arguments of generated functions: a number for each entry of a space.
 
 use std::f64::consts::PI;
 use std::ops::{Index, IndexMut};
@@ -9,23 +9,23 @@ use super::{Kind, Space};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Variable {
-    /// Joint coordinates [rad or m].
+    /// Configuration q [rad or m].
     Q,
-    /// Their rates [rad/s or m/s].
+    /// Velocities q̇ [rad/s or m/s].
     Qd,
-    /// Their second rates [rad/s² or m/s²].
+    /// Accelerations q̈ [rad/s² or m/s²].
     Qdd,
     /// Joint torques and forces \[N m or N\].
     Tau,
-    /// What the surroundings exert on links \[N m and N\].
+    /// External wrenches on links \[N m and N\].
     Actions,
 }
 
 impl Variable {
-    /// All of them, in the order in which functions take them.
+    /// All arguments, in the order of parameters.
     pub const ALL: [Self; 5] = [Self::Q, Self::Qd, Self::Qdd, Self::Tau, Self::Actions];
 
-    /// Its name in generated code and in state files.
+    /// Name in generated code and in state files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -37,7 +37,7 @@ impl Variable {
         }
     }
 
-    /// Its letter in sentences.
+    /// Letter in sentences.
     #[must_use]
     pub const fn letter(self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl Variable {
         }
     }
 
-    /// What it lists a number for each entry of.
+    /// Space of its entries.
     #[must_use]
     pub const fn space(self) -> Space {
         match self {
@@ -59,7 +59,7 @@ impl Variable {
         }
     }
 
-    /// The unit of an entry.
+    /// Unit of an entry.
     #[must_use]
     pub const fn unit(self, kind: Kind) -> &'static str {
         match (self, kind) {
@@ -76,15 +76,14 @@ impl Variable {
         }
     }
 
-    /// Whether a description may limit it, as it does coordinates and rates.
+    /// True if descriptions may limit it: q and q̇.
     #[must_use]
     pub const fn has_limits(self) -> bool {
         matches!(self, Self::Q | Self::Qd)
     }
 
-    /// How large an entry is of which no description tells: coordinates go π rad or 1 m to both sides, with
-    /// 10 rad/s or 1 m/s, and 10 rad/s² or 10 m/s²; the surroundings act with 100 N m and 100 N. Nothing is said
-    /// of forces of joints.
+    /// Magnitude that is assumed if the description has no limits: q within π rad or 1 m, q̇ within 10 rad/s or 1 m/s,
+    /// q̈ within 10 rad/s² or 10 m/s², external wrenches within 100 N m and 100 N. `None` for τ.
     #[must_use]
     pub const fn usual(self, kind: Kind) -> Option<f64> {
         match (self, kind) {
@@ -96,7 +95,7 @@ impl Variable {
         }
     }
 
-    /// All that some functions together are functions of, in the order of the parameters.
+    /// Union of the arguments of several functions, in the order of parameters.
     #[must_use]
     pub fn together(each: impl IntoIterator<Item = Vec<Self>>) -> Vec<Self> {
         let mut all: Vec<Self> = each.into_iter().flatten().collect();
@@ -106,7 +105,7 @@ impl Variable {
     }
 }
 
-/// A list for each argument: what there is of each of its entries.
+/// A list for each argument, with an item for each of its entries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arguments<T>([Vec<T>; Variable::ALL.len()]);
 
@@ -117,12 +116,12 @@ impl<T> Default for Arguments<T> {
 }
 
 impl<T> Arguments<T> {
-    /// The lists, made in the order of the arguments.
+    /// Calls `list` for each argument, in their order.
     pub fn of(list: impl FnMut(Variable) -> Vec<T>) -> Self {
         Self(Variable::ALL.map(list))
     }
 
-    /// What there is of an entry; none beyond the end of the list.
+    /// Item of an entry; `None` beyond the end of the list.
     #[must_use]
     pub fn get(&self, variable: Variable, entry: u16) -> Option<&T> {
         self[variable].get(usize::from(entry))

@@ -1,11 +1,11 @@
-//! The code of this crate, for whoever holds all of it to a rule.
+//! The code of this crate, for tests of rules about all of it.
 //!
-//! In: the sources. Out: their lines, without tests and without lines that are comments. It judges nothing.
+//! In: the sources. Out: their lines, without tests and without lines that are comments.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Of each file its path within the sources, and its lines with their numbers.
+/// For each file its path within the sources, and its lines with their numbers.
 pub fn code() -> Vec<(PathBuf, Vec<(usize, String)>)> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let files = files(&source);

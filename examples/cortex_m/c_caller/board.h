@@ -1,4 +1,4 @@
-/* What the program needs of the board. */
+/* The functions of the board that the program needs. */
 
 #ifndef BOARD_H
 #define BOARD_H

@@ -1,7 +1,7 @@
 //! Generates the arm's functions, and the header that declares them to C; and the same written in C.
 //!
-//! In: the arm that the variable `ARM` names, one of `arms.rs`. Out: `arm.rs` and `arm.h` in
-//! `OUT_DIR`, and `arm.c` with another `arm.h` in its folder `c99`.
+//! In: the name of an arm of `arms.rs` in the variable `ARM`. Out: `arm.rs` and `arm.h` in `OUT_DIR`, and `arm.c` with
+//! another `arm.h` in its folder `c99`.
 
 #[path = "../arms.rs"]
 mod arms;

@@ -10,7 +10,7 @@
 #include "board.h"
 #include "states.h"
 
-/* Every shape that a result has. */
+/* Every shape of a result. */
 union result {
     float pose[3][4];
     float screws[JOINTS][6];
@@ -62,7 +62,7 @@ static const struct {
     {"FORWARD_DYNAMICS", JOINTS, forward_dynamics},
 };
 
-/* A word as 0x0123abcd; processors differ in the bits of NaN, which are all one here. */
+/* A word as 0x0123abcd; one pattern for every NaN, because the patterns of processors differ. */
 static void print_bits(uint32_t bits)
 {
     char word[] = "0x00000000";

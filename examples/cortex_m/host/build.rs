@@ -1,5 +1,5 @@
-//! Generates the same arm once more, for any type of number: with it the host finds what the
-//! controller's results should be and how large its rounding errors may be.
+//! Generates the same arm for any type of number: with it the host computes the exact results of the controller and
+//! the magnitudes of its terms.
 
 #[path = "../arms.rs"]
 mod arms;

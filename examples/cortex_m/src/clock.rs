@@ -1,7 +1,7 @@
-//! How long calls take, by the timer that every Cortex-M has.
+//! The duration of calls, by the system timer of the Cortex-M.
 //!
-//! In: a call. Out: its duration, in instructions under QEMU and in cycles on a board. It counts a
-//! thousand calls, so that the timer's step does not show, and takes off what the loop costs.
+//! In: a call. Out: its duration, in instructions under QEMU and in cycles on a board. A thousand calls are timed, so
+//! that the timer's step is negligible, and the cost of the loop is subtracted.
 
 use core::sync::atomic::{Ordering, compiler_fence};
 
@@ -13,20 +13,20 @@ use cortex_m::peripheral::syst::SystClkSource;
 /// 1 ns. A board's timer steps once a cycle: there this is 1.
 const PER_STEP: u32 = 40;
 
-/// How often a call is repeated.
+/// Number of repetitions of a call.
 const CALLS: u32 = 1000;
 
-/// The call of [`nothing`]: a branch, `nop`, and the way back.
+/// The cost of a call of [`nothing`]: a branch, `nop`, and the return.
 const NOTHING: u32 = 3;
 
 /// The largest count of the timer, 24 bits.
 const FULL: u32 = 0x00ff_ffff;
 
-/// The timer, running.
+/// The running timer.
 pub struct Clock(());
 
 impl Clock {
-    /// Starts the timer; none the second time.
+    /// Starts the timer; `None` if it is running already.
     pub fn start() -> Option<Self> {
         let mut timer = Peripherals::take()?.SYST;
         timer.set_clock_source(SystClkSource::Core);
@@ -40,12 +40,12 @@ impl Clock {
     #[expect(clippy::unused_self, reason = "proof that the timer runs")]
     pub fn one(&self, call: impl Fn()) -> u32 {
         let calls = thousand(call).wrapping_sub(thousand(nothing)) * PER_STEP;
-        // Rounded: the timer's first and last steps are partly others'.
+        // Rounded, because the first and the last step of the timer are incomplete.
         (calls + CALLS / 2) / CALLS + NOTHING
     }
 }
 
-/// The timer's steps during a thousand calls; it counts down.
+/// The number of timer steps during a thousand calls; the timer counts down.
 #[inline(never)]
 fn thousand(call: impl Fn()) -> u32 {
     let start = SYST::get_current();

@@ -1,14 +1,14 @@
-//! What the firmware calls: the generated functions, each out of line, and a control law.
+//! The functions that the firmware calls: the generated ones, each out of line, and a control law.
 //!
-//! In: joint coordinates, rates and what is wanted. Out: torques, poses, matrices. Nothing here
-//! computes but [`computed_torque`], and that only its feedback.
+//! In: joint coordinates, rates and targets. Out: torques, poses, matrices. The feedback of [`computed_torque`] is the
+//! only computation here.
 
 use core::array::from_fn;
 
 use crate::arm::Arm;
 use crate::{JOINTS, Joints, State};
 
-/// Feedback of computed torque: an error of position dies out as a damped spring of 10 rad/s does.
+/// Feedback of computed torque: critically damped at 10 rad/s.
 const STIFFNESS: f32 = 100.0;
 const DAMPING: f32 = 20.0;
 
@@ -19,14 +19,14 @@ pub fn forward_kinematics(q: &Joints) -> [[f32; 4]; 3] {
     Arm.forward_kinematics(q)
 }
 
-/// The joints' screws (u; b) in the axes of the base, pole at the tip.
+/// The joints' screws (u; b) in the axes of the base, reference point at the tip.
 #[inline(never)]
 #[must_use]
 pub fn geometric_jacobian(q: &Joints) -> [[f32; 6]; JOINTS] {
     Arm.geometric_jacobian(q)
 }
 
-/// The torques that hold the arm still \[N m\].
+/// The torques that hold the arm at rest against gravity \[N m\].
 #[inline(never)]
 #[must_use]
 pub fn gravity(q: &Joints) -> Joints {
@@ -54,7 +54,7 @@ pub fn forward_dynamics(q: &Joints, qd: &Joints, tau: &Joints) -> Joints {
     Arm.forward_dynamics(q, qd, tau)
 }
 
-/// The torques that bring the arm from `state` to its target and follow it there \[N m\].
+/// The torques for tracking the target of `state` \[N m\].
 #[inline(never)]
 #[must_use]
 pub fn computed_torque(state: &State) -> Joints {

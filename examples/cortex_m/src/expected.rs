@@ -1,4 +1,4 @@
-//! What the host computed for every state, as bits: committed, and written again by `run.sh`.
+//! The results of the host for every state, as bits; committed, and updated by `run.sh --update`.
 #![expect(clippy::unreadable_literal, reason = "bits are not read")]
 
 include!(concat!(

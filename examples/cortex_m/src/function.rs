@@ -1,7 +1,7 @@
-//! One function of the controller under examination.
+//! The test of one function of the controller.
 //!
-//! In: the function, the states and what the host computed. Out: a line of the report, and whether
-//! every bit and every count was as it should be.
+//! In: the function, the states and the results of the host. Out: a line of the report, and true if every bit is that
+//! of the host and all calls take the same time.
 
 use core::hint::black_box;
 
@@ -11,9 +11,9 @@ use crate::clock::Clock;
 use crate::report::Line;
 use crate::stack;
 
-/// A result, as numbers one after the other.
+/// A result as a list of numbers.
 pub trait Numbers {
-    /// All of them.
+    /// All numbers.
     fn numbers(&self) -> &[f32];
 }
 
@@ -29,7 +29,7 @@ impl<const N: usize, const M: usize> Numbers for [[f32; M]; N] {
     }
 }
 
-/// Whether `function` returns the bits `expected` and takes the same time for every state.
+/// True if `function` returns the bits `expected` and takes the same time for every state.
 pub fn examine<R: Numbers, const WORDS: usize>(
     name: &str,
     clock: &Clock,
@@ -54,7 +54,7 @@ pub fn examine<R: Numbers, const WORDS: usize>(
     time(name, clock, states, function) && different == 0
 }
 
-/// Whether `function` takes the same time for every state.
+/// True if `function` takes the same time for every state.
 fn time<R>(
     name: &str,
     clock: &Clock,
@@ -81,7 +81,7 @@ fn time<R>(
     least == most
 }
 
-/// The bits of a number; processors differ in those of NaN, which are all one here.
+/// The bits of a number; one pattern for every NaN, because the patterns of processors differ.
 fn bits(number: f32) -> u32 {
     if number.is_nan() {
         0x7fc0_0000

@@ -1,8 +1,7 @@
-//! A controller of an arm, as it would be flashed.
+//! A controller of an arm for a microcontroller.
 //!
-//! In: states of the arm. Out: poses, torques and accelerations, by the functions that `build.rs`
-//! generated. It needs `core` alone, is in single precision throughout, and has no path on which it
-//! could panic, allocate or loop.
+//! In: states of the arm. Out: poses, torques and accelerations, by the functions that `build.rs` generates. It needs
+//! `core` only, computes in single precision, and cannot panic, allocate or loop.
 #![no_std]
 
 mod arm;

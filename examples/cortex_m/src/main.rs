@@ -1,8 +1,8 @@
-//! The firmware: runs the controller over a table of states, and tells what it gives and costs.
+//! The firmware: runs the controller over a table of states, and prints results and costs.
 //!
-//! In: [`states`], and what the host computed from them. Out: over semihosting torques, differences,
-//! instructions and stack of every function, for `run.sh` to judge; and a status, 0 where every bit
-//! was as expected and every call of a function took as long as its others.
+//! In: [`states`], and the results of the host for them. Out: over semihosting torques, differences, instructions and
+//! stack of every function, for `run.sh`; and a status, 0 if every bit is as expected and all calls of a function take
+//! the same time.
 #![no_std]
 #![no_main]
 
@@ -34,7 +34,7 @@ fn main() -> ! {
     }
 }
 
-/// Whether everything was as expected.
+/// True if everything is as expected.
 fn run(clock: &Clock) -> bool {
     let states = states();
     for (i, state) in states.iter().enumerate() {
@@ -100,7 +100,7 @@ fn torques(what: &str, state: usize, torques: &[f32]) {
     line.print();
 }
 
-/// Never reached, and therefore never linked; `run.sh` looks.
+/// Never reached, and so never linked; `run.sh` checks this.
 #[panic_handler]
 fn panic(_: &PanicInfo<'_>) -> ! {
     debug::exit(EXIT_FAILURE);

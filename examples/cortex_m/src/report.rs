@@ -1,11 +1,11 @@
 //! Lines of text to the host.
 //!
-//! In: words and numbers. Out: a line over semihosting. It does without `core::fmt`, which has
-//! tables of functions and paths that panic: the image shall have neither.
+//! In: words and numbers. Out: a line over semihosting. `core::fmt` is not used, because it has tables of functions and
+//! paths that panic, which the image must not have.
 
 use cortex_m_semihosting::hio;
 
-/// A line that grows; what does not fit is left out.
+/// A line of limited length; text beyond it is cut off.
 pub struct Line {
     bytes: [u8; 160],
     length: usize,
@@ -26,7 +26,7 @@ impl Line {
         self
     }
 
-    /// Appends an integer, the largest where it is larger.
+    /// Appends an integer; one that does not fit a `u32` becomes the largest.
     pub fn integer(&mut self, value: impl TryInto<u32>) -> &mut Self {
         let value = value.try_into().unwrap_or(u32::MAX);
         let mut power = 1;
@@ -66,11 +66,11 @@ impl Line {
         self
     }
 
-    /// Sends it off.
+    /// Sends the line to the host.
     pub fn print(&mut self) {
         self.byte(b'\n');
         let line = self.bytes.get(..self.length).unwrap_or_default();
-        // Without a host there is nobody to tell that there is none.
+        // Without a host the error cannot be reported.
         if let Ok(mut host) = hio::hstdout() {
             let _ = host.write_all(line);
         }

@@ -1,7 +1,7 @@
-//! How deep a call goes.
+//! The stack depth of a call.
 //!
-//! In: a call. Out: the bytes of stack below its caller that it used, read off paint. It relies on
-//! the stack growing down towards memory that nobody uses, and on interrupts being off.
+//! In: a call. Out: the bytes of stack that it used below its caller, by the words of a painted stack that it
+//! overwrote. The stack must grow down towards unused memory, and interrupts must be off.
 
 use core::ptr::{
     read_volatile, with_exposed_provenance, with_exposed_provenance_mut, write_volatile,
@@ -12,7 +12,7 @@ use cortex_m::register::msp;
 /// The depth that is painted, in words.
 const WORDS: usize = 2048;
 
-/// A word that no computation leaves.
+/// A word that no computation writes.
 const PAINT: u32 = 0xdead_beef;
 
 /// The bytes of stack that `call` used.

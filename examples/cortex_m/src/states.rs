@@ -1,28 +1,27 @@
-//! The states on which the controller is tried, on the board and on the host.
+//! The states of the tests, on the board and on the host.
 //!
-//! In: a table of seven columns, of which an arm of fewer joints takes the first. Out: [`states`].
-//! The first [`TRUSTED`] are what an arm meets; the others are what nobody should send, and for
-//! which the answer is whatever IEEE arithmetic says, in the same time.
+//! In: a table of seven columns; an arm with fewer joints uses the first ones. Out: [`states`]. The first [`TRUSTED`]
+//! are realistic; the others are extreme or invalid, and have the results of IEEE arithmetic in the same time.
 
-/// How many joints the arm has.
+/// Number of joints of the arm.
 pub const JOINTS: usize = match usize::from_str_radix(env!("JOINTS"), 10) {
     Ok(joints) => joints,
-    Err(_) => panic!("`build.rs` says how many joints each arm has"),
+    Err(_) => panic!("`build.rs` sets JOINTS to the number of joints"),
 };
 
 /// A number for each joint.
 pub type Joints = [f32; JOINTS];
 
-/// How many states there are.
+/// Number of states.
 pub const STATES: usize = 11;
 
-/// How many of them, from the first on, have an arm move within its limits.
+/// Number of leading states within the limits of an arm.
 pub const EVERYDAY: usize = 4;
 
-/// How many of them, from the first on, are worth measuring errors of.
+/// Number of leading states whose errors are measured.
 pub const TRUSTED: usize = 7;
 
-/// A state of the arm and what is wanted of it.
+/// A state of the arm, and its target.
 #[derive(Clone, Copy, Debug)]
 pub struct State {
     /// Coordinates \[rad\].
@@ -33,7 +32,7 @@ pub struct State {
     pub qdd: Joints,
     /// Torques \[N m\].
     pub tau: Joints,
-    /// Coordinates \[rad\] and rates [rad/s] that a controller is to reach.
+    /// Target coordinates \[rad\] and rates [rad/s].
     pub target: [Joints; 2],
 }
 
@@ -49,7 +48,7 @@ pub fn states() -> [State; STATES] {
     })
 }
 
-/// As many as the arm has joints.
+/// The first numbers of a row, one for each joint.
 fn first(row: &[f32; 7]) -> Joints {
     let mut joints = [0.0; JOINTS];
     for (joint, value) in joints.iter_mut().zip(row) {

@@ -1,6 +1,6 @@
-//! A controller that knows its arm only through what the build script wrote.
+//! A controller with the functions that the build script generated.
 
-/// What the build script wrote: `struct Arm` and its functions.
+/// The generated file: `struct Arm` and its functions.
 mod arm {
     include!(concat!(env!("OUT_DIR"), "/arm.rs"));
 }

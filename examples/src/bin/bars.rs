@@ -1,4 +1,4 @@
-//! Draws the picture of the README anew, from the committed report: `report/bars.svg`.
+//! Draws the picture of the README from the committed report: `report/bars.svg`.
 
 use std::error::Error;
 use std::fs;

@@ -1,9 +1,9 @@
-//! The inverse dynamics of an arm in batches: nanoseconds a state, on vectors of every length, on one core and
+//! The inverse dynamics of an arm in batches: nanoseconds a state, in registers of every length, on one core and
 //! on all.
 //!
-//! In: the Panda-class arm of `robots/`. Out: a table of times and of their ratios to one state at a time, all
-//! from one run in which the programs take turns. Built without flags it shows what the processor's
-//! vectors give to a program that was not compiled for them.
+//! In: the Panda-class arm of `robots/`. Out: a table of times and of their ratios to one state at a time, from one
+//! run in which the programs take turns. Built without flags, it shows the gain by the processor's SIMD registers for
+//! a program that is compiled for the baseline.
 
 use std::cell::RefCell;
 use std::time::Duration;
@@ -24,7 +24,7 @@ use homogen_examples::timing::alternate;
 )]
 struct Panda;
 
-/// As many states as one core keeps to itself.
+/// The largest number of states that a batch does not split between cores.
 const FEW: usize = 512;
 
 /// States for all cores.

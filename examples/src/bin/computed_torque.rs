@@ -1,8 +1,8 @@
 //! A computed-torque controller tracks a trajectory at 1 kHz on a simulated arm.
 //!
-//! The arm holds 2 kg. For four seconds the controller's model holds nothing; then it is told, by
-//! setting one field, and the errors fall two hundredfold. Draws errors and torques against time, to
-//! `target/computed_torque.svg` or to the path given.
+//! The arm holds 2 kg. For four seconds the controller's model has no payload; then one field is set, and the
+//! errors fall by a factor of 200. Draws errors and torques over time to `target/computed_torque.svg` or to the
+//! path given.
 
 use std::io;
 use std::time::{Duration, Instant};
@@ -14,12 +14,12 @@ use homogen_examples::machine;
 use homogen_examples::motion::{Waves, largest, step};
 use homogen_plot::{self as plot, Page, Panel};
 
-/// The arm as the controller believes it to be, and as it is.
+/// The arm, as the controller's model and as the simulated robot.
 #[derive(Robot)]
 #[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
 #[robot(generate(inverse_dynamics, forward_dynamics))]
 struct Panda {
-    /// What the flange holds \[kg\].
+    /// The mass at the flange \[kg\].
     #[robot(mass_of = "link8")]
     payload: f64,
 }
@@ -28,12 +28,12 @@ type Vector = [f64; 7];
 
 /// Period of the controller and step of the simulation \[s\].
 const PERIOD: f64 = 1e-3;
-/// Length of the run, and when the model is told the payload \[s\].
+/// Length of the run, and the time at which the model gets the payload \[s\].
 const END: f64 = 8.0;
-const TOLD: f64 = 4.0;
+const UPDATED: f64 = 4.0;
 const PAYLOAD: f64 = 2.0;
 const GAINS: Gains = Gains::critical(20.0);
-/// Where the arm should be.
+/// The desired motion.
 const MOTION: Waves<7> = Waves {
     from: [0.0, -0.3, 0.0, -1.9, 0.0, 1.7, 0.0],
     reach: [0.5, 0.3, -0.4, 0.35, 0.5, -0.4, 0.6],
@@ -71,7 +71,7 @@ struct Sample {
     tau: Vector,
 }
 
-/// What happened, and the time the two programs took.
+/// The samples of a run, and the time of controller and simulation.
 struct Run {
     samples: Vec<Sample>,
     controller: Duration,
@@ -91,7 +91,7 @@ fn simulate() -> Run {
         .map(|k| f64::from(k) * PERIOD)
         .take_while(|t| *t <= END)
     {
-        if t >= TOLD {
+        if t >= UPDATED {
             model.payload = PAYLOAD;
         }
         let start = Instant::now();
@@ -109,13 +109,13 @@ fn simulate() -> Run {
 }
 
 impl Run {
-    /// The largest errors of any joint \[rad\]: before the model knows, and a second later.
+    /// The largest errors of any joint \[rad\]: before the model has the payload, and a second later.
     fn worst(&self) -> [f64; 2] {
         let worst = |from: f64, to: f64| {
             let samples = self.samples.iter().filter(|s| (from..=to).contains(&s.t));
             largest(samples.flat_map(|s| s.error))
         };
-        [worst(0.0, TOLD), worst(TOLD + 1.0, END)]
+        [worst(0.0, UPDATED), worst(UPDATED + 1.0, END)]
     }
 
     fn page(&self) -> Page {
@@ -131,7 +131,7 @@ impl Run {
     fn panel(&self, label: &'static str, of: impl Fn(&Sample) -> Vector) -> Panel {
         let drawn = self.samples.iter().step_by(20);
         Panel {
-            marks: vec![(TOLD, "the model learns of the payload".to_owned())],
+            marks: vec![(UPDATED, "the model gets the payload".to_owned())],
             ..joints(label, drawn.map(|s| (s.t, of(s))))
         }
     }
@@ -142,7 +142,7 @@ mod tests {
     use super::simulate;
 
     #[test]
-    fn a_model_that_knows_the_payload_tracks_two_hundred_times_better() {
+    fn a_model_with_the_payload_tracks_two_hundred_times_better() {
         let [before, after] = simulate().worst();
         assert!(before > 5e-3, "{before}");
         assert!(after < before / 200.0, "{before} {after}");

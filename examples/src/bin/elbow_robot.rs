@@ -1,10 +1,9 @@
-//! An elbow robot, direct and inverse: Newton–Raphson follows a circle, and starts from anywhere.
+//! Direct and inverse kinematics of an elbow robot: Newton–Raphson along a circle, and from one start to random poses.
 //!
 //! `cargo run --release -p homogen-examples --bin elbow_robot [picture.svg]`
 //!
-//! Six revolute joints: waist, shoulder, elbow and a wrist of three axes through one point. To reach
-//! a pose is to close the loop from the base through the robot and back from the pose; the same
-//! solver that closes mechanisms does it, and says so where it fails.
+//! Six revolute joints: waist, shoulder, elbow and a wrist of three axes through one point. A pose is reached by
+//! closing the loop from the base through the robot and back from the pose, with the solver of closed loops.
 
 use homogen::loop_closure::{self, ClosedChain, NotClosed, Position};
 use homogen::robot::ForwardKinematics;
@@ -54,10 +53,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A posture with the elbow up and no axis in line with another \[rad\].
+/// A regular configuration with the elbow up \[rad\].
 const START: [f64; 6] = [0.1, -0.7, 1.3, 0.2, -0.6, 0.1];
 
-/// The robot stretched out along x at q = 0; its masses do not matter here.
+/// The robot, stretched out along x at q = 0, without masses.
 fn robot() -> Chain<6, 1> {
     let joint = |name, parent, at, axis| {
         let (placement, about) = (Pose::from_translation(at), Screw::revolute(axis, [0.0; 3]));
@@ -81,7 +80,7 @@ fn robot() -> Chain<6, 1> {
     )
 }
 
-/// A circle in a plane that leans back, the tool pointing forward and down.
+/// A circle in an inclined plane, with the tool pointing forward and down.
 fn target(point: u32) -> Pose<f64> {
     let (s, c) = (TAU * f64::from(point) / f64::from(POINTS)).sin_cos();
     Pose::new(
@@ -132,7 +131,7 @@ fn page(robot: &Chain<6, 1>, way: &[Position<f64, 6>]) -> Page {
         label,
         scale: Scale::Linear,
     };
-    let posture = |found: &Position<f64, 6>, label: &str, color, style| Curve {
+    let skeleton = |found: &Position<f64, 6>, label: &str, color, style| Curve {
         label: label.into(),
         points: oblique_view(robot, &found.q),
         color,
@@ -141,12 +140,12 @@ fn page(robot: &Chain<6, 1>, way: &[Position<f64, 6>]) -> Page {
     let mut arm: Vec<Curve> = way
         .iter()
         .step_by(15)
-        .map(|found| posture(found, "", Color::Grey, Style::Thin))
+        .map(|found| skeleton(found, "", Color::Grey, Style::Thin))
         .collect();
     arm.extend(
         way.iter()
             .take(1)
-            .map(|found| posture(found, "robot", Color::Blue, Style::Links)),
+            .map(|found| skeleton(found, "robot", Color::Blue, Style::Links)),
     );
     let tool = way
         .iter()
@@ -205,8 +204,8 @@ mod tests {
     use homogen::robot::ForwardKinematics;
     use std::f64::consts::TAU;
 
-    /// A turn about z, y or x, written out.
-    fn turn(axis: char, angle: f64) -> [[f64; 3]; 3] {
+    /// The rotation about z, y or x, as an explicit matrix.
+    fn rotation(axis: char, angle: f64) -> [[f64; 3]; 3] {
         let (s, c) = angle.sin_cos();
         match axis {
             'z' => [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
@@ -219,8 +218,8 @@ mod tests {
         a.map(|row| std::array::from_fn(|j| (0..3).map(|k| row[k] * b[k][j]).sum()))
     }
 
-    /// Rows of R and the place of the tool, from the lengths at hand: the arm in its upright plane,
-    /// turned by the waist, and 0.1 m along the hand.
+    /// Rows of R and the position of the tool, from the lengths of the robot: the arm in its vertical plane, rotated
+    /// by the waist, and 0.1 m along the hand.
     fn closed_form(q: &[f64; 6]) -> ([[f64; 3]; 3], [f64; 3]) {
         let (upper, fore) = (q[1], q[1] + q[2]);
         let out = 0.42 * upper.cos() + 0.38 * fore.cos();
@@ -232,9 +231,11 @@ mod tests {
             ('y', q[4]),
             ('x', q[5]),
         ];
-        let r = axes[1..].iter().fold(turn('z', q[0]), |r, (axis, angle)| {
-            product(r, turn(*axis, *angle))
-        });
+        let r = axes[1..]
+            .iter()
+            .fold(rotation('z', q[0]), |r, (axis, angle)| {
+                product(r, rotation(*axis, *angle))
+            });
         let (s, c) = q[0].sin_cos();
         let wrist = [c * out, s * out, up];
         (r, std::array::from_fn(|k| wrist[k] + 0.1 * r[k][0]))
@@ -262,7 +263,7 @@ mod tests {
         for (found, point) in way.iter().zip(0_u32..) {
             let (s, c) = (TAU * f64::from(point) / f64::from(POINTS)).sin_cos();
             let circle = [0.5 + 0.06 * s, 0.12 * c, 0.45 + 0.12 * s];
-            let error = apart(closed_form(&found.q), (turn('y', 1.3), circle));
+            let error = apart(closed_form(&found.q), (rotation('y', 1.3), circle));
             assert!(error < 8e-15, "{error:e} at {point}");
         }
     }
@@ -279,7 +280,7 @@ mod tests {
             }
             assert!(point == 0 || found.iterations <= 8);
         }
-        // Once round, back where it began.
+        // The closed circle ends at its start.
         let (first, last) = (&way[0].q, &way[usize::try_from(POINTS).expect("small")].q);
         assert!(first.iter().zip(last).all(|(a, b)| (a - b).abs() < 1e-13));
     }

@@ -1,6 +1,6 @@
-//! How long the derive takes for each robot that ships, all functions asked for.
+//! The time of the derive with all functions, for each robot of the repository.
 //!
-//! In: what stands above a struct. Out: time and size of what it expands to. Run it without
+//! In: the attributes of a struct. Out: time and size of the generated code. Run it without
 //! `--release`, since cargo builds procedural macros without optimisation:
 //! `cargo run -p homogen-examples --bin expansion`.
 
@@ -34,10 +34,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The best of three runs, and what came out.
+/// The best time of three runs, and the generated code.
 ///
 /// # Errors
-/// Where that is no code but what is wrong, as where files are looked for beside another manifest than cargo names.
+/// If the derive reports an error, for example because `CARGO_MANIFEST_DIR` is another folder.
 fn expand(robot: &str, tip: &str) -> Result<(Duration, String), Box<dyn Error>> {
     let item =
         format!("#[robot(urdf = \"../robots/{robot}.urdf\", tip = \"{tip}\")] struct Robot;");

@@ -2,10 +2,9 @@
 //!
 //! `cargo run --release -p homogen-examples --bin free_flight [picture.svg]`
 //!
-//! Two bodies joined by a hinge with a spring turn and drift in space; nothing acts on them from
-//! outside, so momentum and energy are constant. They are not built into the integration: the drift
-//! is the error of the integration, falls with the fourth power of the step, and ends in rounding.
-//! SPACELIB's users know such a flight from its program TEST.
+//! Two bodies joined by a hinge with a spring rotate and translate in space without external forces, so momentum and
+//! energy are constant. The integrator does not enforce this: the drift is its error, falls with the fourth power of
+//! the step, and ends at rounding. It corresponds to SPACELIB's program TEST.
 
 use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use std::array::from_fn;
@@ -15,10 +14,10 @@ use two_bodies::{Bodies, State};
 #[path = "free_flight/two_bodies.rs"]
 mod two_bodies;
 
-/// How long the flight lasts \[s\].
+/// Duration of the flight \[s\].
 const DURATION: f64 = 10.0;
 
-/// The steps of the fine integration.
+/// Number of steps of the fine integration.
 const STEPS: u32 = 100_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -112,7 +111,7 @@ fn page(flight: &[Moment], drifts: &[(u32, [f64; 2])]) -> Page {
     };
     let fourth_order = |steps: u32, _| {
         let drift = drifts[0].1[0] * (f64::from(drifts[0].0) / f64::from(steps)).powi(4);
-        // Below rounding the line means nothing.
+        // The line ends at rounding.
         if drift > 1e-16 { drift } else { f64::NAN }
     };
     Page {
@@ -177,8 +176,8 @@ mod tests {
     use homogen::{Inertia, Pose, Screw, Velocity};
     use std::array::from_fn;
 
-    /// Two bodies of revolution about their hinge: the angle between them swings as two flywheels on a
-    /// spring do, and their common axis goes round the momentum as that of a top.
+    /// Two bodies of revolution about their hinge: the angle between them oscillates like two flywheels on a
+    /// spring, and their common axis precesses about the momentum like that of a top.
     #[test]
     fn two_flywheels_on_one_axis_are_a_top_and_a_pendulum() {
         let body = |mass, height, [across, about]: [f64; 2]| {
@@ -192,7 +191,7 @@ mod tests {
             hinge: Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]),
             stiffness: 6.0,
         };
-        // The centre of mass of both, which is to stay where it is, and the moment about it across.
+        // The common centre of mass, which must not move, and the moment of inertia about it across the axis.
         let height = (4.0 * 0.1 + 2.0 * 0.5) / 6.0;
         let across = 0.3 + 0.15 + 4.0 * 2.0 / 6.0 * (0.5 - 0.1_f64).powi(2);
         let omega = [0.9, -0.4, 1.5];
@@ -215,7 +214,7 @@ mod tests {
         let expected = angle * c + rate / swing * s;
         assert!((state.rates.angle - expected).abs() < 1e-9);
 
-        // γ about the centre of mass, and z turned about it by |γ| t over the moment across.
+        // γ about the centre of mass, and z rotated about it by |γ| t over the moment of inertia.
         let about = 0.2 * omega[2] + 0.1 * (omega[2] + rate);
         let gamma = [across * omega[0], across * omega[1], about];
         let size = gamma.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -233,7 +232,7 @@ mod tests {
         assert!(expected[2] < 0.9, "it hardly moves");
     }
 
-    /// Hard case 30, a tenth of the flight that the program takes: momentum keeps to 1e-12.
+    /// Hard case 30, a tenth of the flight of the program: momentum is constant to 1e-12.
     #[test]
     fn free_flight() {
         let [momentum, energy] = worst(&fly(&Bodies::example(), 0.1 * DURATION, 5000, 1));
@@ -241,7 +240,7 @@ mod tests {
         assert!(momentum <= 1e-12 && energy <= 1e-12);
     }
 
-    /// The drift is that of the integration, not of the equations: it falls with the fourth power.
+    /// The drift is an error of the integration, not of the equations: it falls with the fourth power.
     #[test]
     fn drift_falls_with_the_fourth_power_of_the_step() {
         let [coarse, fine] =
@@ -252,7 +251,7 @@ mod tests {
         }
     }
 
-    /// The bodies do move: what is constant is not constant because nothing happens.
+    /// The bodies move relative to each other, so that the constants are a meaningful test.
     #[test]
     fn the_bodies_exchange_momentum() {
         let flight = fly(&Bodies::example(), DURATION, 1000, 1);

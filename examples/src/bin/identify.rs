@@ -1,9 +1,9 @@
-//! Identifies what an arm holds, and its friction, from noisy torques of one motion.
+//! Identifies the payload and the friction of an arm from noisy torques of one motion.
 //!
-//! The arm holds 1.3 kg beside the axis of its flange, and every joint has friction of which the model knows nothing.
-//! Torques are measured a hundred times a second with noise of 0.2 N m; ten parameters of what the last joint moves and
-//! two of each joint's friction are fitted to them. Draws the torques of another motion with and without what was found,
-//! and friction over rate, to `target/identify.svg` or to the path given.
+//! The arm holds 1.3 kg beside the axis of its flange, and every joint has friction; the model has neither. Torques are
+//! measured a hundred times a second with noise of 0.2 N m. Ten parameters of the last link with its payload and two of
+//! each joint's friction are fitted to them. Draws the torques of another motion with and without the identified
+//! parameters, and friction over rate, to `target/identify.svg` or to the path given.
 
 use std::array::from_fn;
 use std::io;
@@ -15,7 +15,7 @@ use homogen_examples::motion::{Desired, Waves};
 use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Shape, Style};
 use homogen_random::Random;
 
-/// The arm as it is.
+/// The real arm.
 #[derive(Robot)]
 #[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
 #[robot(damping(
@@ -38,15 +38,15 @@ use homogen_random::Random;
 ))]
 #[robot(generate(inverse_dynamics))]
 struct Arm {
-    /// What the flange holds \[kg\].
+    /// The mass at the flange \[kg\].
     #[robot(mass_of = "link8")]
     payload: f64,
-    /// Where, in the flange's frame \[m\].
+    /// Its position in the flange's frame \[m\].
     #[robot(com_of = "link8")]
     at: [f64; 3],
 }
 
-/// The arm as it is described: no load and no friction, but with columns for both.
+/// The model: no payload and no friction, but regressor columns for both.
 #[derive(Robot)]
 #[robot(
     urdf = "../robots/panda_class.urdf",
@@ -58,17 +58,17 @@ struct Model;
 
 type Vector = [f64; 7];
 
-/// What is to be found: ten parameters of the last link, damping and friction of each joint.
+/// The number of unknowns: ten parameters of the last link, damping and friction of each joint.
 const UNKNOWN: usize = 10 + 2 * 7;
 const PAYLOAD: f64 = 1.3;
 const AT: [f64; 3] = [0.04, -0.02, 0.07];
 /// Standard deviation of a measured torque \[N m\].
 const NOISE: f64 = 0.2;
-/// Between two measurements, and how long the motion is \[s\].
+/// Time between two measurements, and duration of the motion \[s\].
 const PERIOD: f64 = 0.01;
 const END: f64 = 20.0;
 
-/// The motion that excites, and another one to look at what was found.
+/// The exciting motion, and another one for validation.
 const EXCITING: Waves<7> = Waves {
     from: [-0.6, -0.9, -0.5, -2.4, -0.6, 1.2, -0.8],
     reach: [0.6, 0.5, 0.7, 0.4, 0.8, 0.6, 0.9],
@@ -101,8 +101,8 @@ fn main() -> io::Result<()> {
         found.fit.deviation()
     );
     for (k, name) in names.iter().enumerate() {
-        let (is, said) = (found.load[k], truth()[k]);
-        println!("  {name:14} {is:8.4}, is {said:7.4}");
+        let (identified, true_value) = (found.load[k], truth()[k]);
+        println!("  {name:14} {identified:8.4}, is {true_value:7.4}");
     }
     for (joint, [damping, friction]) in found.friction.iter().enumerate() {
         println!(
@@ -112,7 +112,7 @@ fn main() -> io::Result<()> {
     }
     let [before, after] = found.unexplained();
     println!(
-        "  of another motion's torques {before:.2} N m are unexplained before, {after:.2} N m after"
+        "  of another motion's torques {before:.2} N m are not explained before, {after:.2} N m after"
     );
     let path = plot::path_from_arguments("identify");
     plot::write(&path, &found.page())?;
@@ -120,13 +120,13 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// The mass that is held, and where, in the frame of the last link: the flange is 107 mm along its axis.
+/// The mass of the payload and its position in the frame of the last link; the flange is 107 mm along its axis.
 fn truth() -> [f64; 4] {
     let [x, y, z] = AT;
     [PAYLOAD, x, y, z + 0.107]
 }
 
-/// Torques as a sensor has them: those of the arm, and noise.
+/// Measured torques: those of the arm, with noise.
 fn measured(waves: &Waves<7>, t: f64, random: &mut Random) -> (Desired<7>, Vector) {
     let desired = waves.at(t);
     let [q, qd, qdd] = &desired;
@@ -139,7 +139,7 @@ fn measured(waves: &Waves<7>, t: f64, random: &mut Random) -> (Desired<7>, Vecto
     (desired, tau)
 }
 
-/// The columns of what is to be found.
+/// The regressor columns of the unknowns.
 fn columns([q, qd, qdd]: &Desired<7>) -> [[f64; UNKNOWN]; 7] {
     Model.regressor(q, qd, qdd).map(|row| {
         from_fn(|k| match k {
@@ -150,10 +150,10 @@ fn columns([q, qd, qdd]: &Desired<7>) -> [[f64; UNKNOWN]; 7] {
     })
 }
 
-/// What was found.
+/// The result of the identification.
 struct Found {
     fit: Fit<f64, UNKNOWN>,
-    /// Beside what is described.
+    /// Differences of the parameters from the model.
     parameters: [f64; UNKNOWN],
     /// The mass and its centre in the frame of the last link.
     load: [f64; 4],
@@ -187,7 +187,7 @@ fn identify() -> Found {
 }
 
 impl Found {
-    /// Torques of another motion less those of the model; and what was found explains of that.
+    /// Torques of another motion minus those of the model; and the part that the identified parameters explain.
     fn looked_at(&self) -> Vec<(f64, Desired<7>, Vector, Vector)> {
         let mut random = Random::new(2);
         let samples = moments().map(|t| {
@@ -202,7 +202,7 @@ impl Found {
         samples.collect()
     }
 
-    /// The root of the mean square of what is unexplained in the other motion \[N m\]: of the model, and of what was found.
+    /// Root mean square of the residual torques in the other motion \[N m\]: of the model, and of the identified one.
     fn unexplained(&self) -> [f64; 2] {
         let samples = self.looked_at();
         let mean = |of: &dyn Fn(f64, f64) -> f64| {
@@ -237,23 +237,23 @@ impl Found {
                 }
             };
         Page {
-            title: "What a model of an arm misses, before and after identification".to_owned(),
+            title: "Residual torques of an arm, before and after identification".to_owned(),
             panels: vec![
                 over_time(
-                    "joint 2: torque less the model's [N m]",
+                    "joint 2: torque minus that of the model [N m]",
                     vec![
                         over("measured", 1, Color::Grey, Style::Thin, |rest, _, k| {
                             rest[k]
                         }),
                         over(
-                            "payload and friction as found",
+                            "identified payload and friction",
                             1,
                             Color::Blue,
                             Style::Line,
                             |_, found, k| found[k],
                         ),
                         over(
-                            "what is left",
+                            "residual",
                             1,
                             Color::Vermilion,
                             Style::Thin,
@@ -266,12 +266,12 @@ impl Found {
         }
     }
 
-    /// Of joint 1, whose axis is vertical and gravity nothing to it.
+    /// Friction of joint 1, whose vertical axis has no gravity torque.
     fn friction_over_rate(&self, samples: &[(f64, Desired<7>, Vector, Vector)]) -> Panel {
         let [damping, friction] = self.friction[0];
         let line = |sign: f64| Curve {
             label: if sign > 0.0 {
-                "damping and friction as found".to_owned()
+                "identified damping and friction".to_owned()
             } else {
                 String::new()
             },
@@ -292,10 +292,10 @@ impl Found {
         };
         Panel {
             x: axis("rate of joint 1 [rad/s]"),
-            y: axis("its friction [N m]"),
+            y: axis("friction of joint 1 [N m]"),
             curves: vec![
                 Curve {
-                    label: "measured, less all else".to_owned(),
+                    label: "measured, minus all other torques".to_owned(),
                     points: points.step_by(10).collect(),
                     color: Color::Grey,
                     style: Style::Points(Shape::Circle { filled: false }),
@@ -318,7 +318,7 @@ mod tests {
     const FRICTION: [f64; 7] = [1.9, 1.6, 1.2, 1.1, 0.6, 0.5, 0.4];
 
     #[test]
-    fn what_is_found_is_what_is_there() {
+    fn identified_parameters_are_the_true_ones() {
         let found = identify();
         assert!(
             found.fit.excitation() < 2000.0,
@@ -326,7 +326,7 @@ mod tests {
             found.fit.excitation()
         );
         assert!((found.fit.deviation() / NOISE - 1.0).abs() < 0.03);
-        // Within five standard deviations; of the centre, those of its moment beside the mass.
+        // Within five standard deviations; for the centre, those of its first moment over the mass.
         let deviations = found.fit.deviations().expect("all are excited");
         let [mass, x, y, z] = truth();
         let expected = [mass, mass * x, mass * y, mass * z];

@@ -1,8 +1,8 @@
-//! The flange of an arm runs along a circle, upright, while its elbow swings aside: control in operational space.
+//! Operational-space control: the flange of an arm follows a circle, upright, while its elbow moves aside.
 //!
-//! The controller is the one of `homogen_examples::control`, written for any robot; the arm is simulated at 1 kHz. For six
-//! seconds the arm is asked to swing its elbow to another posture, by motions that leave the flange where it is. Draws the
-//! errors of the flange and the joints over time, to `target/operational_space.svg` or to the path given.
+//! The controller is that of `homogen_examples::control`, written for any robot; the arm is simulated at 1 kHz. For six
+//! seconds its elbow moves to another configuration by null-space motions, which do not move the flange. Draws the errors
+//! of the flange and the joints over time to `target/operational_space.svg` or to the path given.
 
 use std::array::from_fn;
 use std::f64::consts::TAU;
@@ -31,12 +31,12 @@ type Vector = [f64; 7];
 /// Period of the controller and step of the simulation, and length of the run \[s\].
 const PERIOD: f64 = 1e-3;
 const END: f64 = 6.0;
-/// The circle \[m\], and how long it takes to run around it \[s\].
+/// Radius of the circle \[m\], and time of one round \[s\].
 const RADIUS: f64 = 0.1;
 const ROUND: f64 = 2.0;
 const START: Vector = [0.0, -0.4, 0.0, -2.2, 0.0, 1.8, 0.8];
-/// Where the elbow is to go: the first three joints say it.
-const POSTURE: Vector = [0.7, -0.5, -0.8, -2.2, 0.5, 1.8, 0.8];
+/// The desired configuration, with another elbow by the first three joints.
+const NULL_SPACE_TARGET: Vector = [0.7, -0.5, -0.8, -2.2, 0.5, 1.8, 0.8];
 const GAINS: Gains = Gains::critical(20.0);
 
 fn main() -> io::Result<()> {
@@ -57,10 +57,10 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// Around a circle in a vertical plane, from rest, with the axes that the flange has in the beginning.
+/// A circle in a vertical plane, from rest, with the initial axes of the flange.
 fn task(t: f64) -> Task {
     let pose = Panda.forward_kinematics(&START);
-    // The angle gathers speed over the first round.
+    // The angle accelerates over the first round.
     let (angle, rate, second) = if t < ROUND {
         let pace = TAU / (2.0 * ROUND * ROUND);
         (pace * t * t, 2.0 * pace * t, 2.0 * pace)
@@ -102,7 +102,7 @@ fn simulate() -> Run {
         let task = task(t);
         let error = apart(&Panda.forward_kinematics(&q), &task.pose);
         let sample = Sample { t, q, error };
-        let tau = operational_space(&Panda, &q, &qd, &task, &POSTURE, GAINS);
+        let tau = operational_space(&Panda, &q, &qd, &task, &NULL_SPACE_TARGET, GAINS);
         step(&Panda, PERIOD, &mut q, &mut qd, &tau);
         sample
     });
@@ -157,7 +157,7 @@ mod tests {
     use super::{START, simulate};
 
     #[test]
-    fn the_flange_keeps_to_its_circle_while_the_elbow_moves() {
+    fn the_flange_stays_on_its_circle_while_the_elbow_moves() {
         let run = simulate();
         assert!(run.worst(3..6) < 2e-4, "{}", run.worst(3..6));
         assert!(run.worst(0..3) < 1e-3, "{}", run.worst(0..3));

@@ -1,8 +1,8 @@
-//! The motion of an arm that costs least: an iterative linear-quadratic regulator on generated derivatives.
+//! The optimal motion of an arm: an iterative linear-quadratic regulator on generated derivatives.
 //!
-//! The arm is to come to rest in another posture within a second; torques beside those that hold it cost, rates do, and
-//! so does whatever is missed. The solver is the one of `homogen_examples::optimal`, written for any robot. Draws what each round
-//! costs, joints and torques, to `target/optimal_motion.svg` or to the path given.
+//! The arm moves to another configuration within a second, from rest to rest. The cost has torques beyond the holding
+//! ones, rates, and the errors at the end. The solver is that of `homogen_examples::optimal`, written for any robot. Draws
+//! the cost of each iteration, joints and torques to `target/optimal_motion.svg` or to the path given.
 
 use std::io;
 use std::time::Instant;
@@ -28,7 +28,7 @@ const PROBLEM: Problem<7> = Problem {
     haste: 0.05,
     miss: [100.0, 10.0],
 };
-const ROUNDS: usize = 40;
+const ITERATIONS: usize = 40;
 
 fn main() -> io::Result<()> {
     let begin = Instant::now();
@@ -40,14 +40,14 @@ fn main() -> io::Result<()> {
         PROBLEM.steps
     );
     println!(
-        "  cost {:.4} after {} rounds, {:.4} in the beginning",
+        "  cost {:.4} after {} iterations, {:.4} at the beginning",
         last(&plan.costs),
         plan.costs.len() - 1,
         plan.costs[0]
     );
     println!("  misses its end by {missed:.1e} rad, and rest by {rest:.1e} rad/s");
     println!(
-        "  {:.1} ms a round, of which most is linear algebra",
+        "  {:.1} ms an iteration, of which most is linear algebra",
         1e3 * time.as_secs_f64() / count(&plan)
     );
     println!("  {}", machine::describe());
@@ -58,19 +58,19 @@ fn main() -> io::Result<()> {
 }
 
 fn solve() -> Plan<7> {
-    PROBLEM.solve(&Panda, &Panda.gravity(&PROBLEM.from), ROUNDS)
+    PROBLEM.solve(&Panda, &Panda.gravity(&PROBLEM.from), ITERATIONS)
 }
 
 fn last(costs: &[f64]) -> f64 {
     costs[costs.len() - 1]
 }
 
-/// How many rounds there were.
+/// Number of iterations.
 fn count(plan: &Plan<7>) -> f64 {
     f64::from(u32::try_from(plan.costs.len() - 1).expect("a few"))
 }
 
-/// By how much the end is missed \[rad\], and how fast the arm still is \[rad/s\].
+/// The largest errors at the end: of coordinates \[rad\] and of rates \[rad/s\].
 fn missed(plan: &Plan<7>) -> [f64; 2] {
     let [q, qd] = plan.states[PROBLEM.steps];
     let off = q.iter().zip(&PROBLEM.to).map(|(q, to)| q - to);
@@ -79,12 +79,11 @@ fn missed(plan: &Plan<7>) -> [f64; 2] {
 
 fn page(plan: &Plan<7>) -> Page {
     let time = |k: usize| f64::from(u32::try_from(k).expect("a few hundred")) * PROBLEM.period;
-    let rounds = plan.costs.iter().enumerate();
-    let rounds =
-        rounds.map(|(round, cost)| [f64::from(u32::try_from(round).expect("a few")), *cost]);
+    let costs = plan.costs.iter().zip(0_u32..);
+    let costs = costs.map(|(cost, iteration)| [f64::from(iteration), *cost]);
     let costs = Panel {
         x: Axis {
-            label: "round",
+            label: "iteration",
             scale: Scale::Linear,
         },
         y: Axis {
@@ -93,7 +92,7 @@ fn page(plan: &Plan<7>) -> Page {
         },
         curves: vec![Curve {
             label: String::new(),
-            points: rounds.collect(),
+            points: costs.collect(),
             color: Color::Blue,
             style: Style::Dots,
         }],
@@ -118,7 +117,7 @@ mod tests {
     use super::{last, missed, solve};
 
     #[test]
-    fn every_round_is_cheaper_and_the_end_is_met() {
+    fn every_iteration_decreases_the_cost_and_the_goal_is_reached() {
         let plan = solve();
         assert!(plan.costs.windows(2).all(|pair| pair[1] < pair[0]));
         assert!(last(&plan.costs) < 0.1 * plan.costs[0], "{:?}", plan.costs);

@@ -1,8 +1,8 @@
 //! A seven-joint arm from its description to checked straight-line code, on one screen.
 //!
-//! In: the Panda-class arm of `robots/`. Out: what was modelled, the price of each function, torques
-//! at a state, and each function against the generic recursions of the runtime: worst difference
-//! and time per call, in one run.
+//! In: the Panda-class arm of `robots/`. Out: facts of the model, the operation count of each function, torques at a
+//! state, and each function against the generic recursions of the runtime: largest difference and time per call,
+//! in one run.
 
 use std::error::Error;
 use std::time::Duration;
@@ -16,7 +16,7 @@ use homogen_examples::{machine, price};
 
 const URDF: &str = include_str!("../../../robots/panda_class.urdf");
 
-/// The arm, every number of it folded into the code.
+/// The arm, with every number folded into the code.
 #[derive(Robot)]
 #[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate(all))]
 struct Panda;
@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "                                mul  add trig dense      f64     f32  generated generic ratio"
     );
     let all = Function::ALL.into_iter();
-    // Which columns a base regressor has, a chain does not know.
+    // A chain does not know its base parameters.
     for function in all.filter(|&function| function != Function::BaseRegressor) {
         let price = prices.of(function);
         let [wide, single] = errors(function, &states);
@@ -79,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Joint torques at one state, both ways.
+/// Joint torques at one state, generated and generic.
 fn show_torques() {
     let state = State {
         q: [0.3, -0.6, 0.2, -2.2, 0.1, 1.6, 0.8],
@@ -125,7 +125,7 @@ fn errors(function: Function, states: &[State<f32, 7>]) -> [f64; 2] {
     [worst(&wide, &reference), worst(&single, &reference)]
 }
 
-/// The largest difference, each entry in relation to the largest magnitude it takes in all states.
+/// The largest difference, each entry relative to its largest magnitude in all states.
 fn worst(results: &[Vec<f64>], reference: &[Vec<f64>]) -> f64 {
     let size = |k: usize| {
         reference
@@ -138,7 +138,7 @@ fn worst(results: &[Vec<f64>], reference: &[Vec<f64>]) -> f64 {
     let mut worst = 0.0_f64;
     for (result, reference) in results.iter().zip(reference) {
         for ((x, y), size) in result.iter().zip(reference).zip(&sizes) {
-            // What is zero in every state has only the others to be compared with.
+            // An entry that is zero in every state is relative to the other entries.
             let size = if *size < 1e-9 * largest {
                 largest
             } else {

@@ -1,8 +1,8 @@
-//! An arm weighs what it holds while it moves: an extended Kalman filter on generated derivatives.
+//! An arm estimates its payload while it moves: an extended Kalman filter on generated derivatives.
 //!
-//! The controller follows a motion by computed torque with the mass that the filter believes in; after three seconds the arm
-//! takes up 2 kg, of which nobody tells it. Draws the mass as it is believed, and the errors of the joints, to
-//! `target/payload_filter.svg` or to the path given.
+//! The controller follows a motion by computed torque with the estimated mass; after three seconds the arm picks up
+//! 2 kg, unknown to the controller. Draws the estimate and the tracking errors to `target/payload_filter.svg` or to the
+//! path given.
 
 use std::array::from_fn;
 use std::io;
@@ -10,7 +10,7 @@ use std::io;
 use homogen::Robot;
 use homogen_examples::control::{Gains, computed_torque};
 use homogen_examples::drawing::{joints, over_time};
-use homogen_examples::filter::{Belief, Doubts};
+use homogen_examples::filter::{Deviations, Estimate};
 use homogen_examples::motion::{Waves, step};
 use homogen_plot::{self as plot, Color, Curve, Page, Style};
 use homogen_random::Random;
@@ -19,7 +19,7 @@ use homogen_random::Random;
 #[robot(urdf = "../robots/panda_class.urdf", tip = "link8")]
 #[robot(generate(inverse_dynamics, forward_dynamics, forward_dynamics_derivatives))]
 struct Panda {
-    /// What the flange holds \[kg\].
+    /// The mass at the flange \[kg\].
     #[robot(mass_of = "link8")]
     payload: f64,
 }
@@ -29,10 +29,10 @@ type Vector = [f64; 7];
 /// Period of the controller, the filter and the simulation, and length of the run \[s\].
 const PERIOD: f64 = 2e-3;
 const END: f64 = 8.0;
-/// What the arm takes up \[kg\], and when \[s\].
+/// The mass that the arm picks up \[kg\], and the time \[s\].
 const PAYLOAD: f64 = 2.0;
 const TAKEN: f64 = 3.0;
-/// How exact the encoders are \[rad\].
+/// Standard deviation of the encoders \[rad\].
 const ENCODER: f64 = 1e-4;
 const MOTION: Waves<7> = Waves {
     from: [0.0, -0.3, 0.0, -1.9, 0.0, 1.7, 0.0],
@@ -42,14 +42,14 @@ const MOTION: Waves<7> = Waves {
 
 fn main() -> io::Result<()> {
     let run = simulate();
-    println!("Panda-class arm that takes up {PAYLOAD} kg after {TAKEN} s");
+    println!("Panda-class arm that picks up {PAYLOAD} kg after {TAKEN} s");
     let end = &run[run.len() - 1];
     println!(
-        "  mass in the end      {:.4} kg, give or take {:.4}",
-        end.mass, end.doubt
+        "  estimate at the end  {:.4} kg, standard deviation {:.4}",
+        end.mass, end.deviation
     );
     println!(
-        "  found to a tenth     {:.2} s after it was taken up",
+        "  within a tenth       {:.2} s after it is picked up",
         settled(&run) - TAKEN
     );
     let path = plot::path_from_arguments("payload_filter");
@@ -61,7 +61,7 @@ fn main() -> io::Result<()> {
 struct Sample {
     t: f64,
     mass: f64,
-    doubt: f64,
+    deviation: f64,
     error: Vector,
 }
 
@@ -72,39 +72,40 @@ fn held(t: f64) -> f64 {
 fn simulate() -> Vec<Sample> {
     let mut random = Random::new(3);
     let [mut q, mut qd, _] = MOTION.at(0.0);
-    let doubts = Doubts {
+    let noise = Deviations {
         encoder: ENCODER,
         model: 0.02,
         drift: 0.5,
         mass: 0.5,
     };
-    let mut belief = Belief::new(q, 0.0, doubts);
+    let mut estimate = Estimate::new(q, 0.0, noise);
     let mut samples = Vec::new();
     for t in (0_u32..)
         .map(|k| f64::from(k) * PERIOD)
         .take_while(|t| *t <= END)
     {
         let read = from_fn(|i| q[i] + ENCODER * random.normal());
-        belief.correct(&read);
-        let [seen, rates] = belief.state;
+        estimate.correct(&read);
+        let [coordinates, rates] = estimate.state;
         let desired = MOTION.at(t);
         let model = Panda {
-            payload: belief.mass,
+            payload: estimate.mass,
         };
-        let tau = computed_torque(&model, &seen, &rates, &desired, Gains::critical(15.0));
+        let gains = Gains::critical(15.0);
+        let tau = computed_torque(&model, &coordinates, &rates, &desired, gains);
         samples.push(Sample {
             t,
-            mass: belief.mass,
-            doubt: belief.doubt(),
+            mass: estimate.mass,
+            deviation: estimate.mass_deviation(),
             error: from_fn(|i| desired[0][i] - q[i]),
         });
-        belief.predict(PERIOD, &tau, |payload| Panda { payload });
+        estimate.predict(PERIOD, &tau, |payload| Panda { payload });
         step(&Panda { payload: held(t) }, PERIOD, &mut q, &mut qd, &tau);
     }
     samples
 }
 
-/// From when on the mass is within a tenth of what is held \[s\].
+/// The time from which the estimate is within a tenth of the payload \[s\].
 fn settled(run: &[Sample]) -> f64 {
     let off = run
         .iter()
@@ -122,28 +123,23 @@ fn page(run: &[Sample]) -> Page {
         style,
     };
     Page {
-        title: "An arm weighs what it holds while it moves".to_owned(),
+        title: "An arm estimates its payload while it moves".to_owned(),
         panels: vec![
             over_time(
                 "payload [kg]",
                 vec![
-                    curve(
-                        "what the arm holds",
-                        Color::Black,
-                        Style::Dashed,
-                        |sample| held(sample.t),
-                    ),
-                    curve("as believed", Color::Blue, Style::Line, |sample| {
-                        sample.mass
+                    curve("payload", Color::Black, Style::Dashed, |sample| {
+                        held(sample.t)
                     }),
+                    curve("estimate", Color::Blue, Style::Line, |sample| sample.mass),
                     curve(
                         "two standard deviations",
                         Color::Sky,
                         Style::Thin,
-                        |sample| sample.mass + 2.0 * sample.doubt,
+                        |sample| sample.mass + 2.0 * sample.deviation,
                     ),
                     curve("", Color::Sky, Style::Thin, |sample| {
-                        sample.mass - 2.0 * sample.doubt
+                        sample.mass - 2.0 * sample.deviation
                     }),
                 ],
             ),
@@ -167,10 +163,10 @@ mod tests {
         assert!(settled(&run) - TAKEN < 1.5, "{}", settled(&run));
         let end = &run[run.len() - 1];
         assert!(
-            (end.mass - PAYLOAD).abs() < 0.1 && end.doubt < 0.1,
+            (end.mass - PAYLOAD).abs() < 0.1 && end.deviation < 0.1,
             "{} {}",
             end.mass,
-            end.doubt
+            end.deviation
         );
         let errors = |from: f64| {
             let samples = run
@@ -184,7 +180,7 @@ mod tests {
             errors(END - 1.0),
             errors(TAKEN)
         );
-        // Before, nothing is believed in that is not there.
+        // Before the arm picks up the mass, the estimate is near zero.
         let before = run.iter().filter(|sample| (1.0..TAKEN).contains(&sample.t));
         assert!(
             before

@@ -1,4 +1,4 @@
-//! The program of the README, letter by letter but for the folder of the file.
+//! The program of the README, with another folder of the file.
 
 use homogen::Robot;
 

@@ -1,10 +1,10 @@
-//! A satellite that turns by moving its arm: the displacement after a closed internal motion.
+//! A satellite that reorients itself by moving its arm: the displacement after a closed internal motion.
 //!
 //! `cargo run --release -p homogen-examples --bin satellite [picture.svg]`
 //!
-//! Nothing acts from outside and the momentum is zero, yet when the two joints of the arm have gone
-//! round a closed path and are back, the satellite stands otherwise than before. The displacement Q
-//! of one cycle repeats in every cycle, and the path gone backwards takes it back.
+//! There are no external forces and the momentum is zero. After the two joints of the arm have moved along a closed
+//! path, the satellite has another orientation. The displacement Q of one cycle repeats in every cycle, and the
+//! reversed path undoes it.
 
 use homogen::open_chain::{self, commutator};
 use homogen::{
@@ -19,7 +19,7 @@ const STEPS: u32 = 600;
 
 const CYCLES: u32 = 5;
 
-/// One moment: cycles gone, the pose of the satellite, and the joints of its arm \[rad\].
+/// One moment: number of cycles, the pose of the satellite, and the joints of its arm \[rad\].
 struct Moment {
     cycle: f64,
     pose: Pose<f64>,
@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn error::Error>> {
     Ok(())
 }
 
-/// Shoulder and elbow go round an ellipse.
+/// The path of shoulder and elbow, an ellipse.
 fn round(cycle: f64) -> ([f64; 2], [f64; 2]) {
     let (s, c) = (TAU * cycle).sin_cos();
     ([0.9 * s, 0.8 * (1.0 - c)], [0.9 * TAU * c, 0.8 * TAU * s])
@@ -100,8 +100,7 @@ impl Satellite {
         }
     }
 
-    /// W of the body in its own frame, at which the momentum of all is zero: Γ = skew\[W J\] solved
-    /// for W.
+    /// W of the body in its own frame at total momentum zero: Γ = skew\[W J\] solved for W.
     fn velocity(&self, q: &[f64; 2], qd: &[f64; 2]) -> Result<Velocity<f64>, Error> {
         let motions = open_chain::motions(&self.arm, q, qd, &[0.0; 2]);
         let [upper, fore] = open_chain::inertias(&self.arm, &motions.map(|motion| motion.pose));
@@ -112,7 +111,7 @@ impl Satellite {
         Ok(w)
     }
 
-    /// The motion of the body while its arm goes round `path`, by Magnus' series to fourth order.
+    /// The motion of the body while its arm follows `path`, by the Magnus series to fourth order.
     fn fly(&self, path: Path, cycles: u32) -> Result<Vec<Moment>, Error> {
         let h = 1.0 / f64::from(STEPS);
         let w_at = |cycle: f64| {
@@ -133,7 +132,7 @@ impl Satellite {
         Ok(flight)
     }
 
-    /// How far the centre of mass of all gets from where it was \[m\].
+    /// The largest displacement of the common centre of mass \[m\].
     fn wandering(&self, flight: &[Moment]) -> f64 {
         let centers = flight.iter().map(|moment| {
             let poses = open_chain::poses(&self.arm, &moment.q);
@@ -219,15 +218,15 @@ mod tests {
     use super::{Moment, STEPS, Satellite, displacement, round};
     use homogen::{Chain, Displacement, Inertia, Joint, Pose, Screw};
 
-    /// How far a satellite turns in one cycle whose arm moves in a plane: the integral of the rate that
-    /// keeps the moment of momentum at zero, of points in the plane, over the cycle.
-    fn turned_in_the_plane() -> f64 {
+    /// The rotation of a satellite with a planar arm in one cycle: the integral over the cycle of the rate at which
+    /// the angular momentum is zero, for bodies in the plane.
+    fn rotation_in_the_plane() -> f64 {
         const POINTS: u32 = 400;
         let rate = |cycle: f64| {
             let ([q_1, q_2], [qd_1, qd_2]) = round(cycle);
             let along = |length: f64, angle: f64| [length * angle.cos(), length * angle.sin()];
             let (upper, fore) = (along(1.0, q_1), along(0.4, q_1 + q_2));
-            // Mass, moment, rate of turning and place of the three bodies, seen from the first.
+            // Mass, moment of inertia, angular rate and position of the three bodies, relative to the first.
             let hinge = [0.5, 0.2];
             let half = [hinge[0] + 0.5 * upper[0], hinge[1] + 0.5 * upper[1]];
             let end = [hinge[0] + upper[0] + fore[0], hinge[1] + upper[1] + fore[1]];
@@ -258,7 +257,7 @@ mod tests {
             }
             -internal / whole
         };
-        // Of a periodic function the mean of equidistant values is as good as its digits.
+        // The mean of equidistant values of a periodic function is accurate to rounding.
         let sum: f64 = (0..POINTS)
             .map(|k| rate(f64::from(k) / f64::from(POINTS)))
             .sum();
@@ -296,7 +295,7 @@ mod tests {
         };
         let flight = satellite.fly(round, 1).expect("bodies with mass");
         let (screw, angle) = Displacement::from_relative_pose(end(&flight)).log();
-        let known = turned_in_the_plane();
+        let known = rotation_in_the_plane();
         assert!(known.abs() > 0.01);
         let found = angle * screw.u()[2];
         assert!((found - known).abs() < 1e-10, "{found} is not {known}");
@@ -306,25 +305,25 @@ mod tests {
         flight.last().expect("not empty").pose
     }
 
-    fn turned(from: &Pose<f64>, to: &Pose<f64>) -> f64 {
+    fn angle_between(from: &Pose<f64>, to: &Pose<f64>) -> f64 {
         displacement(from, to).log().1
     }
 
     #[test]
-    fn the_center_of_mass_stays() {
+    fn the_center_of_mass_does_not_move() {
         let satellite = Satellite::example();
         let flight = satellite.fly(round, 1).expect("bodies with mass");
         assert!(satellite.wandering(&flight) < 1e-10);
     }
 
     #[test]
-    fn every_cycle_displaces_alike() {
+    fn every_cycle_has_the_same_displacement() {
         let flight = Satellite::example()
             .fly(round, 2)
             .expect("bodies with mass");
         let at = |cycle: u32| flight[usize::try_from(cycle * STEPS).expect("small")].pose;
         let [first, second] = [displacement(&at(0), &at(1)), displacement(&at(1), &at(2))];
-        let difference = turned(&first.to_relative_pose(), &second.to_relative_pose());
+        let difference = angle_between(&first.to_relative_pose(), &second.to_relative_pose());
         assert!(first.log().1 > 0.01 && difference < 1e-12, "{difference}");
     }
 

@@ -16,7 +16,7 @@ use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 const REACH: [f64; 2] = [0.425, 0.375];
 const HEIGHT: f64 = 0.677;
 
-/// Where the line starts and ends \[m\].
+/// Start and end of the line \[m\].
 const LINE: [[f64; 3]; 2] = [[0.55, -0.30, 0.60], [0.35, 0.40, 0.53]];
 
 /// Duration of the motion \[s\] and its time steps.
@@ -36,7 +36,7 @@ struct Moment {
     time: f64,
     q: [f64; 4],
     torques: [f64; 4],
-    /// How far the tool is from where it should be \[m\].
+    /// Distance of the tool from its desired position \[m\].
     miss: f64,
 }
 
@@ -75,15 +75,15 @@ fn length() -> f64 {
         .sqrt()
 }
 
-/// The coordinates at which the tool is at a point and its x axis at an angle to that of the base,
-/// with the elbow to the right; none where the point is out of reach.
+/// The coordinates at which the tool is at a point, with its x axis at the angle `yaw` to that of the base and the
+/// elbow to the right; `None` if the point is out of reach.
 fn inverse([x, y, z]: [f64; 3], yaw: f64) -> Option<[f64; 4]> {
     let [inner, outer] = REACH;
     let cosine = (x * x + y * y - inner * inner - outer * outer) / (2.0 * inner * outer);
     if cosine.abs() > 1.0 {
         return None;
     }
-    // From the elbow on, z points down: angles count the other way.
+    // z points down from the elbow on: angles have the opposite sign.
     let elbow = -cosine.acos();
     let shoulder = y.atan2(x) - (outer * (-elbow).sin()).atan2(inner + outer * cosine);
     Some([shoulder, elbow, HEIGHT - z, shoulder - elbow - yaw])
@@ -111,7 +111,7 @@ fn moment(time: f64) -> Moment {
     let q = inverse(place, 0.0).expect("the line is within reach");
     let pose = Scara.forward_kinematics(&q);
     let qd = rates(&q, span.map(|s| s * rate));
-    // J q̈ = a − (what the tip accelerates by at q̈ = 0).
+    // J q̈ = a − (acceleration of the tip at q̈ = 0).
     let h = Scara.acceleration(&q, &qd, &[0.0; 4]);
     let tip = Point(pose.translation());
     let drift = (h * tip).0;
@@ -129,7 +129,7 @@ fn moment(time: f64) -> Moment {
     }
 }
 
-/// The rates of the joints that move the tool so, without turning it.
+/// The rates of the joints for a velocity of the tool without rotation.
 fn rates(q: &[f64; 4], [x, y, z]: [f64; 3]) -> [f64; 4] {
     let columns = Scara.geometric_jacobian(q);
     let ([ax, ay, _], [bx, by, _]) = (columns[0].b(), columns[1].b());
@@ -216,13 +216,13 @@ mod tests {
         ]
     }
 
-    /// Masses in a plane, with the numbers at the head of `scara.urdf`: what each needs along its way,
-    /// by d'Alembert. The angles of inner arm, outer arm and flange are counted from the base.
+    /// The torques of masses in a plane by d'Alembert's principle, with the numbers at the head of `scara.urdf`. The
+    /// angles of inner arm, outer arm and flange are relative to the base.
     fn closed_form(q: [f64; 4], qd: [f64; 4], qdd: [f64; 4]) -> [f64; 4] {
         let absolute = |q: [f64; 4]| [q[0], q[0] - q[1], q[0] - q[1] - q[3]];
         let (at, rate, second) = (absolute(q), absolute(qd), absolute(qdd));
         let unit = at.map(|angle| [angle.cos(), angle.sin()]);
-        // Mass, and how far along each direction its centre is.
+        // Mass, and the coordinates of its centre along each link.
         let [inner, outer] = REACH;
         let bodies = [
             (14.0, [0.18, 0.0, 0.0]),
@@ -282,8 +282,8 @@ mod tests {
 
     #[test]
     fn the_work_of_the_torques_lowers_the_tool() {
-        // From rest to rest, what the joints have done is the change of potential energy: the
-        // quill and the flange, 3 kg, have come down.
+        // From rest to rest, the work of the joints is the change of potential energy of the quill and the flange,
+        // 3 kg, which move down.
         let motion = motion();
         let work: f64 = motion
             .windows(2)

@@ -1,11 +1,11 @@
-//! Any serial arm, from a table of Denavit and Hartenberg: direct kinematics and inverse dynamics along a
-//! motion, without a compiler.
+//! Any serial arm, from a Denavit–Hartenberg table: direct kinematics and inverse dynamics along a motion, without a
+//! compiler.
 //!
-//! `cargo run --release -p homogen-examples --bin serial_arm [table.dh postures.motion]`
+//! `cargo run --release -p homogen-examples --bin serial_arm [table.dh configurations.motion]`
 //!
-//! The table is read as the generator reads it, and the programs that it would print are run as they
-//! stand. A motion is a line a posture, the time \[s\] before the coordinates \[rad or m\], and goes from
-//! rest to rest. SPACELIB's users know such a program for direct kinematics and inverse dynamics.
+//! The generator reads the table, and its programs are interpreted instead of printed. A motion has one line a
+//! configuration, the time \[s\] before the coordinates \[rad or m\], and is at rest in each of them. SPACELIB has such a
+//! program for direct kinematics and inverse dynamics.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 
-/// Equal steps from posture to posture.
+/// Number of steps between two configurations.
 const MOMENTS: u32 = 12;
 
 /// An arm with the programs of its functions.
@@ -31,7 +31,7 @@ struct Arm {
     dynamics: Program,
 }
 
-/// Where the arm should be, and how it should move there.
+/// A state of the motion.
 #[derive(Clone, Debug)]
 struct State {
     /// \[s\]
@@ -41,8 +41,8 @@ struct State {
     qdd: Vec<f64>,
 }
 
-/// A posture and when it is to be reached \[s\].
-struct Posture {
+/// A configuration and its time \[s\].
+struct Waypoint {
     time: f64,
     q: Vec<f64>,
 }
@@ -55,13 +55,14 @@ fn main() -> Result<(), Box<dyn error::Error>> {
     };
     let mut paths = env::args_os().skip(1).map(PathBuf::from);
     let table = paths.next().unwrap_or_else(|| shipped("rx90_class.dh"));
-    let postures = paths
+    let waypoints = paths
         .next()
         .unwrap_or_else(|| table.with_extension("motion"));
     let arm = Arm::read(&table)?;
-    let text = fs::read_to_string(&postures).map_err(|e| format!("{}: {e}", postures.display()))?;
-    let postures = read_postures(&text, arm.joints.len())?;
-    print!("{}", arm.listing(&along(&postures)));
+    let text =
+        fs::read_to_string(&waypoints).map_err(|e| format!("{}: {e}", waypoints.display()))?;
+    let waypoints = read_waypoints(&text, arm.joints.len())?;
+    print!("{}", arm.table(&along(&waypoints)));
     Ok(())
 }
 
@@ -91,7 +92,7 @@ impl Arm {
         })
     }
 
-    /// M₀ of the last frame: the rows of (R, t) one after the other.
+    /// M₀ of the last frame: the rows of (R, t) in sequence.
     fn pose(&self, state: &State) -> Vec<f64> {
         run(&self.kinematics, |input| state.input(input))
     }
@@ -101,8 +102,8 @@ impl Arm {
         run(&self.dynamics, |input| state.input(input))
     }
 
-    /// A line a moment: time, where the origin of the last frame is, what the joints do.
-    fn listing(&self, states: &[State]) -> String {
+    /// One line a moment: time, position of the last frame, torques and forces of the joints.
+    fn table(&self, states: &[State]) -> String {
         let mut text = format!(
             "{:>7} {:>8} {:>8} {:>8} ",
             "t [s]", "x [m]", "y [m]", "z [m]"
@@ -137,9 +138,9 @@ impl State {
     }
 }
 
-/// A posture a line; behind `#` stands a comment.
-fn read_postures(text: &str, joints: usize) -> Result<Vec<Posture>, String> {
-    let mut postures: Vec<Posture> = Vec::new();
+/// Reads one configuration a line; `#` begins a comment.
+fn read_waypoints(text: &str, joints: usize) -> Result<Vec<Waypoint>, String> {
+    let mut waypoints: Vec<Waypoint> = Vec::new();
     for (line, number) in text.lines().zip(1..) {
         let line = line.split('#').next().unwrap_or_default();
         let words = line.split_whitespace().map(str::parse);
@@ -149,11 +150,11 @@ fn read_postures(text: &str, joints: usize) -> Result<Vec<Posture>, String> {
         match numbers.as_slice() {
             [] => {}
             [time, q @ ..] if q.len() == joints && numbers.iter().all(|x| x.is_finite()) => {
-                if postures.last().is_some_and(|before| before.time >= *time) {
-                    return Err(format!("line {number}: time must go on"));
+                if waypoints.last().is_some_and(|before| before.time >= *time) {
+                    return Err(format!("line {number}: times must increase"));
                 }
                 let (time, q) = (*time, q.to_vec());
-                postures.push(Posture { time, q });
+                waypoints.push(Waypoint { time, q });
             }
             _ => {
                 return Err(format!(
@@ -162,13 +163,13 @@ fn read_postures(text: &str, joints: usize) -> Result<Vec<Posture>, String> {
             }
         }
     }
-    Ok(postures)
+    Ok(waypoints)
 }
 
-/// From rest to rest between postures: s = 10 τ³ − 15 τ⁴ + 6 τ⁵.
-fn along(postures: &[Posture]) -> Vec<State> {
+/// From rest to rest between configurations: s = 10 τ³ − 15 τ⁴ + 6 τ⁵.
+fn along(waypoints: &[Waypoint]) -> Vec<State> {
     let mut states = Vec::new();
-    for pair in postures.windows(2) {
+    for pair in waypoints.windows(2) {
         let span = pair[1].time - pair[0].time;
         for k in 0..=MOMENTS {
             let t = f64::from(k) / f64::from(MOMENTS);
@@ -191,17 +192,17 @@ fn along(postures: &[Posture]) -> Vec<State> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Arm, MOMENTS, State, along, read_postures};
+    use super::{Arm, MOMENTS, State, along, read_waypoints};
     use std::path::Path;
 
-    /// What Pinocchio makes of the same two files (`tests/reference/serial_arm.py`).
+    /// Compares with Pinocchio's results for the same two files (`tests/reference/serial_arm.py`).
     fn agrees(name: &str, reference: &str) {
         let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
         let table = robots.join(name).with_extension("dh");
         let arm = Arm::read(&table).expect("a table that ships");
         let text = std::fs::read_to_string(table.with_extension("motion")).expect("it ships");
         let n = arm.joints.len();
-        let states = along(&read_postures(&text, n).expect("postures"));
+        let states = along(&read_waypoints(&text, n).expect("waypoints"));
         let lines = reference.lines().filter(|line| !line.starts_with('#'));
         let lines: Vec<Vec<f64>> = lines
             .map(|line| {
@@ -218,7 +219,7 @@ mod tests {
             let State { time, q, qd, qdd } = state;
             let moving = [&[*time], &q[..], &qd[..], &qdd[..]].concat();
             close(&moving, given, 1e-13, name);
-            // Of the rotation and the translation; ours are row by row together.
+            // Rotation and translation are separate there, and row by row together here.
             let pose = arm.pose(state);
             let (r, p) = (0..12).partition::<Vec<usize>, _>(|k| k % 4 < 3);
             let pose: Vec<f64> = r.into_iter().chain(p).map(|k| pose[k]).collect();
@@ -252,13 +253,16 @@ mod tests {
     }
 
     #[test]
-    fn postures_that_are_none_are_refused_with_their_line() {
-        let refusal = |text| read_postures(text, 2).err().expect("none");
+    fn wrong_lines_of_a_motion_are_errors_with_their_number() {
+        let refusal = |text| read_waypoints(text, 2).err().expect("none");
         assert_eq!(
             refusal("0 1 2\n1 2"),
             "line 2: expected the time and 2 coordinates"
         );
-        assert_eq!(refusal("0 1 2\n# rest\n0 1 2"), "line 3: time must go on");
+        assert_eq!(
+            refusal("0 1 2\n# rest\n0 1 2"),
+            "line 3: times must increase"
+        );
         assert_eq!(refusal("0 1 x"), "line 1: invalid float literal");
         assert_eq!(
             refusal("0 inf 0"),
@@ -270,11 +274,11 @@ mod tests {
     fn a_line_is_printed_for_each_moment() {
         let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
         let arm = Arm::read(&robots.join("rx90_class.dh")).expect("a table that ships");
-        let states = along(&read_postures("0 0 0 0 0 0 0\n1 0 1 0 0 0 0", 6).expect("postures"));
-        let listing = arm.listing(&states);
-        let lines: Vec<&str> = listing.lines().collect();
+        let states = along(&read_waypoints("0 0 0 0 0 0 0\n1 0 1 0 0 0 0", 6).expect("waypoints"));
+        let table = arm.table(&states);
+        let lines: Vec<&str> = table.lines().collect();
         assert_eq!(lines.len(), states.len() + 1);
-        // The upper arm forward, forearm and flange upwards.
+        // The upper arm points forward, forearm and flange upwards.
         let start = "  0.0000   0.4500   0.0000   0.5350 ";
         assert!(lines[1].starts_with(start), "{}", lines[1]);
     }

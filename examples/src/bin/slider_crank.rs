@@ -1,10 +1,10 @@
-//! The slider-crank through a full turn: positions, velocities and accelerations of rod and slider.
+//! The slider-crank through a full revolution: positions, velocities and accelerations of rod and slider.
 //!
 //! `cargo run --release -p homogen-examples --bin slider_crank [picture.svg]`
 //!
-//! The loop is closed by Newton–Raphson at every degree, from the position before; rates come from
-//! A q̇ = 0 and A q̈ = b(H̃). The dead centres are where the slider can no longer drive the crank: the
-//! rank of A without the column of the slider falls.
+//! The loop is closed by Newton–Raphson at every degree, from the previous position; rates come from
+//! A q̇ = 0 and A q̈ = b(H̃). At the dead centres the slider cannot drive the crank: the rank of A without the column
+//! of the slider falls.
 
 use homogen::loop_closure::{self, NotClosed};
 use homogen::worked_examples::slider_crank::SliderCrank;
@@ -12,15 +12,15 @@ use homogen_plot::{self as plot, Axis, Color, Curve, Page, Panel, Scale, Style};
 use std::error::Error;
 use std::f64::consts::PI;
 
-const MECHANISM: SliderCrank = SliderCrank {
+const SLIDER_CRANK: SliderCrank = SliderCrank {
     crank: 0.05,
     rod: 0.15,
 };
 
-/// 600 turns a minute \[rad/s\].
+/// 600 revolutions a minute \[rad/s\].
 const SPEED: f64 = 20.0 * PI;
 
-/// One position of the turn.
+/// One position of the revolution.
 struct Station {
     /// The angle of the crank [°].
     degrees: u32,
@@ -29,7 +29,7 @@ struct Station {
     qdd: [f64; 4],
     /// Steps of Newton–Raphson.
     iterations: usize,
-    /// Whether the slider could not drive the mechanism here.
+    /// True at a dead centre of the slider.
     is_dead_centre: bool,
 }
 
@@ -54,11 +54,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// All positions of a turn, degree by degree.
+/// All positions of a revolution, degree by degree.
 fn turn() -> Result<Vec<Station>, NotClosed> {
-    let closed = MECHANISM.closed_chain();
+    let closed = SLIDER_CRANK.closed_chain();
     let driven_by_crank = |value: f64| [Some(value), None, None, None];
-    let mut q = [0.0, 0.0, 0.0, MECHANISM.crank + MECHANISM.rod];
+    let mut q = [0.0, 0.0, 0.0, SLIDER_CRANK.crank + SLIDER_CRANK.rod];
     (0..=360)
         .map(|degrees| {
             let alpha = f64::from(degrees).to_radians();
@@ -112,7 +112,7 @@ fn page(turn: &[Station]) -> Page {
         (Color::Blue, Style::Line),
         (Color::Vermilion, Style::Dashed),
     );
-    // The rod's own angle is that of the crank plus the angle between them.
+    // The absolute angle of the rod is that of the crank plus the angle between them.
     Page {
         title: "Slider-crank at 600 turns a minute: l₁ = 50 mm, l₂ = 150 mm".into(),
         panels: vec![
@@ -149,7 +149,7 @@ fn page(turn: &[Station]) -> Page {
 
 #[cfg(test)]
 mod tests {
-    use super::{MECHANISM, SPEED, page, turn};
+    use super::{SLIDER_CRANK, SPEED, page, turn};
     use homogen_plot as plot;
 
     #[test]
@@ -157,7 +157,7 @@ mod tests {
         let turn = turn().expect("the crank turns round");
         for station in &turn {
             let alpha = f64::from(station.degrees).to_radians();
-            let state = MECHANISM.state(alpha, SPEED, 0.0);
+            let state = SLIDER_CRANK.state(alpha, SPEED, 0.0);
             for i in 0..4 {
                 assert!((station.q[i] - state.q[i]).abs() < 1e-14);
                 assert!((station.qd[i] - state.qd[i]).abs() < 1e-12);

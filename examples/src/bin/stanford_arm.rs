@@ -2,9 +2,8 @@
 //!
 //! `cargo run --release -p homogen-examples --bin stanford_arm [picture.svg]`
 //!
-//! The arm of Part II reaches from one posture to another in two seconds. Torques come from
-//! Newton–Euler and again from Lagrange's equations; the work of the joints is held against the
-//! energy that the arm has gained.
+//! The arm of Part II moves from one configuration to another in two seconds. Torques come from Newton–Euler and from
+//! Lagrange's equations; the work of the joints is compared with the energy of the arm.
 
 use homogen::open_chain::{self, motions};
 use homogen::worked_examples::stanford_arm::{self, OFFSET, SHOULDER};
@@ -97,8 +96,7 @@ fn motion(chain: &Chain<6, 1>) -> Vec<Moment> {
         .collect()
 }
 
-/// A path from 0 to 1 that starts and ends with neither velocity nor acceleration, and its first two
-/// derivatives.
+/// A path from 0 to 1 without velocity and acceleration at both ends, and its first two derivatives.
 fn smooth(x: f64) -> [f64; 3] {
     [
         x * x * x * (10.0 + x * (6.0 * x - 15.0)),
@@ -107,7 +105,7 @@ fn smooth(x: f64) -> [f64; 3] {
     ]
 }
 
-/// The largest difference of the two forms of the dynamics [N m, N].
+/// The largest difference of the two formulations of the dynamics [N m, N].
 fn disagreement(motion: &[Moment]) -> f64 {
     let joints = motion.iter().flat_map(|moment| {
         let [newton, energy] = moment.torques;
@@ -175,7 +173,7 @@ fn page(motion: &[Moment]) -> Page {
             Panel {
                 x: axis("x [m]"),
                 y: axis("z [m]"),
-                curves: postures(motion),
+                curves: skeletons(motion),
                 marks: Vec::new(),
                 height: 420.0,
                 to_scale: true,
@@ -200,9 +198,9 @@ fn page(motion: &[Moment]) -> Page {
     }
 }
 
-/// The arm now and then, and the way of the tool.
-fn postures(motion: &[Moment]) -> Vec<Curve> {
-    let posture = |moment: &Moment, label: &str, color, style| Curve {
+/// The arm at some times, and the path of the tool.
+fn skeletons(motion: &[Moment]) -> Vec<Curve> {
+    let skeleton = |moment: &Moment, label: &str, color, style| Curve {
         label: label.into(),
         points: side_view(&moment.q),
         color,
@@ -210,7 +208,7 @@ fn postures(motion: &[Moment]) -> Vec<Curve> {
     };
     let between = motion.iter().skip(1).step_by(40);
     let mut curves: Vec<Curve> = between
-        .map(|moment| posture(moment, "", Color::Grey, Style::Thin))
+        .map(|moment| skeleton(moment, "", Color::Grey, Style::Thin))
         .collect();
     curves.push(Curve {
         label: "way of the tool".into(),
@@ -225,7 +223,7 @@ fn postures(motion: &[Moment]) -> Vec<Curve> {
     let looks = [("start", Color::Blue), ("end", Color::Vermilion)];
     curves.extend(
         ends.zip(looks)
-            .map(|(moment, (label, color))| posture(moment, label, color, Style::Links)),
+            .map(|(moment, (label, color))| skeleton(moment, label, color, Style::Links)),
     );
     curves
 }
@@ -243,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn both_forms_of_the_dynamics_agree() {
+    fn both_formulations_of_the_dynamics_agree() {
         let difference = disagreement(&motion(&stanford_arm::chain()));
         assert!(difference > 0.0 && difference < 1e-13, "{difference}");
     }

@@ -1,6 +1,6 @@
-//! The smallest robot worth expanding: two links in a vertical plane.
+//! A minimal robot: two links in a vertical plane.
 //!
-//! The guide shows what the derive adds to it, beside the equations of the textbooks.
+//! The guide shows its generated code beside the equations of the textbooks.
 
 use homogen::Robot;
 

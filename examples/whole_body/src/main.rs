@@ -1,9 +1,10 @@
-//! A quadruped on its feet sways, turns and squats: a quadratic program a step shares the load among its feet.
+//! Whole-body control of a quadruped that sways, turns and squats: a quadratic program a step distributes the load on
+//! its feet.
 //!
-//! The step of `step.rs` is written for any robot on a free base; the robot is simulated
-//! in steps of 0.2 ms on springs with friction, and controlled at 500 Hz. The sway grows until the feet of one side carry
-//! nothing: then the trunk lags, and the feet stay where they are. Draws how far the trunk is from where it should be,
-//! and what its feet carry, to `target/whole_body.svg` or to the path given.
+//! The step of `step.rs` is written for any robot on a floating base. The robot is simulated in steps of 0.2 ms on
+//! springs with friction, and controlled at 500 Hz. The sway grows until the feet of one side carry no load: then the
+//! trunk lags, and the feet do not slip. Draws the errors of the trunk and the loads of the feet to
+//! `target/whole_body.svg` or to the path given.
 
 mod step;
 
@@ -40,7 +41,7 @@ const STEPS: u32 = 10;
 const END: f64 = 3.4;
 /// Stiffness and damping of the ground under a foot [N/m, N s/m].
 const GROUND: [f64; 2] = [2e4, 80.0];
-/// What the controller counts on; the ground has a little more.
+/// The controller's coefficient of friction; that of the ground is a little larger.
 const LIMITS: Limits = Limits {
     friction: 0.4,
     torque: 2.7,
@@ -55,14 +56,14 @@ type Coordinates = [f64; COORDINATES];
 type Velocities = [f64; VELOCITIES];
 type Vector = [f64; 3];
 
-/// Where the trunk should be, how fast, and with which acceleration: x, y, z and the angle about z.
+/// The desired position, velocity and acceleration of the trunk: x, y, z and the angle about z.
 fn motion(t: f64) -> [[f64; 4]; 3] {
     let wave = |size: f64, rate: f64| {
         let (s, c) = (TAU * rate * t).sin_cos();
         let rate = TAU * rate;
         [size * (1.0 - c), size * rate * s, size * rate * rate * c]
     };
-    // The sway across grows with time.
+    // The lateral sway grows with time.
     let [w, wd, wdd] = wave(0.016, 1.5);
     let sway = [t * w, w + t * wd, 2.0 * wd + t * wdd];
     let (squat, turn) = (wave(-0.015, 0.5), wave(0.1, 0.25));
@@ -71,11 +72,11 @@ fn motion(t: f64) -> [[f64; 4]; 3] {
 
 struct Sample {
     t: f64,
-    /// How far the trunk is from where it should be \[rad, m\].
+    /// The error of the trunk \[rad, m\].
     error: [f64; BASE],
-    /// What the controller meant the feet to carry \[N\].
+    /// The loads of the feet that the controller computed \[N\].
     forces: [Vector; FEET],
-    /// How far feet have slipped \[m\].
+    /// The slip of the feet \[m\].
     slip: f64,
 }
 
@@ -103,7 +104,7 @@ fn simulate() -> Vec<Sample> {
     samples.collect()
 }
 
-/// At rest, with the feet in the ground as deep as they have to be.
+/// The configuration at rest, with the ground compressed by the weight.
 fn standing() -> Coordinates {
     let mut q = Quadruped.neutral();
     for leg in q[7..].chunks_exact_mut(3) {
@@ -148,7 +149,7 @@ fn contacts(q: &Coordinates, qd: &Velocities) -> [Contact<VELOCITIES>; FEET] {
     })
 }
 
-/// The step that brings the trunk to its motion, and how far it is from there.
+/// The control step for the motion of the trunk, and the error of the trunk.
 fn control(
     t: f64,
     at_rest: &Coordinates,
@@ -165,7 +166,7 @@ fn control(
     let apart = Quadruped.difference(q, &there);
     let error: [f64; BASE] = from_fn(|i| apart[i]);
 
-    // In the axes of the trunk, as its velocities are.
+    // In the axes of the trunk, like its velocities.
     let axes = Quadruped.forward_kinematics_of_base(q);
     let turned = |v: [f64; 4]| -> [f64; BASE] {
         let turned: Vector = from_fn(|i| (0..3).map(|k| axes.rotation()[k][i] * v[k]).sum());
@@ -191,7 +192,7 @@ fn control(
     (step.expect("four feet can always stand"), error)
 }
 
-/// One step of the simulation; feet that slip take the place where they stick with them.
+/// One step of the simulation; the anchor of a slipping foot moves with it.
 fn advance(
     q: &mut Coordinates,
     qd: &mut Velocities,
@@ -297,7 +298,7 @@ mod tests {
     use homogen_examples::motion::largest;
 
     #[test]
-    fn the_trunk_keeps_to_its_motion_and_the_feet_to_their_places() {
+    fn the_trunk_follows_its_motion_and_the_feet_do_not_slip() {
         let samples = simulate();
         for sample in &samples {
             for [x, y, z] in sample.forces {
@@ -309,7 +310,7 @@ mod tests {
                 );
             }
             assert!(sample.slip < 2e-3, "{} at {}", sample.slip, sample.t);
-            // Until the feet of one side carry nothing.
+            // Until the feet of one side carry no load.
             let most = if sample.t < 2.9 { 5e-4 } else { 0.05 };
             assert!(
                 largest(sample.error) < most,

@@ -1,8 +1,9 @@
-//! A whole-body step: forces of the feet and torques that move a trunk as it is told, as far as ground and drives allow.
+//! A step of whole-body control: torques and contact forces for an acceleration of the base, within the limits of ground
+//! and actuators.
 //!
-//! In: the equation of motion of a robot whose first six velocities are those of its free base, its feet, and the
-//! acceleration that is wanted of the base. Out: torques and the forces of the ground, by one quadratic
-//! program that [Clarabel](https://clarabel.org) solves. It knows no robot, and keeps nothing between two calls.
+//! In: the equation of motion of a robot whose first six velocities are those of its floating base, its feet, and the
+//! desired acceleration of the base. Out: torques and contact forces, by one quadratic program that
+//! [Clarabel](https://clarabel.org) solves.
 
 use std::array::from_fn;
 
@@ -11,7 +12,7 @@ use clarabel::solver::SupportedConeT::{NonnegativeConeT, ZeroConeT};
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus};
 use homogen::Screw;
 
-/// The velocities of a free base.
+/// Number of velocities of a floating base.
 pub const BASE: usize = 6;
 
 /// The equation of motion M q̈ + bias = τ + Σ Jᵗ f at a state.
@@ -19,47 +20,47 @@ pub const BASE: usize = 6;
 pub struct Equation<const N: usize> {
     /// M.
     pub mass_matrix: [[f64; N]; N],
-    /// What q̇ and gravity ask for \[N m, N\].
+    /// The bias torques of q̇ and gravity \[N m, N\].
     pub bias: [f64; N],
 }
 
-/// A foot that stands.
+/// A foot in contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Contact<const N: usize> {
     /// The geometric Jacobian of its frame.
     pub jacobian: [Screw<f64>; N],
-    /// The rate of that.
+    /// The rate of the Jacobian.
     pub rate: [Screw<f64>; N],
 }
 
-/// What ground and drives give at most.
+/// Limits of ground and actuators.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Coefficient of friction, of each of two directions of the ground.
+    /// Coefficient of friction, in each of two directions of the ground.
     pub friction: f64,
-    /// Torque of a joint \[N m\].
+    /// Largest torque of a joint \[N m\].
     pub torque: f64,
 }
 
-/// What a step asks for.
+/// The result of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<const N: usize, const K: usize> {
-    /// τ, of which the base has none \[N m\].
+    /// τ \[N m\], zero for the base.
     pub tau: [f64; N],
     /// The force on each foot, in the axes of frame 0 with z upwards \[N\].
     pub forces: [[f64; 3]; K],
 }
 
-/// How much less than the base's accelerations those of joints, and forces, weigh: so little that they only decide between
-/// motions of the base that are as good.
+/// Weights of the accelerations of joints, and of forces, relative to those of the base: small, so that they only choose
+/// among equally good motions of the base.
 const EASE: f64 = 1e-5;
-/// How fast what is left of a foot's velocity is to vanish [1/s].
+/// Gain of the velocity of a foot in contact [1/s].
 const STAND: f64 = 50.0;
 
-/// The step whose base has the acceleration that is wanted, or the nearest to it.
+/// The step with the desired acceleration of the base, or the nearest feasible one.
 ///
 /// # Errors
-/// Where the solver finds none, and why.
+/// The status of the solver if it finds no solution.
 pub fn step<const N: usize, const K: usize>(
     equation: &Equation<N>,
     contacts: &[Contact<N>; K],
@@ -68,11 +69,11 @@ pub fn step<const N: usize, const K: usize>(
     limits: Limits,
 ) -> Result<Step<N, K>, SolverStatus> {
     let mut rows = Rows::default();
-    // No motor drives the base.
+    // The base has no actuator.
     for i in 0..BASE {
         rows.add(torque(equation, contacts, i, 1.0), -equation.bias[i]);
     }
-    // A foot that stands keeps standing.
+    // Feet in contact do not accelerate.
     for contact in contacts {
         for axis in 0..3 {
             let entries = contact.jacobian.iter().enumerate();
@@ -86,7 +87,7 @@ pub fn step<const N: usize, const K: usize>(
         }
     }
     let equal = rows.bounds.len();
-    // The ground pushes and does not pull, and holds feet by friction alone.
+    // Contact forces push, and are within the friction cone.
     for k in 0..K {
         let [x, y, z] = force_of::<N>(k);
         rows.add(vec![(z, -1.0)], 0.0);
@@ -115,12 +116,12 @@ pub fn step<const N: usize, const K: usize>(
     Ok(Step { tau, forces })
 }
 
-/// Where the force of a foot stands among what is looked for: behind all accelerations.
+/// The indices of the force of a foot among the unknowns: behind all accelerations.
 fn force_of<const N: usize>(foot: usize) -> [usize; 3] {
     [0, 1, 2].map(|axis| N + 3 * foot + axis)
 }
 
-/// What a torque has, but for the bias, of each acceleration and each force; times a sign.
+/// The coefficients of accelerations and forces in a torque, without the bias; times a sign.
 fn torque<const N: usize, const K: usize>(
     equation: &Equation<N>,
     contacts: &[Contact<N>; K],
@@ -156,7 +157,7 @@ impl Rows {
         self.bounds.push(bound);
     }
 
-    /// x where the first rows are equations, and the others say what it is not above.
+    /// x with equations in the first rows, and upper bounds in the others.
     fn solve(
         self,
         unknowns: usize,

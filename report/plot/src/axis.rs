@@ -1,4 +1,4 @@
-//! What an axis spans, and where its ticks are.
+//! Range and ticks of an axis.
 //!
 //! In: numbers and a scale. Out: fractions of the axis, and ticks with what is written there. It
 //! knows no pixels but those that a label needs.
@@ -13,8 +13,8 @@ pub(super) struct Span {
 }
 
 impl Span {
-    /// Of those values and a margin at both ends: a part of what they span, or decades of a
-    /// logarithmic axis, which ends at whole ones.
+    /// The range of values with a margin at both ends: a share of the range, or on a logarithmic axis decades, which
+    /// ends at whole ones.
     pub fn of(scale: Scale, values: impl Iterator<Item = f64>, margin: f64) -> Self {
         let position = |x: f64| position(scale, x);
         let (low, high) = values
@@ -64,7 +64,7 @@ impl Span {
     }
 }
 
-/// Where a number lies on an axis.
+/// The position of a number on an axis.
 fn position(scale: Scale, x: f64) -> f64 {
     match scale {
         Scale::Linear | Scale::Every(_) => x,

@@ -12,9 +12,9 @@ use super::{Curve, Panel, WIDTH, card, legend};
 pub struct Grid {
     /// The first line.
     pub title: String,
-    /// What the colours and symbols of the curves stand for; their points are not drawn.
+    /// The legend of colours and symbols, as curves whose points are not drawn.
     pub legend: Vec<Curve>,
-    /// How many panels stand side by side.
+    /// Number of panels side by side.
     pub columns: usize,
     /// Row by row, each with its title.
     pub panels: Vec<(String, Panel)>,

@@ -14,7 +14,7 @@ use super::{WIDTH, card};
 pub struct Map {
     /// The first line.
     pub title: String,
-    /// What the numbers are, with their unit.
+    /// The quantity of the numbers, with its unit.
     pub unit: String,
     /// The labels of the columns.
     pub columns: Vec<String>,

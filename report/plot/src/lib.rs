@@ -41,20 +41,20 @@ pub struct Panel {
     pub marks: Vec<(f64, String)>,
     /// The height of the panel with its labels, in pixels.
     pub height: f64,
-    /// Whether a unit is as long on both axes; both are then extended to fill the panel.
+    /// True for equal lengths of a unit on both axes; both are then extended to fill the panel.
     pub to_scale: bool,
 }
 
-/// What runs along an axis.
+/// The quantity along an axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
     /// Quantity and unit.
     pub label: &'static str,
-    /// How numbers become lengths.
+    /// The scale from numbers to lengths.
     pub scale: Scale,
 }
 
-/// How numbers become lengths.
+/// A scale from numbers to lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scale {
     /// In proportion.
@@ -70,13 +70,13 @@ pub enum Scale {
 /// A line through points.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// What stands in the legend; nothing when empty.
+    /// Text in the legend; no entry if empty.
     pub label: String,
     /// x and y in the units of the axes; points that are not finite interrupt the line.
     pub points: Vec<[f64; 2]>,
     /// Its colour.
     pub color: Color,
-    /// How it is drawn.
+    /// The style of the curve.
     pub style: Style,
 }
 
@@ -107,7 +107,7 @@ pub enum Color {
     Grey,
 }
 
-/// How a curve is drawn.
+/// The style of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Style {
     /// A line.
@@ -171,7 +171,7 @@ const ABOVE: f64 = 30.0;
 const BELOW: f64 = 46.0;
 const INK: &str = "#1f2328";
 
-/// What is drawn, under a title on a white card of that height.
+/// A drawing under a title, on a white card of a given height.
 fn card(title: &str, height: f64, content: &str) -> String {
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" \

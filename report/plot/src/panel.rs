@@ -9,7 +9,7 @@ use super::axis::Span;
 use super::symbol::{Shape, line, symbol, text};
 use super::{Curve, Panel, Scale, Style, label};
 
-/// Where a panel lies on the page, and what its axes span.
+/// The place of a panel on the page, and the ranges of its axes.
 pub(super) struct Frame {
     /// Left, top, right and bottom of the area of the curves, in pixels.
     area: [f64; 4],

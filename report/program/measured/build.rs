@@ -1,7 +1,7 @@
-//! Puts the generated robots where `main.rs` and `many.rs` include them.
+//! Copies the generated robots to `OUT_DIR`, for `main.rs` and `many.rs` to include.
 //!
-//! In: the folder that the variable `GENERATED` names; the report writes it. Out: `cases.rs` and `many.rs` in
-//! `OUT_DIR`; without the variable those without robots, so that the crate compiles on its own.
+//! In: the folder in the variable `GENERATED`, by the report. Out: `cases.rs` and `many.rs` in `OUT_DIR`; without the
+//! variable they have no robots, so that the crate compiles alone.
 
 use std::path::Path;
 use std::{env, fs, io};

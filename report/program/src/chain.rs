@@ -1,17 +1,16 @@
 //! Chains of any number of joints.
 //!
-//! In: a number. Out: a description whose links are all alike.
+//! In: a number. Out: a description with equal links.
 
 use std::fmt::Write;
 
 use homogen_codegen::description::{Description, read_text};
 use homogen_codegen::error::Errors;
 
-/// A chain of like links with a full inertia tensor each, whose axes are at right angles in turn and
-/// never meet.
+/// A chain of equal links with full inertia tensors. Successive axes are perpendicular and skew.
 ///
 /// # Errors
-/// None, of a chain without mistakes.
+/// None: the description is valid.
 pub fn chain(joints: usize) -> Result<Description, Errors> {
     let mut text = String::from("<robot name=\"chain\"><link name=\"l0\"/>");
     for joint in 1..=joints {

@@ -1,7 +1,7 @@
 //! The report as Markdown.
 //!
-//! In: what was measured. Out: tables with the figures between them. Counts are exact, and a test
-//! holds the committed copy to them; times belong to the machine that the first paragraph names.
+//! In: the measurements. Out: tables, with the figures between them. Operation counts are exact, and a test compares
+//! the committed copy with them; times belong to the machine that the first paragraph names.
 
 mod cells;
 pub mod many;
@@ -25,21 +25,21 @@ use crate::scene::{Scalar, Scene, Variant};
 use crate::source::GENERIC;
 use crate::states::STATES;
 
-/// All that was measured.
+/// All measurements.
 pub struct Measured<'a> {
-    /// How long.
+    /// The duration of the measurement.
     pub effort: Effort,
-    /// The robots that ship.
+    /// The robots of the repository.
     pub robots: &'a [Scene],
-    /// The scenes in which a simpler model may do.
+    /// The scenes with simpler models.
     pub models: &'a [Scene],
-    /// The robots that peers brought.
+    /// The robots that are compared with other programs.
     pub beside: &'a [Scene],
-    /// With what the peers were made; empty without any.
+    /// The versions of the other programs; empty without any.
     pub versions: &'a str,
     /// Every program in every scene.
     pub points: &'a [Point],
-    /// Scene, variant, function, price.
+    /// Scene, variant, function, operation count.
     pub prices: &'a [(String, &'static str, Function, Price)],
     /// Many states at once.
     pub many: &'a Many<'a>,
@@ -191,7 +191,7 @@ fn peers(measured: &Measured<'_>) -> String {
     let scenes = measured.robots.iter().chain(measured.beside);
     for scene in scenes.filter(with_peers) {
         let _ = writeln!(text, "### {} beside others\n", scene.title);
-        // The figures of those that ship stand above.
+        // The figures of the robots of the repository are above.
         if !measured.robots.iter().any(|robot| robot.name == scene.name) {
             let _ = writeln!(
                 text,
@@ -210,7 +210,7 @@ fn peers(measured: &Measured<'_>) -> String {
                 let default = counted(&Variant::DEFAULT);
                 let row = |way: &Variant| row_of_peers(measured, scene, function, way, scalar);
                 text.push_str(&row(&Variant::DEFAULT));
-                // Forms of a solution that the engine did not choose.
+                // Formulations that the engine did not choose.
                 let forms = scene.variants.iter().filter(|way| {
                     way.functions.contains(&function)
                         && way.functions.iter().all(|function| function.solves())
@@ -286,7 +286,7 @@ fn hard(measured: &Measured<'_>) -> String {
     text
 }
 
-/// Numbers in units of rounding.
+/// A table of errors in units of rounding.
 fn table(text: &mut String, corner: &str, map: &Map) {
     let _ = write!(text, "| {corner} |");
     for column in &map.columns {

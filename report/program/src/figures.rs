@@ -1,7 +1,7 @@
 //! The figures.
 //!
-//! In: what was measured. Out: plots, as `homogen_plot` draws them. Colours tell what
-//! computes, symbols the type of number, and whether a symbol is full what it was compiled for.
+//! In: the measurements. Out: plots for `homogen_plot`. Colours are programs, symbols are types of numbers; full symbols
+//! are compiled for this processor, open ones for the baseline.
 
 mod many;
 
@@ -36,7 +36,7 @@ pub fn trade(title: &str, scene: &Scene, functions: &[Function], points: &[Point
     let panel = |&function: &Function| {
         let points = of(function);
         let mut curves = vec![front(&points)];
-        // What is drawn last is on top: ours.
+        // Ours is drawn last, on top.
         let peers = points.iter().filter(|point| point.key.is_of_a_peer());
         let ours = points.iter().filter(|point| !point.key.is_of_a_peer());
         curves.extend(peers.chain(ours).map(|point| dot(scene, point)));
@@ -103,7 +103,7 @@ const LINEAR_TIME: Axis = Axis {
     scale: Scale::Linear,
 };
 
-/// The ways to compute a function in `f64`, with their names beside the points of this processor.
+/// The formulations of a function in `f64`, with their names beside the points of this processor.
 pub fn formulations(panels: &[(&Scene, Function)], points: &[Point]) -> Grid {
     let draw = |&(scene, function): &(&Scene, Function)| {
         let points = points.iter().filter(|point| {
@@ -143,7 +143,7 @@ const EITHER_TIME: Axis = Axis {
     scale: Scale::Linear,
 };
 
-/// How all grows with the number of joints.
+/// Growth with the number of joints.
 pub fn growth(grown: &[Grown]) -> Grid {
     let curves = |value: fn(&Grown) -> Option<f64>| -> Vec<Curve> {
         let curve = |(k, function): (usize, &Function)| {
@@ -198,7 +198,7 @@ const COLORS: [Color; 5] = [
     Color::Vermilion,
 ];
 
-/// A count as a number of an axis.
+/// A count as a coordinate.
 pub fn count(number: usize) -> f64 {
     f64::from(u32::try_from(number).unwrap_or(u32::MAX))
 }
@@ -237,7 +237,7 @@ fn shape(key: &Key) -> Shape {
     }
 }
 
-/// Ours as the scene's table says, the reference in grey, peers by who wrote them.
+/// The colour of a program: of a variant by the scene's table, of the reference grey, of others by their makers.
 fn color(scene: &Scene, variant: &str) -> Color {
     if variant == GENERIC {
         return Color::Grey;
@@ -296,7 +296,7 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
     legend
 }
 
-/// The stairs below and left of which nothing of ours lies.
+/// The Pareto front of our programs, as a staircase.
 fn front(points: &[&Point]) -> Curve {
     let ours = points.iter().filter(|point| !point.key.is_of_a_peer());
     let mut all: Vec<[f64; 2]> = ours.map(|point| [point.time[1], point.worst]).collect();

@@ -1,8 +1,7 @@
-//! How everything grows with the number of joints.
+//! Growth with the number of joints.
 //!
-//! In: nothing but how far to go. Out: for chains of 1 to 64 joints what each function costs to
-//! count, to expand, to compile and to call. Each program is compiled alone, as a crate of its own
-//! that needs `core` and the platform's sines.
+//! In: a limit. Out: for chains of 1 to 64 joints, the operation count of each function and the times to expand, to
+//! compile and to call it. Each program is compiled alone, as a crate that needs `core` and the platform's sines.
 
 use std::error::Error;
 use std::path::Path;
@@ -22,9 +21,9 @@ use homogen_codegen::schedule::Price;
 
 use crate::chain::chain;
 use crate::progress::Progress;
-use crate::truth::told;
+use crate::truth::as_one;
 
-/// The functions of which one each kind of growth is seen.
+/// The functions, one for each kind of growth.
 pub const FUNCTIONS: [Function; 5] = [
     ForwardKinematics,
     Gravity,
@@ -33,31 +32,30 @@ pub const FUNCTIONS: [Function; 5] = [
     ForwardDynamics,
 ];
 
-/// What one function of one chain costs.
+/// The costs of one function of one chain.
 #[derive(Clone, Debug)]
 pub struct Grown {
-    /// How many joints.
+    /// Number of joints.
     pub joints: usize,
-    /// What is computed.
+    /// The function.
     pub function: Function,
     /// Its operations.
     pub price: Price,
     /// From the description to tokens \[s\].
     pub expansion: f64,
-    /// From the source to an executable, optimised \[s\]; where it was tried.
+    /// From the source to an optimised executable \[s\]; `None` if it was not compiled.
     pub compilation: Option<f64>,
     /// Time per call, median \[ns\].
     pub call: Option<f64>,
 }
 
-/// The chains' numbers of joints.
+/// The numbers of joints.
 pub const JOINTS: [usize; 7] = [1, 2, 4, 8, 16, 32, 64];
 
-/// Measures all functions of all chains, except that what has more than `most` operations is only
-/// counted.
+/// Measures all functions of all chains; functions of more than `most` operations are only counted.
 ///
 /// # Errors
-/// Where the compiler fails.
+/// A failure of the compiler.
 pub fn measure(
     joints: &[usize],
     most: usize,
@@ -67,7 +65,7 @@ pub fn measure(
     fs::create_dir_all(folder)?;
     let mut grown = Vec::new();
     for &joints in joints {
-        let description = chain(joints).map_err(told)?;
+        let description = chain(joints).map_err(as_one)?;
         for function in FUNCTIONS {
             progress.advance(&format!("chain of {joints}: {}", function.name()));
             grown.push(one(&description, joints, function, most, folder)?);
@@ -89,9 +87,9 @@ fn one(
         ..Request::default()
     };
     let start = Instant::now();
-    let module = expand(description, &request).map_err(told)?;
+    let module = expand(description, &request).map_err(as_one)?;
     let item = Item::named_after("chain");
-    // The file brings its own sines.
+    // The file has its own sines.
     let tokens = rust::print(&module, &item, &World::Core(Library::default())).to_string();
     let expansion = start.elapsed().as_secs_f64();
     let price = module.functions[0].price;
@@ -117,8 +115,8 @@ fn one(
             return Err(String::from_utf8_lossy(&output.stderr).into());
         }
         grown.compilation = Some(start.elapsed().as_secs_f64());
-        let said = Command::new(&executable).output()?.stdout;
-        grown.call = Some(String::from_utf8(said)?.trim().parse()?);
+        let output = Command::new(&executable).output()?.stdout;
+        grown.call = Some(String::from_utf8(output)?.trim().parse()?);
     }
     Ok(grown)
 }

@@ -1,9 +1,8 @@
-//! Robots and states that are hard on arithmetic.
+//! Rounding errors of robots and states with difficult numbers.
 //!
-//! In: the labels of the hard robots of the tests. Out: of a function there, in a formulation, the worst
-//! error in units of rounding, in relation to the magnitudes that [`crate::truth`] has; [`formulations`]
-//! and [`functions`] lay these out. Programs are run as they stand, in `f64` or `f32`, without fusing; the
-//! tests hold the same cases to limits against 256 bits.
+//! In: the labels of the hard robots of the tests. Out: the worst error of a function in a formulation, in units of
+//! rounding, relative to the magnitudes of [`crate::truth`]; [`formulations`] and [`functions`] make tables of these.
+//! Programs are interpreted in `f64` or `f32`, without fused operations. The tests compare the same cases with 256 bits.
 
 pub mod formulations;
 pub mod functions;
@@ -18,49 +17,49 @@ use homogen_random::Random;
 use homogen_tests::programs::program_as;
 use homogen_tests::subjects::subject;
 
-use crate::states::{in_single_precision, make_upright, single};
+use crate::states::{in_single_precision, normalize_quaternions, single};
 use crate::truth::{evaluation, exact, given};
 
-/// A robot, and what is hard about its states.
+/// A robot with difficult states.
 #[derive(Clone, Copy)]
 pub struct Hard {
-    /// What readers call it.
+    /// Its title in the report.
     pub title: &'static str,
     label: &'static str,
     /// Changes a number in [−1, 1) into a coordinate.
     angle: fn(f64) -> f64,
     /// The same for a rate.
     rate: fn(f64) -> f64,
-    /// How far away a base is that is free, in metres; none is where there is no such number.
-    free: Option<f64>,
+    /// The scale of the position of a floating base \[m\]; `None` for a fixed base.
+    floating: Option<f64>,
 }
 
 impl Hard {
-    /// One in any states.
+    /// A robot in ordinary states.
     pub const fn new(title: &'static str, label: &'static str) -> Self {
         Self {
             title,
             label,
             angle: |x| 4.0 * x,
             rate: |x| 2.0 * x,
-            free: None,
+            floating: None,
         }
     }
 
-    /// One whose angles are these.
+    /// The same with these angles.
     pub const fn at(self, angle: fn(f64) -> f64) -> Self {
         Self { angle, ..self }
     }
 
-    /// One whose rates are these.
+    /// The same with these rates.
     pub const fn moving(self, rate: fn(f64) -> f64) -> Self {
         Self { rate, ..self }
     }
 
-    /// One whose base is free, and so far away.
-    pub const fn free(self, metres: f64) -> Self {
-        let free = Some(metres);
-        Self { free, ..self }
+    /// The same with a floating base at distances up to `metres`.
+    pub const fn floating(self, metres: f64) -> Self {
+        let floating = Some(metres);
+        Self { floating, ..self }
     }
 }
 
@@ -72,8 +71,8 @@ pub const MANY_TURNS: fn(f64) -> f64 = |x| (1e5 * x).round() * std::f64::consts:
 pub const FAST: fn(f64) -> f64 = |x| 8192.0 * x;
 
 impl Hard {
-    /// q, q̇, q̈ and τ of so many states, one after the other. Both types see the same, but for quaternions, which have
-    /// unit length here.
+    /// q, q̇, q̈ and τ of `count` states, one after the other. They are exact in both types, except for quaternions, which
+    /// have unit length here.
     fn states(&self, chain: &Chain, count: usize) -> Vec<f64> {
         let mut random = Random::new(1);
         let changes: [fn(f64) -> f64; 4] = [self.angle, self.rate, |x| 8.0 * x, |x| 16.0 * x];
@@ -88,7 +87,7 @@ impl Hard {
                 states.extend((0..length).map(|_| change(f64::from(random.coarse()))));
             }
             let state = &mut states[start..];
-            if let Some(metres) = self.free {
+            if let Some(metres) = self.floating {
                 for place in &mut state[..3] {
                     *place *= metres;
                 }
@@ -96,18 +95,18 @@ impl Hard {
             for number in &mut *state {
                 *number = single(*number);
             }
-            make_upright(spaces, state);
+            normalize_quaternions(spaces, state);
         }
         states
     }
 }
 
-/// What a function of a robot should return in hard states.
+/// The exact results of a function of a robot in difficult states.
 pub struct Truth {
     chain: Chain,
     function: Function,
     states: Vec<State>,
-    /// Those that single precision sees, where it sees others.
+    /// The states rounded to single precision, if they differ.
     in_single: Option<Vec<State>>,
 }
 
@@ -118,16 +117,16 @@ struct State {
 }
 
 impl Truth {
-    /// Computes it in so many states.
+    /// Computes the exact results in `count` states.
     pub fn of(hard: &Hard, function: Function, count: usize) -> Self {
         let mut subject = subject(hard.label);
-        subject.request.floating = hard.free.is_some();
+        subject.request.floating = hard.floating.is_some();
         let chain = subject.chain();
         let evaluation = evaluation(&chain, function);
         let coordinates = chain.spaces().len(Space::Coordinates);
         let states = hard.states(&chain, count);
         let length = states.len() / count;
-        let known = |states: &[f64]| -> Vec<State> {
+        let with_results = |states: &[f64]| -> Vec<State> {
             let states = states.chunks(length).map(|numbers| State {
                 results: exact(&evaluation, function, coordinates, numbers),
                 numbers: numbers.to_vec(),
@@ -135,14 +134,14 @@ impl Truth {
             states.collect()
         };
         Self {
-            states: known(&states),
-            in_single: in_single_precision(&states).as_deref().map(known),
+            states: with_results(&states),
+            in_single: in_single_precision(&states).as_deref().map(with_results),
             chain,
             function,
         }
     }
 
-    /// The worst error in units of rounding of a type, of what is not refused.
+    /// The worst error in units of rounding of a type; `None` if the engine rejects the formulation.
     pub fn worst(&self, formulation: Formulation, scalar: Real) -> Option<f64> {
         let (function, frame) = ([self.function], FrameId::FIRST);
         let program = program_as(formulation, &self.chain, &function, frame, scalar);
@@ -166,7 +165,7 @@ impl Truth {
             let errors = errors.map(|(found, [high, low, magnitude])| {
                 let found: f64 = found.into();
                 let distance = (found - high - low).abs();
-                // What is always nothing has no magnitude.
+                // An entry that is always zero has no magnitude.
                 if distance == 0.0 {
                     0.0
                 } else {
@@ -179,7 +178,7 @@ impl Truth {
     }
 }
 
-/// The larger; what is no number counts as infinite.
+/// The larger; infinite for NaN.
 fn worse(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }

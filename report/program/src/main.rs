@@ -1,9 +1,12 @@
 //! Measures speed against error on this machine, and writes tables and plots.
 //!
-//! In: the robots of this repository. Out: `report/REPORT.md` with its figures. The way there: the
-//! scenes and their variants are expanded into one program, which is compiled for the baseline and
-//! for this processor; exact results are computed; the programs run in turns; what they say is
-//! drawn and written.
+//! In: the robots of this repository. Out: `report/REPORT.md` with its figures.
+//!
+//! 1. The scenes and their variants are expanded into one program, which is compiled for the baseline and for this
+//!    processor.
+//! 2. Exact results are computed.
+//! 3. The programs run in turns.
+//! 4. Tables and figures are written.
 
 mod chain;
 mod document;
@@ -39,16 +42,16 @@ use scene::Scene;
 #[derive(Parser)]
 #[command(name = "homogen report")]
 struct Options {
-    /// Where to write [default: the folder `report` of the repository]
+    /// Folder of the report [default: `report` in the repository]
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
     /// Measure six times as long
     #[arg(long, conflicts_with = "smoke")]
     long: bool,
-    /// Only see that everything runs: two robots, a few batches, nothing written to the repository
+    /// Only check that everything runs: two robots, a few batches, no change of the repository
     #[arg(long)]
     smoke: bool,
-    /// Other implementations to stand beside ours, as report/peer/setup.sh sets them up
+    /// Folder of other programs for comparison, by report/peer/setup.sh
     #[arg(long, value_name = "FOLDER")]
     peers: Option<PathBuf>,
 }
@@ -66,7 +69,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Which chains grow, up to how many operations they are compiled.
+/// The numbers of joints of the chains, and the largest number of operations of a function that is compiled.
 const GROWTH: (&[usize], usize) = (&growth::JOINTS, usize::MAX);
 const GROWTH_IN_SMOKE: (&[usize], usize) = (&[1, 2, 4], 1000);
 
@@ -82,12 +85,12 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
         (_, true) => Effort::LONG,
     };
     let peers = options.peers.map(Peers::find).transpose()?;
-    let mut robots = scene::robots(&root).map_err(truth::told)?;
+    let mut robots = scene::robots(&root).map_err(truth::as_one)?;
     if options.smoke {
         robots.truncate(1);
-        robots.push(scene::free(&root).map_err(truth::told)?);
+        robots.push(scene::free(&root).map_err(truth::as_one)?);
     }
-    let models = scene::models(&root).map_err(truth::told)?;
+    let models = scene::models(&root).map_err(truth::as_one)?;
     let beside = match &peers {
         Some(peers) => peers.scenes(&root)?,
         None => Vec::new(),
@@ -164,8 +167,8 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder)
 }
 
-/// The robots of which many states are computed: those that stand beside others, or else those that ship, but for the
-/// smallest.
+/// The robots for many states: those that are compared with other programs, or without these the robots of the
+/// repository except the smallest.
 fn of_many<'a>(robots: &'a [Scene], beside: &'a [Scene], smoke: bool) -> Vec<&'a Scene> {
     let scenes = match (beside, smoke) {
         ([], true) => &robots[..1],

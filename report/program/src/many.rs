@@ -1,7 +1,6 @@
-//! Many states at once: our batches, one call a state, and others.
+//! Many states at once: batches, one call a state, and other programs.
 //!
-//! In: scenes, and the executables that were compiled of [`source`]. Out: a [`Point`] for every program, on one
-//! thread and on all. It never says what they mean.
+//! In: scenes, and the executables of [`source`]. Out: a [`Point`] for every program, on one thread and on all.
 
 use std::error::Error;
 use std::fmt::{Display, Write};
@@ -14,39 +13,39 @@ use homogen_codegen::schedule::Price;
 use homogen_codegen::space::Space;
 use homogen_plot::Color;
 
-use crate::measure::{Effort, Point, Run, once, rounds, said};
+use crate::measure::{Effort, Point, Run, lines_of, once, rounds};
 use crate::program::{Executables, Flags};
 use crate::progress::Progress;
 use crate::scene::{Scalar, Scene};
-use crate::truth::told;
+use crate::truth::as_one;
 
-/// What is computed.
+/// The measured function.
 pub const FUNCTION: Function = Function::InverseDynamics;
 
-/// Of how many states for each thread, and in a call of frax.
+/// Number of states for each thread, and in a call of frax.
 pub const STATES: usize = 16384;
 
-/// What stands behind the name of a program that ran on all threads.
+/// Suffix of the name of a program on all threads.
 pub const ALL: &str = ":all";
 
-/// The program that tells what the processor can compute, and how many operations it does in the place of a state.
+/// The program that measures the limit of the processor, and its number of operations a state.
 pub const LIMIT: (&str, f64) = ("limit", 1024.0);
 
-/// A program, as readers see it.
-pub struct Way {
-    /// What it is called there: ours by its own name, others by who made them.
+/// An implementation in the report.
+pub struct Implementation {
+    /// Its name in the measured program; of other programs the maker.
     pub name: &'static str,
-    /// What readers call it.
+    /// Its title in the report.
     pub title: &'static str,
     /// Its colour in the figures.
     pub color: Color,
 }
 
-/// One state a call, which batches stand beside.
+/// One state a call, for comparison with batches.
 pub const ALONE: &str = "alone";
 
-/// Ours: one state a call, and batches on each kind of vectors.
-pub const OURS: [Way; 6] = [
+/// Ours: one state a call, and batches in registers of each length.
+pub const OURS: [Implementation; 6] = [
     way(ALONE, "one state at a time", Color::Black),
     way("target", "batch, vectors of the build", Color::Grey),
     way("avx2", "batch, AVX2", Color::Sky),
@@ -55,8 +54,8 @@ pub const OURS: [Way; 6] = [
     way("avx512_fused", "batch, AVX-512, fused", Color::Purple),
 ];
 
-/// Others.
-pub const OTHERS: [Way; 6] = [
+/// Other programs.
+pub const OTHERS: [Implementation; 6] = [
     way("pinocchio", "Pinocchio", Color::Vermilion),
     way("plain", "CasADi's C", Color::Black),
     way("snapped", "the same, snapped", Color::Black),
@@ -65,26 +64,26 @@ pub const OTHERS: [Way; 6] = [
     way("frax", "frax", Color::Wine),
 ];
 
-const fn way(name: &'static str, title: &'static str, color: Color) -> Way {
-    Way { name, title, color }
+const fn way(name: &'static str, title: &'static str, color: Color) -> Implementation {
+    Implementation { name, title, color }
 }
 
-/// What was measured.
+/// The measurements of many states.
 pub struct Many<'a> {
     /// The robots.
     pub scenes: Vec<&'a Scene>,
-    /// What the function of each costs.
+    /// The operation count of each.
     pub prices: Vec<Price>,
-    /// With what others were made, beside those that are called for one state.
+    /// The versions of other programs, in addition to those for one state.
     pub versions: &'a str,
-    /// Every program.
+    /// One measurement for each program.
     pub points: Vec<Point>,
-    /// Why some of the others are missing.
+    /// The reasons why other programs are missing.
     pub missing: Vec<String>,
 }
 
 impl Many<'_> {
-    /// A program of ours, or the only one of another.
+    /// The measurement of an implementation.
     pub fn find(
         &self,
         scene: &Scene,
@@ -103,17 +102,17 @@ impl Many<'_> {
     }
 }
 
-/// The name of a way.
+/// The name of the implementation.
 pub fn name_of(point: &Point) -> &str {
     let name = &point.key.variant;
     let name = name.strip_suffix(ALL).unwrap_or(name);
     name.split_once('/').map_or(name, |(maker, _)| maker)
 }
 
-/// The source of all scenes, as `many` includes it, and what the function of each costs.
+/// The source of all scenes for `many`, and the operation count of each.
 ///
 /// # Errors
-/// Where a robot has mistakes.
+/// Errors of a robot's description.
 pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>> {
     let (mut modules, mut arms, mut prices) = (String::new(), String::new(), Vec::new());
     for (k, scene) in scenes.iter().enumerate() {
@@ -122,7 +121,7 @@ pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>>
             batch: true,
             ..scene.request.clone()
         };
-        let module = expand(&scene.description, &request).map_err(told)?;
+        let module = expand(&scene.description, &request).map_err(as_one)?;
         let methods = rust::print(&module, &Item::named_after("robot"), &World::default());
         writeln!(
             modules,
@@ -152,7 +151,7 @@ pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>>
 /// Runs everything: in each round, each executable and then frax.
 ///
 /// # Errors
-/// Where a program of ours fails or says what cannot be understood.
+/// A homogen program that fails, or whose output cannot be read.
 pub fn measure<'a>(
     executables: &[Executables],
     runs: &[Run<'a>],
@@ -171,10 +170,10 @@ pub fn measure<'a>(
             }
             for scalar in [Scalar::F64, Scalar::F32] {
                 let Some(peers) = run.peers else { continue };
-                // It takes a thousand times as long as ours.
+                // frax takes a thousand times as long.
                 let batches = effort.batches.div_ceil(7);
                 let mut frax = peers.frax(run.scene, &run.truth, batches, STATES, scalar);
-                match said(&mut frax, Flags::Native) {
+                match lines_of(&mut frax, Flags::Native) {
                     Ok(lines) => all.extend(lines),
                     Err(reason) => missing.push(reason_of("frax", run.scene, &*reason)),
                 }
@@ -201,7 +200,7 @@ pub fn measure<'a>(
     })
 }
 
-/// Why another is missing beside a scene: the last line of what was said, in which programs tell what failed.
+/// The reason why a program is missing for a scene: the last line of its output, which has the error.
 fn reason_of(other: &str, scene: &Scene, reason: &dyn Display) -> String {
     let reason = reason.to_string();
     let last = reason.trim().lines().last().unwrap_or_default();

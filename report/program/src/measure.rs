@@ -1,8 +1,7 @@
 //! The measured program, run function by function.
 //!
-//! In: executables and the folders with the truth. Out: a [`Point`] for every program in every scene.
-//! The executables take turns, round by round, so that a drift of the clock meets all alike; what
-//! is kept of each program is the median of its rounds.
+//! In: executables and the folders with exact results. Out: a [`Point`] for every program in every scene: the median of
+//! its rounds. The executables take turns, round by round, so that a drift of the clock affects all of them.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -16,59 +15,59 @@ use crate::program::{Executables, Flags};
 use crate::progress::Progress;
 use crate::scene::{Scalar, Scene};
 
-/// What one program took, and how far it was off.
+/// Time and errors of one program.
 #[derive(Clone, Debug)]
 pub struct Point {
     /// The scene's name.
     pub scene: String,
-    /// What was computed.
+    /// The function.
     pub function: Function,
-    /// Which program.
+    /// The program.
     pub key: Key,
     /// Time per call: lower quartile, median, upper quartile \[ns\].
     pub time: [f64; 3],
-    /// Median over the states of the worst entry's error, in relation to its magnitude.
+    /// Median over the states of the worst entry's error, relative to its magnitude.
     pub median: f64,
-    /// Of 99 in 100 states the worst entry's error is no larger.
+    /// 99th percentile of the same.
     pub rare: f64,
-    /// The worst error of any entry at any state, in relation to its magnitude.
+    /// The worst error of any entry at any state, relative to its magnitude.
     pub worst: f64,
 }
 
-/// What tells the programs of a function apart.
+/// The key of a program among those of a function.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Key {
-    /// The variant's name, or a peer's.
+    /// The name of the variant, or of another program.
     pub variant: String,
     /// The type of number.
     pub scalar: Scalar,
-    /// What it was compiled for.
+    /// The target of its compilation.
     pub flags: Flags,
 }
 
 impl Key {
-    /// Whether it is not ours.
+    /// True for other programs.
     pub fn is_of_a_peer(&self) -> bool {
         self.variant.contains('/')
     }
 }
 
-/// How long to measure.
+/// The duration of the measurement.
 #[derive(Clone, Copy)]
 pub struct Effort {
-    /// How often the executables take turns.
+    /// Number of turns of the executables.
     pub rounds: usize,
-    /// How often the programs of one executable do, in each round.
+    /// Number of turns of the programs of one executable in each round.
     pub batches: usize,
 }
 
 impl Effort {
-    /// Enough to see that everything runs.
+    /// Enough to check that everything runs.
     pub const SMOKE: Self = Self {
         rounds: 1,
         batches: 3,
     };
-    /// For medians that a neighbour does not move.
+    /// Enough for medians that other load does not change.
     pub const USUAL: Self = Self {
         rounds: 3,
         batches: 21,
@@ -80,22 +79,22 @@ impl Effort {
     };
 }
 
-/// Where a scene's truth lies, and which peers stand beside ours.
+/// A scene with the folder of its exact results, and the other programs.
 pub struct Run<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// The folder of its truth.
+    /// The folder of its exact results.
     pub truth: PathBuf,
-    /// What stands beside ours.
+    /// The other programs.
     pub peers: Option<&'a Peers>,
-    /// Those of its makers that do.
+    /// The makers of the compared ones.
     pub makers: &'static [&'static str],
 }
 
-/// Runs everything that is called for one state.
+/// Runs every program with one state a call.
 ///
 /// # Errors
-/// Where a program fails or says what cannot be understood.
+/// A program that fails, or whose output cannot be read.
 pub fn measure(
     executables: &[Executables],
     runs: &[Run<'_>],
@@ -106,14 +105,14 @@ pub fn measure(
     for run in runs {
         for &function in &run.scene.functions {
             let turn = || {
-                let mut said = Vec::new();
+                let mut lines = Vec::new();
                 for Executables {
                     flags, measured, ..
                 } in executables
                 {
-                    said.extend(once(measured, *flags, run, function, &[effort.batches])?);
+                    lines.extend(once(measured, *flags, run, function, &[effort.batches])?);
                 }
-                Ok(said)
+                Ok(lines)
             };
             points.extend(rounds(run.scene, function, effort, turn)?);
             progress.advance(&format!("{} {}", run.scene.name, function.name()));
@@ -122,20 +121,20 @@ pub fn measure(
     Ok(points)
 }
 
-/// Medians over the rounds of what is said in each turn.
+/// Medians over the rounds.
 ///
 /// # Errors
-/// Where a turn fails.
+/// A turn that fails.
 pub fn rounds(
     scene: &Scene,
     function: Function,
     effort: Effort,
-    mut turn: impl FnMut() -> Result<Vec<Said>, Box<dyn Error>>,
+    mut turn: impl FnMut() -> Result<Vec<Line>, Box<dyn Error>>,
 ) -> Result<Vec<Point>, Box<dyn Error>> {
-    let mut said: BTreeMap<Key, Vec<[f64; 6]>> = BTreeMap::new();
+    let mut lines: BTreeMap<Key, Vec<[f64; 6]>> = BTreeMap::new();
     for _ in 0..effort.rounds {
         for (key, numbers) in turn()? {
-            said.entry(key).or_default().push(numbers);
+            lines.entry(key).or_default().push(numbers);
         }
     }
     let point = |(key, rounds): (Key, Vec<[f64; 6]>)| {
@@ -150,40 +149,40 @@ pub fn rounds(
             worst: middle(5),
         }
     };
-    Ok(said.into_iter().map(point).collect())
+    Ok(lines.into_iter().map(point).collect())
 }
 
 /// A program, and its line of numbers.
-pub type Said = (Key, [f64; 6]);
+pub type Line = (Key, [f64; 6]);
 
-/// What an executable says of a function, for so many batches and whatever else it is to know.
+/// The output of an executable for a function; `numbers` are its further arguments, the number of batches first.
 ///
 /// # Errors
-/// Where it fails or says what cannot be understood.
+/// A failure, or an output that cannot be read.
 pub fn once(
     executable: &Path,
     flags: Flags,
     run: &Run<'_>,
     function: Function,
     numbers: &[usize],
-) -> Result<Vec<Said>, Box<dyn Error>> {
+) -> Result<Vec<Line>, Box<dyn Error>> {
     let mut command = Command::new(executable);
     command
         .args([&run.scene.name, function.name()])
         .arg(&run.truth)
         .args(numbers.iter().map(usize::to_string));
-    // Others are compiled for one processor: they stand beside ours for this one.
+    // Other programs are compiled for this processor: they are compared with ours for this processor.
     if let (Flags::Native, Some(peers)) = (flags, run.peers) {
         command.args(peers.libraries(run.scene, function, run.makers));
     }
-    said(&mut command, flags)
+    lines_of(&mut command, flags)
 }
 
-/// What a program says.
+/// The output of a program.
 ///
 /// # Errors
-/// Where it fails or says what cannot be understood.
-pub fn said(command: &mut Command, flags: Flags) -> Result<Vec<Said>, Box<dyn Error>> {
+/// A failure, or an output that cannot be read.
+pub fn lines_of(command: &mut Command, flags: Flags) -> Result<Vec<Line>, Box<dyn Error>> {
     let output = command.output()?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());
@@ -193,7 +192,7 @@ pub fn said(command: &mut Command, flags: Flags) -> Result<Vec<Said>, Box<dyn Er
 }
 
 /// `default f64 91.2 92.0 93.1 1e-17 1e-16 3e-16`
-fn read(line: &str, flags: Flags) -> Result<Said, Box<dyn Error>> {
+fn read(line: &str, flags: Flags) -> Result<Line, Box<dyn Error>> {
     let words: Vec<&str> = line.split_whitespace().collect();
     let [variant, scalar, numbers @ ..] = &words[..] else {
         return Err(format!("not understood: {line}").into());

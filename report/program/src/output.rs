@@ -1,6 +1,6 @@
 //! The files of the report.
 //!
-//! In: all that was measured. Out: a folder with the Markdown and its figures.
+//! In: all measurements. Out: a folder with the Markdown file and its figures.
 
 use std::path::Path;
 use std::{fs, io};
@@ -14,10 +14,10 @@ use crate::figures;
 use crate::hard::functions::TYPES;
 use crate::scene::Scene;
 
-/// Writes them all.
+/// Writes all files.
 ///
 /// # Errors
-/// Where the folder cannot be written to.
+/// A file that cannot be written.
 pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
     let Measured {
         robots,
@@ -38,12 +38,12 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
     for scene in robots.iter().chain(beside) {
         svg(&scene.name, &trade(scene, &scene.functions))?;
     }
-    // The arm that others know as well, where they are installed.
+    // An arm that is compared with other programs, if they are installed.
     let arms = beside.iter().chain(robots);
     if let Some(arm) = arms.into_iter().find(|scene| scene.joints.len() == 7) {
         svg("summary", &trade(arm, &[InverseDynamics, ForwardDynamics]))?;
     }
-    // Where there is more than one way worth looking at.
+    // Functions with several formulations.
     let large = robots.iter().filter(|scene| scene.joints.len() >= 7);
     let shown = large.flat_map(|scene| [(scene, InverseDynamics), (scene, ForwardDynamics)]);
     let shown: Vec<_> = shown.collect();

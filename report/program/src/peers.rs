@@ -1,8 +1,7 @@
-//! Other implementations, where they are installed.
+//! Other programs, if they are installed.
 //!
-//! In: the folder that `report/peer/setup.sh` made. Out: a scene for each robot in it that does
-//! not ship, and for any scene the libraries that stand beside ours: Pinocchio itself, and C that
-//! CasADi wrote from its algorithms. It never builds them.
+//! In: the folder of `report/peer/setup.sh`. Out: a scene for each robot that is only there, and the libraries for any
+//! scene: Pinocchio, and C that CasADi generates from its algorithms. Nothing is built here.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -13,29 +12,29 @@ use homogen_codegen::Function;
 use homogen_examples::machine;
 
 use crate::scene::{self, Scalar, Scene};
-use crate::truth::told;
+use crate::truth::as_one;
 
-/// Who makes libraries: Pinocchio, and CasADi as it writes them; with right angles made exact and
-/// common parts merged; and then with pointers that do not alias in place of a check of each.
+/// The makers of libraries: Pinocchio; CasADi's original C; the same with exact right angles and merged common
+/// subexpressions; and that with `restrict` in place of a check of each pointer.
 pub const MAKERS: [&str; 4] = ["pinocchio", "plain", "snapped", "restrict"];
 
-/// The same and MuJoCo, whose inverse dynamics stands beside ours for many states.
+/// The same and MuJoCo, whose inverse dynamics is compared for many states.
 pub const MAKERS_OF_MANY: [&str; 5] = ["pinocchio", "plain", "snapped", "restrict", "mujoco"];
 
-/// What a set-up of peers left.
+/// A folder with other programs.
 pub struct Peers {
     folder: PathBuf,
-    /// With what it was made.
+    /// The versions of the programs.
     pub versions: String,
-    /// With what else for many states, a line each.
+    /// The versions of those for many states, a line each.
     pub versions_of_many: String,
 }
 
 impl Peers {
-    /// What lies in a folder.
+    /// The contents of a folder.
     ///
     /// # Errors
-    /// Where it is no such folder, or was compiled for another processor.
+    /// A folder that `setup.sh` did not make, or that was compiled for another processor.
     pub fn find(folder: PathBuf) -> Result<Self, Box<dyn Error>> {
         let read = |name: &str| {
             let path = folder.join(name);
@@ -63,11 +62,10 @@ impl Peers {
         })
     }
 
-    /// The robots that do not ship, in the order of their names; `root` is the repository.
+    /// The robots that are not in the repository, in the order of their names; `root` is the repository.
     ///
     /// # Errors
-    /// Where a file cannot be read or has mistakes; where a robot that ships changed since its peers
-    /// were made.
+    /// A file that cannot be read or has errors; a robot of the repository that changed since the folder was made.
     pub fn scenes(&self, root: &Path) -> Result<Vec<Scene>, Box<dyn Error>> {
         let entries = fs::read_dir(&self.folder)?.collect::<io::Result<Vec<_>>>()?;
         let mut names: Vec<_> = entries.iter().map(fs::DirEntry::file_name).collect();
@@ -89,8 +87,8 @@ impl Peers {
         Ok(scenes)
     }
 
-    /// What computes a function beside ours, as `measured` takes it: maker, type of number, symbol and
-    /// library of each.
+    /// The other implementations of a function, as arguments of `measured`: maker, type of number, symbol and library
+    /// of each.
     pub fn libraries(&self, scene: &Scene, function: Function, makers: &[&str]) -> Vec<String> {
         let mut libraries = Vec::new();
         for &maker in makers {
@@ -110,8 +108,8 @@ impl Peers {
         libraries
     }
 
-    /// frax on so many states of a robot at once, for so many batches: a program that says what `measured` does of
-    /// the inverse dynamics. `truth` is the folder of the robot's.
+    /// frax on many states of a robot at once: a program with the output of `measured` for the inverse dynamics.
+    /// `truth` is the folder of the robot's exact results.
     pub fn frax(
         &self,
         scene: &Scene,
@@ -131,7 +129,7 @@ impl Peers {
     }
 }
 
-/// The robot in a folder, whose peers count its joints in the same order.
+/// The robot in a folder; an error unless the other programs have its joints in the same order.
 fn scene_of(name: &str, folder: &Path) -> Result<Scene, Box<dyn Error>> {
     let read = |file: &str| fs::read_to_string(folder.join(file));
     let (title, tip, base) = (read("title")?, read("frame")?, read("base")?);
@@ -140,7 +138,7 @@ fn scene_of(name: &str, folder: &Path) -> Result<Scene, Box<dyn Error>> {
         &folder.join("robot.urdf"),
         base.trim() == "floating",
     );
-    let mut scene = scene.map_err(told)?;
+    let mut scene = scene.map_err(as_one)?;
     if let Ok(functions) = read("functions") {
         let compared: Vec<&str> = functions.split_whitespace().collect();
         scene
@@ -155,7 +153,7 @@ fn scene_of(name: &str, folder: &Path) -> Result<Scene, Box<dyn Error>> {
     Ok(scene)
 }
 
-/// What they call a function, each way they have: in link frames, and in the frame of the base.
+/// The symbols of a function in their libraries: in link frames, and in the frame of the base.
 fn symbols(function: Function) -> Vec<String> {
     let symbol = format!("peer_{}", function.name());
     match function {

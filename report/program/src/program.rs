@@ -1,18 +1,18 @@
 //! The measured programs, compiled for the baseline and for this processor.
 //!
-//! In: their sources. Out: executables for each set of flags. It never runs them.
+//! In: their sources. Out: executables for each set of flags.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
 
-/// What a program is compiled for.
+/// The target of a compilation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Flags {
-    /// Every processor of the architecture.
+    /// The baseline: every processor of the architecture.
     Baseline,
-    /// This one.
+    /// This processor.
     Native,
 }
 
@@ -20,7 +20,7 @@ impl Flags {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Baseline, Self::Native];
 
-    /// What readers call it.
+    /// Its name in the report.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Baseline => "baseline",
@@ -36,9 +36,9 @@ impl Flags {
     }
 }
 
-/// What is run of one compilation.
+/// The executables of one compilation.
 pub struct Executables {
-    /// What they are compiled for.
+    /// Their target.
     pub flags: Flags,
     /// One state a call.
     pub measured: PathBuf,
@@ -46,10 +46,10 @@ pub struct Executables {
     pub many: PathBuf,
 }
 
-/// Compiles the measured programs, whose sources lie in a folder.
+/// Compiles the measured programs, whose sources are in a folder.
 ///
 /// # Errors
-/// Where cargo fails; what it says is shown.
+/// A failure of cargo, with its output.
 pub fn compile(sources: &Path, target: &Path, flags: Flags) -> Result<Executables, Box<dyn Error>> {
     let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("measured/Cargo.toml");
     let output = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
@@ -66,7 +66,7 @@ pub fn compile(sources: &Path, target: &Path, flags: Flags) -> Result<Executable
     let kept = |name: &str| {
         let file = |name: &str| format!("{name}{}", env::consts::EXE_SUFFIX);
         let kept = target.join(file(&format!("{name}-{}", flags.name())));
-        // The other flags overwrite it.
+        // The compilation with the other flags overwrites it.
         fs::copy(target.join("release").join(file(name)), &kept)?;
         Ok::<_, io::Error>(kept)
     };

@@ -1,12 +1,12 @@
-//! A bar that says how far the work is.
+//! A progress bar.
 //!
-//! In: how many steps there are, and each step as it is done. Out: one line on standard error, on a
-//! terminal; a line a stage elsewhere.
+//! In: the number of steps, and each finished step. Out: one line on standard error if it is a terminal, otherwise a
+//! line for each stage.
 
 use std::io::{IsTerminal, Write, stderr};
 use std::time::Instant;
 
-/// Steps done of steps to do.
+/// Number of finished steps and of all steps.
 pub struct Progress {
     done: usize,
     steps: usize,
@@ -17,7 +17,7 @@ pub struct Progress {
 const WIDTH: usize = 30;
 
 impl Progress {
-    /// Nothing done yet.
+    /// No step finished.
     pub fn new(steps: usize) -> Self {
         Self {
             done: 0,
@@ -27,7 +27,7 @@ impl Progress {
         }
     }
 
-    /// Says what begins now.
+    /// Shows the name of a new stage.
     pub fn stage(&self, what: &str) {
         if self.terminal {
             self.show(what);
@@ -36,7 +36,7 @@ impl Progress {
         }
     }
 
-    /// One more step is done.
+    /// Counts a finished step.
     pub fn advance(&mut self, what: &str) {
         self.done += 1;
         if self.terminal {
@@ -48,7 +48,7 @@ impl Progress {
         let full = (WIDTH * self.done / self.steps.max(1)).min(WIDTH);
         let bar = "█".repeat(full) + &"░".repeat(WIDTH - full);
         let seconds = self.start.elapsed().as_secs();
-        // To the beginning of the line, and clear what is left of the last one.
+        // Carriage return, and clear the rest of the line.
         let _ = write!(stderr(), "\r{bar} {seconds:3} s  {what}\x1b[K");
         let _ = stderr().flush();
     }

@@ -1,8 +1,7 @@
-//! What is measured: robots, the states they are in, and the ways to compute and to model them.
+//! The measured scenes: robots with their states, formulations and simpler models.
 //!
-//! In: the folder of the robots. Out: scenes, each with its variants. A table that grows: a further
-//! formulation is a line in [`formulations`], a further simplification one in `simplified.rs`. It
-//! never generates or measures.
+//! In: the folder of the robots. Out: scenes, each with its variants. To add a formulation, add a line to
+//! [`formulations`]; to add a simpler model, one to `simplified.rs`.
 
 use std::path::Path;
 
@@ -34,8 +33,7 @@ pub const FUNCTIONS: [Function; 8] = [
     ForwardDynamics,
 ];
 
-/// What controllers, planners and estimators ask beside: of robots that stand beside others, whose users
-/// have them.
+/// Further functions of controllers, planners and estimators, for robots that are compared with other programs.
 const FURTHER: [Function; 5] = [
     InverseDynamicsDerivatives,
     ForwardDynamicsDerivatives,
@@ -44,23 +42,23 @@ const FURTHER: [Function; 5] = [
     CentroidalMomentumMatrix,
 ];
 
-/// A robot in some states, and what is compared there.
+/// A robot in some states, with the compared functions and variants.
 pub struct Scene {
-    /// What files and programs call it.
+    /// Its name in files and programs.
     pub name: String,
-    /// What readers call it.
+    /// Its title in the report.
     pub title: String,
     /// The robot.
     pub description: Description,
-    /// Its tip, and what is locked.
+    /// The request, with its tip and its locked joints.
     pub request: Request,
-    /// What is computed.
+    /// The measured functions.
     pub functions: Vec<Function>,
-    /// In which ways.
+    /// The measured variants.
     pub variants: Vec<Variant>,
-    /// Whether the recursions of the runtime are measured beside them.
+    /// True if the recursions of the runtime are measured as well.
     pub generic: bool,
-    /// The lists that its arguments and results are over.
+    /// The lists that its arguments and results range over.
     pub spaces: Spaces,
     /// The joints that move, in the order of their coordinates.
     pub joints: Vec<String>,
@@ -68,24 +66,24 @@ pub struct Scene {
     pub states: Vec<f64>,
 }
 
-/// A way to compute or to model.
+/// A formulation or a simpler model.
 #[derive(Clone)]
 pub struct Variant {
-    /// What files and programs call it.
+    /// Its name in files and programs.
     pub name: &'static str,
-    /// What readers call it.
+    /// Its title in the report.
     pub title: &'static str,
-    /// What it makes of robot and request.
+    /// The change of description and request.
     pub change: fn(&mut Description, &mut Request),
     /// The types of number that it is measured in.
     pub scalars: &'static [Scalar],
-    /// The type of `measured` that stands for `f64`, where that is not itself.
+    /// The type of `measured` that replaces `f64`, if any.
     pub number: Option<&'static str>,
-    /// The joints that still move; all where empty.
+    /// The joints that move; all if empty.
     pub joints: &'static [usize],
-    /// What is computed in place of what was asked for.
+    /// The function that replaces the measured one, if any.
     pub instead: Option<Function>,
-    /// The functions that it makes a difference to; all where empty.
+    /// The functions that it changes; all if empty.
     pub functions: &'static [Function],
     /// Its colour in the figures.
     pub color: Color,
@@ -111,7 +109,7 @@ impl Scalar {
 }
 
 impl Variant {
-    /// What a user gets who asks for nothing else.
+    /// The default of the engine.
     pub const DEFAULT: Self = Self {
         name: "default",
         title: "default",
@@ -124,13 +122,13 @@ impl Variant {
         color: Color::Blue,
     };
 
-    /// Whether it is worth measuring for a function.
+    /// True if it is measured for a function.
     pub fn serves(&self, function: Function) -> bool {
         self.functions.is_empty() || self.functions.contains(&function)
     }
 }
 
-/// The ways to compute that are compared.
+/// The compared formulations.
 pub fn formulations() -> Vec<Variant> {
     let way = |name, title, color, functions, change| Variant {
         name,
@@ -215,7 +213,7 @@ pub fn formulations() -> Vec<Variant> {
     ]
 }
 
-/// Sums of the angles of parallel axes, for the functions that they make a difference to.
+/// Sums of the angles of parallel axes, for the functions that they change.
 fn merged(functions: &'static [Function]) -> Variant {
     Variant {
         name: "merged",
@@ -228,7 +226,7 @@ fn merged(functions: &'static [Function]) -> Variant {
     }
 }
 
-/// The mass matrix and its factors as they come out, where the engine would choose another form.
+/// The mass matrix and its factors without refinement, where the engine would choose another formulation.
 fn unrefined() -> Variant {
     Variant {
         name: "refined_0",
@@ -241,15 +239,15 @@ fn unrefined() -> Variant {
     }
 }
 
-/// The formulations that are measured beside others.
+/// The formulations that are compared with other programs.
 const BESIDE_PEERS: [&str; 4] = ["default", "platform_sines", "refined_1", "articulated"];
 
-/// A robot that does not ship, as it stands beside others: on a base that is free, or else with what
-/// does not move the tip locked; and ours are computed with our sines, with those that they call as
-/// well, and in other forms that have more digits or fewer operations.
+/// A robot that is not in the repository, for comparison with other programs: with a floating base, or with a fixed
+/// base and all joints locked that do not move the tip. It is measured with our sines, with the platform's sines that
+/// the others use, and in formulations with more accuracy or fewer operations.
 ///
 /// # Errors
-/// Where its file cannot be read or has mistakes.
+/// A file that cannot be read or has errors.
 pub fn beside_peers(
     [name, title, tip]: [&str; 3],
     path: &Path,
@@ -272,7 +270,7 @@ pub fn beside_peers(
     Ok(scene)
 }
 
-/// What the paper writes in frame 0; matrices of joints grow out of proportion there.
+/// The functions that are measured in frame 0, as in the paper; matrices of joints grow out of proportion there.
 const RECURSIONS: [Function; 5] = [
     ForwardKinematics,
     GeometricJacobian,
@@ -281,10 +279,10 @@ const RECURSIONS: [Function; 5] = [
     Bias,
 ];
 
-/// The cheapest, what is called most, and the dearest: enough to tell sines apart.
+/// The functions for a comparison of sines: the one with the fewest operations, the most used, the one with the most.
 const SINES: [Function; 3] = [ForwardKinematics, InverseDynamics, ForwardDynamics];
 
-/// What an equation of motion is solved for.
+/// The solutions of the equation of motion.
 const SOLUTIONS: [Function; 2] = [MassMatrixInverse, ForwardDynamics];
 
 const DYNAMICS: [Function; 6] = [
@@ -296,10 +294,10 @@ const DYNAMICS: [Function; 6] = [
     ForwardDynamics,
 ];
 
-/// The robots that ship, each in random states.
+/// The robots of the repository, each in random states.
 ///
 /// # Errors
-/// Where one of their files cannot be read.
+/// A file that cannot be read.
 pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
     [
         (
@@ -331,10 +329,10 @@ pub fn robots(root: &Path) -> Result<Vec<Scene>, Errors> {
     .collect()
 }
 
-/// A robot whose coordinates are not its velocities: that everything runs with those as well.
+/// A robot whose coordinates are not its velocities, to check that everything runs with it.
 ///
 /// # Errors
-/// Where its file cannot be read.
+/// A file that cannot be read.
 pub fn free(root: &Path) -> Result<Scene, Errors> {
     let request = Request {
         floating: true,
@@ -349,10 +347,10 @@ pub fn free(root: &Path) -> Result<Scene, Errors> {
     Ok(scene)
 }
 
-/// The scenes in which a simpler model may do.
+/// The scenes with simpler models.
 ///
 /// # Errors
-/// Where the robot's file cannot be read.
+/// A file that cannot be read.
 pub fn models(root: &Path) -> Result<Vec<Scene>, Errors> {
     let path = root.join("robots/panda_class.urdf");
     let scene = |name, title, range, variants| {
@@ -382,10 +380,10 @@ pub fn models(root: &Path) -> Result<Vec<Scene>, Errors> {
 }
 
 impl Scene {
-    /// A robot in no state yet, of which nothing is computed.
+    /// A robot without states and functions.
     ///
     /// # Errors
-    /// Where the file cannot be read or has mistakes.
+    /// A file that cannot be read or has errors.
     pub fn read(name: &str, title: &str, path: &Path, request: Request) -> Result<Self, Errors> {
         let mut errors = Errors::new();
         let description = match description::read_file(path, None, &mut errors) {
@@ -407,7 +405,7 @@ impl Scene {
         })
     }
 
-    /// How many entries a list has.
+    /// Number of entries of a list.
     pub fn length(&self, space: Space) -> usize {
         self.spaces.len(space)
     }
@@ -420,7 +418,7 @@ impl Scene {
     }
 }
 
-/// Nothing but the tip.
+/// A request with a tip only.
 fn to(tip: &str) -> Request {
     Request {
         tip: Some(Name::from(tip)),

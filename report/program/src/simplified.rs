@@ -1,7 +1,6 @@
-//! Models that are simpler than the robot.
+//! Simpler models of a robot.
 //!
-//! In: a description. Out: the same with some of what it says left out or changed: what a scene may
-//! not need. It never judges what that costs.
+//! In: a description. Out: the same with some data left out or changed. The report shows the errors of this.
 
 use homogen_codegen::Function;
 use homogen_codegen::description::{Description, Number, Step};
@@ -13,7 +12,7 @@ pub const PLANE: [usize; 3] = [1, 3, 5];
 
 const F64: &[Scalar] = &[Scalar::F64];
 
-/// For an arm that does anything.
+/// Models for an arm in any motion.
 pub fn anywhere() -> Vec<Variant> {
     let model = |name, title, change| Variant {
         name,
@@ -49,12 +48,12 @@ pub fn anywhere() -> Vec<Variant> {
     ]
 }
 
-/// For an arm that hardly moves.
+/// Models for an arm in slow motion.
 pub fn slow() -> Vec<Variant> {
     vec![full(), gravity()]
 }
 
-/// For an arm of which three joints move.
+/// Models for an arm with three moving joints.
 pub fn in_a_plane() -> Vec<Variant> {
     let locked = Variant {
         name: "locked",
@@ -93,15 +92,12 @@ fn gravity() -> Variant {
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "rounding is what is asked for"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
 fn single(number: f64) -> f32 {
     number as f32
 }
 
-/// Every length, mass and inertia; angles stay.
+/// Changes every length, mass and inertia, but not angles.
 fn each_number(robot: &mut Description, change: impl Fn(f64) -> f64) {
     let apply = |number: &mut Number| number.value = change(number.value);
     let place = |steps: &mut Vec<Step>| {
@@ -125,7 +121,7 @@ fn each_number(robot: &mut Description, change: impl Fn(f64) -> f64) {
     }
 }
 
-/// Angles as a file has them that writes four decimals.
+/// Rounds angles to four decimals, as in some files.
 fn four_digits(robot: &mut Description) {
     let origins = robot.joints.iter_mut().map(|joint| &mut joint.origin);
     for step in origins.flatten() {
@@ -135,8 +131,7 @@ fn four_digits(robot: &mut Description) {
     }
 }
 
-/// Centres of mass and products of inertia that are small beside the largest of their kind in the
-/// same link.
+/// Drops centres of mass and products of inertia that are small relative to the largest in the same link.
 fn drop_small(robot: &mut Description, fraction: f64) {
     let largest = |numbers: &[Number]| numbers.iter().map(|x| x.value.abs()).fold(0.0, f64::max);
     let small = |numbers: &mut [Number], largest: f64| {
@@ -162,7 +157,7 @@ fn drop_small(robot: &mut Description, fraction: f64) {
     }
 }
 
-/// Each link symmetric about the axis of its frame along which its centre of mass is farthest.
+/// Makes each link symmetric about the axis of its frame with the largest coordinate of the centre of mass.
 fn symmetric(robot: &mut Description) {
     for inertial in robot
         .links
@@ -193,7 +188,7 @@ fn symmetric(robot: &mut Description) {
     }
 }
 
-/// Mass and its centre, no inertia about it.
+/// Replaces links by point masses.
 fn points(robot: &mut Description) {
     for inertial in robot
         .links

@@ -1,8 +1,8 @@
 //! Random states of a robot.
 //!
-//! In: the lists of its coordinates and velocities, and limits. Out: q, q̇, q̈ and τ of each state, one
-//! after the other. Their numbers are exact in single precision, so that both types see the same; but
-//! for quaternions, which have unit length in the type that sees them. It never looks at a function.
+//! In: the lists of its coordinates and velocities, and limits. Out: q, q̇, q̈ and τ of each state, one after the other.
+//! Their numbers are exact in single precision, so that both types have the same states; quaternions are the exception,
+//! they have unit length in each type.
 
 use homogen_codegen::list::Id;
 use homogen_codegen::space::{Space, Spaces};
@@ -10,7 +10,7 @@ use homogen_random::Random;
 
 use crate::simplified;
 
-/// How many states each function is timed and judged over.
+/// Number of states for times and errors of a function.
 pub const STATES: usize = 1024;
 
 /// Limits of random coordinates, rates, second rates and torques, and the joints that have any.
@@ -26,19 +26,19 @@ impl Range {
         limits: [4.0, 2.0, 8.0, 16.0],
         moves: |_| true,
     };
-    /// Any motion at less than a hundredth of the speed.
+    /// Any motion at less than 1/100 of the speed.
     pub const SLOW: Self = Self {
         limits: [4.0, 2.0 / 128.0, 8.0 / 128.0, 16.0],
         moves: |_| true,
     };
-    /// Of the joints that move an arm within a plane.
+    /// Motion of the joints that move an arm within a plane.
     pub const PLANE: Self = Self {
         moves: |joint| simplified::PLANE.contains(&joint),
         ..Self::WIDE
     };
 }
 
-/// Random states of a robot: the numbers of [`STATES`] of them.
+/// Random states of a robot: the numbers of [`STATES`] states.
 pub fn states(spaces: &Spaces, range: Range) -> Vec<f64> {
     let mut random = Random::new(1);
     let mut states = Vec::new();
@@ -53,13 +53,13 @@ pub fn states(spaces: &Spaces, range: Range) -> Vec<f64> {
                 if (range.moves)(joint) { number } else { 0.0 }
             }));
         }
-        make_upright(spaces, &mut states[start..]);
+        normalize_quaternions(spaces, &mut states[start..]);
     }
     states
 }
 
-/// Gives the quaternions of a state unit length.
-pub fn make_upright(spaces: &Spaces, state: &mut [f64]) {
+/// Normalizes the quaternions of a state.
+pub fn normalize_quaternions(spaces: &Spaces, state: &mut [f64]) {
     for place in spaces.quaternions() {
         let quaternion = &mut state[place.index()..][..4];
         let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -69,17 +69,14 @@ pub fn make_upright(spaces: &Spaces, state: &mut [f64]) {
     }
 }
 
-/// What single precision sees of them, where it sees anything else.
+/// The states rounded to single precision; `None` if they are the same.
 pub fn in_single_precision(states: &[f64]) -> Option<Vec<f64>> {
     let seen: Vec<f64> = states.iter().copied().map(single).collect();
     (seen != states).then_some(seen)
 }
 
 /// The nearest number of single precision.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "rounding is what is asked for"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
 pub fn single(number: f64) -> f64 {
     f64::from(number as f32)
 }

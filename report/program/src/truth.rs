@@ -1,10 +1,9 @@
-//! What functions should return.
+//! Exact results of functions.
 //!
-//! In: a scene. Out: a folder with its states and, for each function, every entry of every result to
-//! 106 bits with the magnitude that an error is measured by, as `measured` reads them; and in a folder
-//! `f32` there the same of the states that single precision sees, where it sees others. The values are
-//! those of the expressions in the frames and with the parameters of the description, before
-//! anything is regrouped or simplified.
+//! In: a scene. Out: a folder for `measured`, with its states and, for each function, every entry of every result to
+//! 106 bits with the magnitude that errors are relative to. The folder `f32` in it has the same for the states rounded
+//! to single precision, if they differ. The values are those of the expressions in the frames and with the parameters
+//! of the description, before anything is regrouped or simplified.
 
 use std::path::Path;
 use std::{fs, io};
@@ -21,10 +20,10 @@ use homogen_magnitude::{Magnitude, Measure};
 use crate::scene::Scene;
 use crate::states::in_single_precision;
 
-/// A number of 106 bits, which keeps what it was summed from; for every type, and so without a floor.
+/// A number of 106 bits with the magnitude of its terms; for every type, and so without a lower limit.
 pub type Exact = Magnitude<OfEveryType>;
 
-/// Whom [`Exact`] is for.
+/// The type parameter of [`Exact`]: every type of number.
 #[derive(Clone, Copy, Debug)]
 pub struct OfEveryType;
 
@@ -40,10 +39,10 @@ impl Measure for OfEveryType {
 /// Writes states and exact results to a folder.
 ///
 /// # Errors
-/// Where the robot has mistakes; where a file cannot be written.
+/// Errors of the robot's description; a file that cannot be written.
 pub fn write(scene: &Scene, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let chain: Chain = chain::build(&scene.description, &scene.request)
-        .map_err(told)?
+        .map_err(as_one)?
         .identified();
     let single = folder.join("f32");
     if single.exists() {
@@ -77,9 +76,9 @@ fn write_of(scene: &Scene, chain: &Chain, states: &[f64], folder: &Path) -> io::
     Ok(())
 }
 
-/// Mistakes as one error.
+/// The errors of a description as one error.
 #[expect(clippy::needless_pass_by_value, reason = "for `map_err`")]
-pub fn told(errors: Errors) -> Box<dyn std::error::Error> {
+pub fn as_one(errors: Errors) -> Box<dyn std::error::Error> {
     errors.to_string().into()
 }
 
@@ -92,7 +91,7 @@ pub fn evaluation(chain: &Chain, function: Function) -> Evaluation<Exact> {
     Evaluation::of(&graph, &results)
 }
 
-/// The number of a state that an input is: so many coordinates, and as many velocities as accelerations and torques.
+/// The number of an input in a state, for a robot with `coordinates` coordinates.
 pub fn given(state: &[f64], coordinates: usize, input: Input) -> f64 {
     let (q, rates) = state.split_at(coordinates);
     match input {
@@ -105,8 +104,8 @@ pub fn given(state: &[f64], coordinates: usize, input: Input) -> f64 {
     }
 }
 
-/// High part, low part and magnitude of each result at a state. What is found by division has the largest
-/// result for its magnitude, since its terms may be far larger than itself; so has what is always zero.
+/// High part, low part and magnitude of each result at a state. The magnitude of results by division is the largest
+/// result, since their terms may be far larger than the results; the same for results that are always zero.
 pub fn exact(
     evaluation: &Evaluation<Exact>,
     function: Function,

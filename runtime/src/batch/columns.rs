@@ -1,7 +1,7 @@
-//! Every function of a robot for many states whose numbers stand coordinate by coordinate.
+//! Every function of a robot for column-major states.
 //!
-//! In: a robot, and a slice for each entry of each argument. Out: a slice for each number of the result, with the
-//! bits of the function of each state alone. It never moves a number to another place before it is in a lane.
+//! In: a robot, and a slice for each entry of each argument. Out: a slice for each number of the result, bit for bit as
+//! from single calls. Numbers are not transposed in memory.
 #![expect(
     clippy::inline_always,
     reason = "only what is inlined is compiled for the processor that was found"
@@ -18,17 +18,27 @@ use super::processor;
 use super::run::{self, Vectors};
 use crate::robot;
 
-/// A robot whose functions take columns of states: for each entry of an argument a slice with a number a state, as
-/// tables have them, and arrays of shape (states, entries) in Fortran's order.
+/// A robot whose functions take column-major states: for each entry of an argument a slice with one number a state, as
+/// in tables, and in arrays of shape (states, entries) in Fortran order.
 ///
 /// [`Batch::columns`](super::Batch::columns) makes it. Results are written to a slice for each of their numbers:
-/// matrices and lists row by row, a pose as R and t, a screw as u and b, a velocity as ω and v, an acceleration as G and
-/// a, a momentum as γ and ρ, an action as c and f; structures field by field.
+///
+/// | result | order of the numbers |
+/// |---|---|
+/// | matrix, list | row by row |
+/// | pose | R by rows, t |
+/// | screw | u, b |
+/// | velocity | ω, v |
+/// | acceleration | G by rows, a |
+/// | momentum | γ, ρ |
+/// | wrench | c, f |
+/// | struct | field by field |
 ///
 /// ```
 /// use homogen::batch::Batch;
 /// # use homogen::{Scalar, robot::Gravity};
 /// # struct Arm;
+/// # impl homogen::robot::Batched for Arm {}
 /// # impl<T: Scalar> Gravity<2, T> for Arm {
 /// #     fn gravity(&self, q: &[T; 2]) -> [T; 2] {
 /// #         let (sines, _) = T::sin_cos_all(*q);
@@ -36,7 +46,7 @@ use crate::robot;
 /// #     }
 /// # }
 /// # let arm = Arm;
-/// // An array of shape (1000, 2) in Fortran's order: q_1 of all states, and then q_2.
+/// // An array of shape (1000, 2) in Fortran order: q_1 of all states, then q_2.
 /// let q: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
 /// let mut tau = vec![0.0; 2000];
 ///
@@ -63,7 +73,7 @@ impl<'a, R: ?Sized, M> Columns<'a, R, M> {
     }
 }
 
-/// The columns of an argument: `q` has one for each coordinate, all others one for each velocity.
+/// The columns of an argument: one for each coordinate for `q`, one for each velocity for all others.
 macro_rules! columns_of {
     (q, $column:ty) => {
         [$column; Q]
@@ -73,12 +83,12 @@ macro_rules! columns_of {
     };
 }
 
-/// How many numbers a state has of what a function returns, which is not called.
+/// The number of numbers in the result of a function, by its type; the function is not called.
 fn numbers<P: Packed>(_: impl FnOnce() -> P) -> usize {
     P::NUMBERS
 }
 
-/// Packs of the first numbers of each column, from `first` on.
+/// Packs of `count` numbers of each column, from `first` on.
 #[inline(always)]
 fn gather<T: Default, P: Packs<T>, const N: usize>(
     processor: P::Processor,
@@ -93,7 +103,7 @@ fn gather<T: Default, P: Packs<T>, const N: usize>(
     packs
 }
 
-/// How many states there are, where all columns are as long as the first, which is of `q`.
+/// The number of states; an error if a column is not as long as the first one of `q`.
 fn check(arguments: &[(&'static str, &[usize])]) -> Result<usize, ColumnsError> {
     let columns = arguments.iter();
     let mut columns = columns.flat_map(|(argument, lengths)| {
@@ -131,15 +141,15 @@ macro_rules! batch {
         batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*]);
     };
     (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*]) => {
-        impl<R: Sync + ?Sized, M: Rounding> Columns<'_, R, M> {
+        impl<R: robot::Batched + Sync + ?Sized, M: Rounding> Columns<'_, R, M> {
             #[$noun]
             ///
-            #[doc = concat!("As [`", stringify!($name), "`](robot::", stringify!($name), ") says, for each state.")]
+            #[doc = concat!("[`", stringify!($name), "`](robot::", stringify!($name), ") of each state.")]
             ///
             /// # Errors
             ///
-            /// Where not all columns are as long as the first of `q`, or the results are not as many columns as a
-            /// state has numbers; then no result is written.
+            /// A column is not as long as the first of `q`, or the number of columns of `results` is not the number of
+            /// numbers in a result. No result is written then.
             pub fn $method<T: Number, $(const $size: usize),*>(
                 &self,
                 $($argument: columns_of!($argument, &[T]),)*
@@ -154,7 +164,7 @@ macro_rules! batch {
                     + robot::$name<$($length,)* M::InNarrow<T>, Q>
                     + robot::$name<$($length,)* M::InWide<T>, Q>,
             {
-                /// The states of a call, or some of them.
+                /// The states of a call, or a part of them.
                 struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
                     robot: &'a R,
                     count: usize,
@@ -194,7 +204,7 @@ macro_rules! batch {
                 impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
                     for States<'_, R, M, T, $($size),*>
                 where
-                    R: Sync + ?Sized
+                    R: robot::Batched + Sync + ?Sized
                         + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
                         + robot::$name<$($length,)* M::Narrow<T>, Q>
@@ -220,7 +230,7 @@ macro_rules! batch {
                         )
                     }
 
-                    run::by_packs!($name [$($length)*]);
+                    run::by_packs!($method);
                 }
 
                 let count = check(&[

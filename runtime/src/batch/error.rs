@@ -1,19 +1,18 @@
-//! Slices that do not belong together.
+//! Errors of batches: slices of different lengths.
 //!
-//! In: the lengths of what a call was given. Out: one error for the first that differs. It looks at no
-//! state.
+//! In: the lengths of the slices of a call. Out: an error for the first that differs.
 
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-/// Why a batch was refused: a slice is not as long as the coordinates. Nothing was written.
+/// The error of a batch: a slice is not as long as `q`. No result is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BatchError {
-    /// The slice, as the argument is called: `qd`, `qdd`, `tau`, or `results`.
+    /// The argument's name: `qd`, `qdd`, `tau`, or `results`.
     pub argument: &'static str,
-    /// How many states it has.
+    /// The number of its states.
     pub length: usize,
-    /// How many states `q` has.
+    /// The number of states in `q`.
     pub expected: usize,
 }
 
@@ -24,34 +23,31 @@ impl Display for BatchError {
             length,
             expected,
         } = self;
-        write!(
-            f,
-            "`{argument}` has a length of {length}, and `q` of {expected}"
-        )
+        write!(f, "`{argument}` has {length} states, `q` has {expected}")
     }
 }
 
 impl Error for BatchError {}
 
-/// Why a batch of [columns](super::Columns) was refused. Nothing was written.
+/// The error of a batch of [columns](super::Columns). No result is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnsError {
-    /// A column is not as long as the first one of the coordinates.
+    /// A column is not as long as the first column of `q`.
     Length {
-        /// What it is a column of, as the argument is called: `q`, `qd`, `qdd`, `tau`, or `results`.
+        /// The argument's name: `q`, `qd`, `qdd`, `tau`, or `results`.
         argument: &'static str,
-        /// Which one it is, from 0.
+        /// The index of the column, from 0.
         column: usize,
-        /// How many states it has.
+        /// The number of its states.
         length: usize,
-        /// How many states there are.
+        /// The number of states in the first column of `q`.
         expected: usize,
     },
-    /// The results are not as many columns as a state has numbers.
+    /// The number of columns of `results` is not the number of numbers in a result.
     Count {
-        /// How many there are.
+        /// The number of columns.
         columns: usize,
-        /// How many numbers a state has.
+        /// The number of numbers in the result of one state.
         expected: usize,
     },
 }
@@ -66,12 +62,12 @@ impl Display for ColumnsError {
                 expected,
             } => write!(
                 f,
-                "column {column} of `{argument}` has a length of {length}, and the first of `q` of {expected}"
+                "column {column} of `{argument}` has {length} states, the first of `q` has {expected}"
             ),
             Self::Count { columns, expected } => {
                 write!(
                     f,
-                    "the result has {expected} numbers, and `results` {columns} columns"
+                    "`results` has {columns} columns, a result has {expected} numbers"
                 )
             }
         }
@@ -80,7 +76,7 @@ impl Display for ColumnsError {
 
 impl Error for ColumnsError {}
 
-/// Whether all slices are as long as the first.
+/// Rejects slices that are not as long as the first.
 pub(super) fn check(slices: &[(&'static str, usize)]) -> Result<(), BatchError> {
     let expected = slices.first().map_or(0, |(_, length)| *length);
     let wrong = slices.iter().find(|(_, length)| *length != expected);

@@ -1,7 +1,7 @@
-//! States into packs, and results out of them.
+//! Conversion of states into packs, and of packs into results.
 //!
 //! In: states as arrays, and results whose every number is a pack. Out: arrays of packs, and the result of
-//! one lane. Which packs a type of number goes into is said here; it never computes anything.
+//! one lane; the types of packs for each type of number.
 #![expect(
     clippy::inline_always,
     reason = "what fills the lanes is to be compiled for the processor that was found"
@@ -11,24 +11,24 @@ use super::processor;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::registers::Register;
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
-use crate::robot::derivatives::{ForwardDynamicsDerivatives, InverseDynamicsDerivatives};
+use crate::robot::derivatives::{AccelerationDerivatives, TorqueDerivatives};
 use crate::scalar::{Fused, Lane, Pack, Scalar};
 use core::array::from_fn;
 use core::ops::Range;
 
-/// A number that batches are made of, `f32` or `f64`, and the packs that it goes into.
+/// A number of batches, `f32` or `f64`, with its packs. "Exact" packs have the bits of the number alone.
 pub trait Number: Lane<Bare = Self> {
-    /// Lanes for registers of up to 256 bits, which compute as the number alone does.
+    /// Exact lanes for registers of up to 256 bits.
     type Narrow: Packs<Self, Processor = ()>;
-    /// Lanes for registers of 512 bits, which compute as the number alone does.
+    /// Exact lanes for registers of 512 bits.
     type Wide: Packs<Self, Processor = ()>;
-    /// Lanes for registers of 256 bits, which fuse products with sums.
+    /// Lanes for registers of 256 bits, with products fused with sums.
     type FusedNarrow: Packs<Self, Processor = ()>;
-    /// Lanes for registers of 512 bits, which fuse products with sums.
+    /// Lanes for registers of 512 bits, with products fused with sums.
     type FusedWide: Packs<Self, Processor = ()>;
-    /// Lanes for a processor of which nothing is known, which compute as the number alone does.
+    /// Exact lanes for any processor.
     type Plain: Packs<Self, Processor = ()>;
-    /// Lanes in a register of 128 bits, which compute as the number alone does.
+    /// Exact lanes in a register of 128 bits.
     type InShort: Packs<Self, Processor = processor::Short>;
     /// The lanes of [`Narrow`](Self::Narrow) in a register.
     type InNarrow: Packs<Self, Processor = processor::Narrow>;
@@ -40,7 +40,7 @@ pub trait Number: Lane<Bare = Self> {
     type FusedInWide: Packs<Self, Processor = processor::Wide>;
 }
 
-/// The lanes of a pack in a register of a processor; where the target tells all of a processor, the pack itself.
+/// The lanes of a pack in a register of a processor; on other architectures than x86 the pack itself.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 macro_rules! held {
     ($processor:ident, $number:ty, $lanes:literal) => {
@@ -76,7 +76,7 @@ macro_rules! number {
 number!(f64: 2, 4, 8);
 number!(f32: 4, 8, 16);
 
-/// Which packs a batch goes into: how its products and sums are rounded.
+/// The rounding of products and sums in a batch, with the packs for it.
 pub trait Rounding: Send + sealed::Sealed {
     /// Lanes for registers of up to 256 bits.
     type Narrow<T: Number>: Packs<T, Processor = ()>;
@@ -88,11 +88,11 @@ pub trait Rounding: Send + sealed::Sealed {
     type InWide<T: Number>: Packs<T, Processor = processor::Wide>;
 }
 
-/// As the function of one state is rounded.
+/// Rounded as the function of one state.
 #[derive(Clone, Copy, Debug)]
 pub enum AsAlone {}
 
-/// Fused wherever the processor that runs has the instruction.
+/// Fused if the processor at run time has the instruction.
 #[derive(Clone, Copy, Debug)]
 pub enum AsFused {}
 
@@ -111,27 +111,27 @@ impl Rounding for AsFused {
 }
 
 mod sealed {
-    /// What only this crate implements.
+    /// Implemented by this crate alone.
     pub trait Sealed {}
     impl Sealed for super::AsAlone {}
     impl Sealed for super::AsFused {}
 }
 
-/// A pack of a type of number, whatever the count of its lanes.
+/// A pack of numbers `T`, with any number of lanes.
 pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
-    /// How many lanes it has.
+    /// Number of lanes.
     const LANES: usize;
 
-    /// The proof that the processor has what it computes with.
+    /// The proof that the processor has the instructions of the pack.
     type Processor: Copy;
 
     /// The same number in each lane.
     fn filled(processor: Self::Processor, number: T) -> Self;
 
-    /// A number of each state; where states are fewer than lanes the others get the last one.
+    /// One number a lane; the last number fills lanes without a state.
     fn gather(processor: Self::Processor, numbers: &[T]) -> Self;
 
-    /// One state a lane; where states are fewer than lanes the others get the last one.
+    /// One state a lane, one pack for each entry; the last state fills lanes without a state.
     fn load<const N: usize>(states: &[[T; N]], packs: &mut [Self; N]);
 }
 
@@ -155,7 +155,7 @@ impl<T: Lane, const L: usize> Packs<T::Bare> for Pack<T, L> {
     }
 }
 
-/// The lanes of a pack, from a number of each state; the last one again where states are fewer.
+/// The lanes of a pack from a number of each state; the last number fills lanes without a state.
 #[inline(always)]
 pub(super) fn together<T: Copy + Default, U: Copy, const L: usize>(
     numbers: &[T],
@@ -176,7 +176,7 @@ pub(super) fn together<T: Copy + Default, U: Copy, const L: usize>(
     lanes
 }
 
-/// The lanes of packs, one for each entry, from a state each; from the last one again where states are fewer.
+/// Fills packs, one for each entry, with one state a lane; the last state fills lanes without a state.
 #[inline(always)]
 pub(super) fn spread<T: Copy + Default, U, P, const L: usize, const N: usize>(
     states: &[[T; N]],
@@ -198,7 +198,7 @@ pub(super) fn spread<T: Copy + Default, U, P, const L: usize, const N: usize>(
     }
 }
 
-/// Some states, and the last one again in the place of those that are missing.
+/// `L` states: the given ones, then copies of the last.
 #[cold]
 #[inline(never)]
 fn filled_up<T: Copy + Default, const N: usize, const L: usize>(states: &[[T; N]]) -> [[T; N]; L] {
@@ -206,7 +206,7 @@ fn filled_up<T: Copy + Default, const N: usize, const L: usize>(states: &[[T; N]
     from_fn(|lane| states.get(lane).copied().unwrap_or(last))
 }
 
-/// What is made of packs: the result of as many states as they have lanes.
+/// A result made of packs: the results of as many states as there are lanes.
 pub trait Packed {
     /// The result of one state.
     type Lane;
@@ -214,10 +214,14 @@ pub trait Packed {
     /// The type of its numbers.
     type Number;
 
-    /// How many numbers a state has of it.
+    /// Number of numbers in the result of one state.
     const NUMBERS: usize;
 
-    /// The result of the state in lane `index`, which must be one.
+    /// The result of the state in lane `index`.
+    ///
+    /// # Panics
+    ///
+    /// If there is no lane `index`.
     #[must_use]
     fn lane(&self, index: usize) -> Self::Lane;
 
@@ -225,7 +229,7 @@ pub trait Packed {
     ///
     /// # Panics
     ///
-    /// Where there are fewer lanes.
+    /// If there are fewer lanes than results.
     #[inline(always)]
     fn store(&self, results: &mut [Self::Lane])
     where
@@ -234,11 +238,11 @@ pub trait Packed {
         lane_by_lane(self, results);
     }
 
-    /// The same of a list of its kind.
+    /// The same for an array of results.
     ///
     /// # Panics
     ///
-    /// Where there are fewer lanes.
+    /// If there are fewer lanes than results.
     #[inline(always)]
     fn store_list<const N: usize>(list: &[Self; N], results: &mut [[Self::Lane; N]])
     where
@@ -247,19 +251,19 @@ pub trait Packed {
         lane_by_lane(list, results);
     }
 
-    /// Writes its numbers to columns that begin with the first of them, a slice for each: those of the first lanes to
-    /// these states.
+    /// Writes its numbers to columns, one column for each number: the first lanes to the range `states`.
     ///
     /// # Panics
     ///
-    /// Where there are fewer than [`NUMBERS`](Self::NUMBERS) columns, or fewer states or lanes.
+    /// If there are fewer than [`NUMBERS`](Self::NUMBERS) columns, or a column has fewer states, or a register fewer
+    /// lanes, than `states`.
     fn write(&self, columns: &mut [&mut [Self::Number]], states: Range<usize>);
 }
 
 /// Writes the result of each lane.
 ///
-/// It is never inlined: the vectors of a result are to be stored as they are, for from their stores the
-/// compiler tells that lanes belong together.
+/// Never inlined: the vectors of a result must be stored as they are, because the compiler detects vectors by
+/// their stores.
 #[inline(never)]
 fn lane_by_lane<P: Packed>(packed: &P, results: &mut [P::Lane]) {
     for (lane, result) in results.iter_mut().enumerate() {
@@ -315,7 +319,7 @@ impl<P: Packed, const N: usize> Packed for [P; N] {
     }
 }
 
-/// The lane of a matrix by those of its parts, each of so many numbers.
+/// Implements [`Packed`] for a typed matrix by its blocks, with the number of numbers in each.
 macro_rules! of_parts {
     ($($kind:ident: $($part:ident $numbers:literal),*;)*) => {$(
         impl<P: Packed + Scalar> Packed for $kind<P> {
@@ -365,7 +369,7 @@ impl<P: Packed> Packed for Point<P> {
     }
 }
 
-/// The lane of a structure by those of its fields, which are matrices.
+/// Implements [`Packed`] for a struct of N×N matrices.
 macro_rules! of_fields {
     ($($kind:ident: $($field:ident),*;)*) => {$(
         impl<P: Packed, const N: usize> Packed for $kind<N, P> {
@@ -391,6 +395,6 @@ macro_rules! of_fields {
     )*};
 }
 of_fields! {
-    InverseDynamicsDerivatives: dq, dqd;
-    ForwardDynamicsDerivatives: dq, dqd, dtau;
+    TorqueDerivatives: dq, dqd;
+    AccelerationDerivatives: dq, dqd, dtau;
 }

@@ -1,7 +1,7 @@
-//! What proves that a processor has registers of some length, and what it does with them beside arithmetic.
+//! Proofs that the processor has registers of a length, as types without size; transposition of 4×4 blocks.
 //!
-//! In: the features that the target has, and what a processor is found to have beyond them. Out: a type without size for
-//! each length of registers, which is the proof.
+//! In: the features of the target, and those that are found at run time. Out: a value of a type, the proof, for each
+//! length of registers.
 #![cfg_attr(
     any(target_arch = "x86", target_arch = "x86_64"),
     expect(
@@ -13,15 +13,15 @@
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 pub use {pulp::x86::V2 as Short, pulp::x86::V3 as Narrow, pulp::x86::V4 as Wide};
 
-/// Nothing: the target tells all of the processor.
+/// No proof is needed: only the target's instructions are used.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 pub type Short = ();
 
-/// Nothing: the target tells all of the processor.
+/// No proof is needed: only the target's instructions are used.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 pub type Narrow = ();
 
-/// Nothing: the target tells all of the processor.
+/// No proof is needed: only the target's instructions are used.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 pub type Wide = ();
 
@@ -36,25 +36,25 @@ mod x86 {
 
     use super::{Narrow, Short, Wide};
 
-    /// A processor, by the proof that it is one.
+    /// The proof that the processor has registers of a length, with its transpositions.
     pub trait Processor: Copy {
-        /// Of rows of four numbers, one of each of four states, the columns.
-        fn turned_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4];
+        /// The transposed block of four rows.
+        fn transposed_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4];
 
-        /// The same of single precision.
-        fn turned_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4];
+        /// The same in single precision.
+        fn transposed_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4];
     }
 
     macro_rules! processors {
-        ($($processor:ident: $turned_f64:expr;)*) => {$(
+        ($($processor:ident: $transposed_f64:expr;)*) => {$(
             impl Processor for $processor {
                 #[inline(always)]
-                fn turned_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
-                    $turned_f64(self, rows)
+                fn transposed_f64(self, rows: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+                    $transposed_f64(self, rows)
                 }
 
                 #[inline(always)]
-                fn turned_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4] {
+                fn transposed_f32(self, rows: [[f32; 4]; 4]) -> [[f32; 4]; 4] {
                     by_sse(self.sse, rows)
                 }
             }

@@ -1,12 +1,13 @@
-//! Lanes in a register, by the processor's own instructions.
+//! SIMD numbers by the processor's own instructions.
 //!
-//! In: lanes, and the proof that the processor has registers for them. Out: [`Register`], a [`Scalar`] each of whose
-//! operations is one instruction from the start. Of a [`Pack`] the compiler has to find out that its lanes
-//! belong together: it does so in functions of some hundred operations, gives up by chance in those of a
-//! thousand, and takes minutes for those of several thousand. Every lane has the bits that a pack's has.
+//! In: lanes, and the proof that the processor has registers for them. Out: [`Register`], a [`Scalar`] whose every
+//! operation is one instruction, with the same bits as a [`Pack`].
 //!
-//! A function that stays a call is compiled without the instructions, and would call each of them in its turn: it
-//! gets packs instead. Which functions of a robot are inlined is told by their traits.
+//! The compiler has to detect that the lanes of a [`Pack`] form a vector. It does so in functions of some hundred
+//! operations, sometimes fails in those of a thousand, and takes minutes for those of several thousand.
+//!
+//! A function that is not inlined is compiled without the instructions and would call each of them. It gets packs
+//! instead; [`Batched::INLINED`](crate::robot::Batched::INLINED) lists the inlined functions of a robot.
 #![expect(
     clippy::inline_always,
     reason = "only what is inlined is compiled for the processor that was found"
@@ -24,8 +25,7 @@ use crate::scalar::{Fused, Lane, Pack, Scalar};
 /// `L` numbers `T` in a register of the processor `P`.
 #[derive(Clone, Copy, Debug)]
 pub struct Register<P, T: Lane, const L: usize> {
-    /// The proof that the processor has the instructions. It takes no room, and is why a number is made
-    /// [like](Scalar::like) another.
+    /// The proof that the processor has the instructions, without size. [`like`](Scalar::like) copies it.
     processor: P,
     lanes: [T::Bare; L],
 }
@@ -49,18 +49,18 @@ impl<P: Copy, T: Lane, const L: usize> Register<P, T, L> {
         Self { processor, lanes }
     }
 
-    /// What is rarely wanted, and is computed as packs do.
+    /// An infrequent operation, computed by packs.
     #[inline(always)]
     fn as_packs(self, operation: impl FnOnce(Pack<T, L>) -> Pack<T, L>) -> Self {
         Self::of(self.processor, &operation(self.pack()))
     }
 }
 
-/// Angles whose sines and cosines are to stand in their places.
+/// Angles to be replaced by their sines and cosines.
 ///
-/// They are compiled by themselves: among a thousand other operations the compiler does not always see that their lanes
-/// belong together. That takes one call for all angles, which finds them in memory; the lanes of a single one would be
-/// handed over one by one.
+/// They are compiled in a function of their own, because the compiler does not always vectorise them among a thousand
+/// other operations. One call for all angles passes them in memory; a call for each angle would pass its lanes one by
+/// one.
 struct Angles<'a, P, T: Lane, const L: usize> {
     sines: &'a mut [Register<P, T, L>],
     cosines: &'a mut [Register<P, T, L>],
@@ -80,7 +80,7 @@ impl<P: Copy, T: Lane, const L: usize> NullaryFnOnce for Angles<'_, P, T, L> {
     }
 }
 
-/// Four numbers of a list.
+/// Four numbers of a list, from `first` on.
 #[inline(always)]
 fn four<T: Copy>(numbers: &[T], first: usize) -> [T; 4] {
     [
@@ -91,10 +91,11 @@ fn four<T: Copy>(numbers: &[T], first: usize) -> [T; 4] {
     ]
 }
 
-/// Registers of a processor that hold so many numbers; `fuses` says whether a product and a sum are one instruction.
+/// Implements registers of a processor with `$lanes` numbers; `fuses` is true if a product and a sum are one
+/// instruction.
 macro_rules! register {
     ($processor:ident, $number:ty, $lanes:literal, fuses: $fuses:expr, $bare:ident:
-        $turned:ident $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
+        $transposed:ident $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
     ) => {
         register!(operator $processor, $number, $lanes: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
 
@@ -111,7 +112,7 @@ macro_rules! register {
         impl Scalar for Register<$processor, $number, $lanes> {
             /// # Panics
             ///
-            /// Where the processor has not the instructions: only [`like`](Scalar::like) has the proof.
+            /// If the processor does not have the instructions. [`like`](Scalar::like) has their proof.
             #[inline]
             fn constant(value: f64) -> Self {
                 let processor = $processor::try_new().expect("registers are of the processor that runs");
@@ -157,11 +158,6 @@ macro_rules! register {
             }
 
             #[inline(always)]
-            fn sgn(self) -> Self {
-                self.as_packs(Pack::sgn)
-            }
-
-            #[inline(always)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 let (mut sines, mut cosines) = (angles, angles);
                 if let Some(first) = angles.first() {
@@ -193,10 +189,10 @@ macro_rules! register {
                 for lane in (0..$lanes).step_by(4) {
                     let mut entry = 0;
                     while entry < N {
-                        // Where entries are no fours, the last four are moved once more.
+                        // If the number of entries is no multiple of four, the last four are moved again.
                         let first = entry.min(N - 4);
                         let of = |entry: usize| four(&list[first + entry].lanes, lane);
-                        let [a, b, c, d] = processor.$turned([of(0), of(1), of(2), of(3)]);
+                        let [a, b, c, d] = processor.$transposed([of(0), of(1), of(2), of(3)]);
                         results[lane][first..first + 4].copy_from_slice(&a);
                         results[lane + 1][first..first + 4].copy_from_slice(&b);
                         results[lane + 2][first..first + 4].copy_from_slice(&c);
@@ -242,10 +238,10 @@ macro_rules! register {
                 for lane in (0..$lanes).step_by(4) {
                     let mut entry = 0;
                     while entry < N {
-                        // Where entries are no fours, the last four are moved once more.
+                        // If the number of entries is no multiple of four, the last four are moved again.
                         let first = entry.min(N - 4);
                         let of = |state: usize| four(&states[lane + state], first);
-                        let [a, b, c, d] = processor.$turned([of(0), of(1), of(2), of(3)]);
+                        let [a, b, c, d] = processor.$transposed([of(0), of(1), of(2), of(3)]);
                         packs[first].lanes[lane..lane + 4].copy_from_slice(&a);
                         packs[first + 1].lanes[lane..lane + 4].copy_from_slice(&b);
                         packs[first + 2].lanes[lane..lane + 4].copy_from_slice(&c);
@@ -269,13 +265,13 @@ macro_rules! register {
     )*};
 }
 
-/// Registers of both kinds of numbers, such that round as the number alone does and such that fuse.
+/// Implements the registers of a processor: double and single precision, rounded as single numbers and fused.
 macro_rules! registers {
     ($processor:ident: $double:literal $single:literal) => {
         registers!($processor, f64, $double:
-            turned_f64 add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
+            transposed_f64 add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
         registers!($processor, f32, $single:
-            turned_f32 add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
+            transposed_f32 add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
     };
     ($processor:ident, $float:ident, $lanes:literal: $($instruction:ident)*) => {
         register!($processor, $float, $lanes, fuses: cfg!(target_feature = "fma"), $float: $($instruction)*);

@@ -1,6 +1,6 @@
-//! Work on many states, by the widest vectors of the processor and, with the feature `rayon`, by all its cores.
+//! Dispatch of a batch: the widest registers of the processor and, with the feature `rayon`, all its cores.
 //!
-//! In: [`Work`] that can be split. Out: nothing but what the work writes. What the work is, it does not know.
+//! In: [`Work`] on states, which can be split. Out: the results that the work writes.
 #![expect(
     clippy::inline_always,
     reason = "only what is inlined is compiled for the processor that was found"
@@ -10,9 +10,9 @@ use super::packed::Packs;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::processor::{Narrow, Short, Wide};
 
-/// Work on some states, which can be done by packs of any kind.
+/// Work on states, by packs or registers of any length.
 pub(super) trait Work: Sized + Send {
-    /// How many states there are.
+    /// The number of states.
     #[cfg(feature = "rayon")]
     fn states(&self) -> usize;
 
@@ -20,41 +20,41 @@ pub(super) trait Work: Sized + Send {
     #[cfg(feature = "rayon")]
     fn split(self, at: usize) -> (Self, Self);
 
-    /// By packs that every processor computes with.
+    /// Computes in packs, for any processor.
     fn plain(self);
 
-    /// By registers of 128 bits.
+    /// Computes in registers of 128 bits.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     fn short(self, processor: Short);
 
-    /// By registers of 256 bits.
+    /// Computes in registers of 256 bits.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     fn narrow(self, processor: Narrow);
 
-    /// By registers of 512 bits.
+    /// Computes in registers of 512 bits.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     fn wide(self, processor: Wide);
 }
 
-/// The ways of [`Work`] of what has a method `by`, over any packs, and a `robot` with that trait: `T` are its numbers and
-/// `M` is how they are rounded.
+/// Methods of [`Work`] for a type with a method `by`, generic over packs, and a robot `R`; `T` is the type of the numbers
+/// and `M` their rounding.
 macro_rules! by_packs {
-    ($name:ident [$($length:ident)*]) => {
+    ($method:ident) => {
         #[inline(always)]
         fn plain(self) {
             self.by::<T::Plain>(());
         }
 
-        run::by_packs!(@ $name [$($length)*] short Short T::InShort, T::Narrow);
-        run::by_packs!(@ $name [$($length)*] narrow Narrow M::InNarrow<T>, M::Narrow<T>);
-        run::by_packs!(@ $name [$($length)*] wide Wide M::InWide<T>, M::Wide<T>);
+        run::by_packs!(@ $method short Short T::InShort, T::Narrow);
+        run::by_packs!(@ $method narrow Narrow M::InNarrow<T>, M::Narrow<T>);
+        run::by_packs!(@ $method wide Wide M::InWide<T>, M::Wide<T>);
     };
-    // By registers where the function is compiled for the processor, and by packs where not.
-    (@ $name:ident [$($length:ident)*] $method:ident $processor:ident $packs:ty, $loose:ty) => {
+    // Registers if the function is inlined and so compiled for the processor, otherwise packs.
+    (@ $function:ident $method:ident $processor:ident $packs:ty, $loose:ty) => {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         #[inline(always)]
         fn $method(self, processor: processor::$processor) {
-            if robot::$name::<$($length,)* $packs, Q>::is_inlined(self.robot) {
+            if const { robot::is_inlined::<R>(stringify!($function)) } {
                 self.by::<$packs>(processor);
             } else {
                 self.by::<$loose>(());
@@ -64,12 +64,12 @@ macro_rules! by_packs {
 }
 pub(super) use by_packs;
 
-/// How long the registers are that a batch may use; it uses none that the processor has not.
+/// The longest registers that a batch may use, if the processor has them.
 ///
-/// It changes no result of [`Batch::of`](super::Batch::of).
+/// Results of [`Batch::of`](super::Batch::of) do not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Vectors {
-    /// What the target has: NEON, AVX2 in a build for it; on x86 128 bits at least, where the processor has SSE4.2.
+    /// Those of the target: NEON, or AVX2 in a build for it. On x86 at least 128 bits if the processor has SSE4.2.
     OfTarget,
     /// Up to 256 bits: AVX2 with FMA.
     Bits256,
@@ -78,27 +78,27 @@ pub enum Vectors {
     Bits512,
 }
 
-/// Does the work with the vectors that this processor has.
+/// Does the work in the registers of this processor.
 #[cfg(not(feature = "rayon"))]
 pub(super) fn run<W: Work>(work: W, most: Vectors) {
     here(work, most);
 }
 
-/// Does the work with the vectors and the cores that this processor has: halves are left to whoever is
-/// free, down to a size that is worth it. Who does what changes no result.
+/// Does the work in the registers and on the cores of this processor. The states are split in halves for idle cores,
+/// down to [`SHARE`]; the split changes no result.
 #[cfg(feature = "rayon")]
 pub(super) fn run<W: Work>(work: W, most: Vectors) {
     let states = work.states();
     if states <= SHARE {
         here(work, most);
     } else {
-        // Whole packs leave the odd states to the last one.
+        // A multiple of 16, so that only the last pack is incomplete.
         let (first, rest) = work.split((states / 2).next_multiple_of(16));
         rayon::join(|| run(first, most), || run(rest, most));
     }
 }
 
-/// How many states one core does in one go: ten microseconds of the inverse dynamics of an arm.
+/// The number of states that are not split further: ten microseconds of the inverse dynamics of an arm.
 #[cfg(feature = "rayon")]
 const SHARE: usize = 512;
 
@@ -113,13 +113,13 @@ fn here<W: Work>(work: W, most: Vectors) {
     work.plain();
 }
 
-/// Processors that may have more than their target.
+/// Processors with more instructions than their target.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod x86 {
     use super::{Narrow, Short, Vectors, Wide, Work};
     use pulp::NullaryFnOnce;
 
-    /// Work to be compiled for a processor.
+    /// Work, to be compiled for a processor.
     struct For<P, W>(P, W);
 
     macro_rules! work {
@@ -136,7 +136,7 @@ mod x86 {
     }
     work!(Short short Narrow narrow Wide wide);
 
-    /// What the target has itself.
+    /// The longest registers of the target.
     const OF_TARGET: Vectors = if cfg!(target_feature = "avx512f") {
         Vectors::Bits512
     } else if cfg!(target_feature = "fma") {
@@ -145,7 +145,7 @@ mod x86 {
         Vectors::OfTarget
     };
 
-    /// Does the work with the vectors of this processor, or gives it back where it has none.
+    /// Does the work in the registers of this processor; returns it if there are none to use.
     pub(super) fn run<W: Work>(work: W, most: Vectors) -> Option<W> {
         let most = match most {
             Vectors::OfTarget => OF_TARGET,
@@ -162,7 +162,7 @@ mod x86 {
         } else if matches!(OF_TARGET, Vectors::OfTarget)
             && let Some(processor) = Short::try_new()
         {
-            // Where the target fuses products with sums, they would not round as the number alone does.
+            // A target that fuses products with sums is excluded: these registers would round differently.
             processor.vectorize(For(processor, work));
         } else {
             return Some(work);
@@ -171,11 +171,11 @@ mod x86 {
     }
 }
 
-/// How many packs are filled before the first is computed with, so that their lanes, which are written one
-/// by one, have left the processor's queue when they are read together.
+/// Number of packs that are filled before the first is used. Their lanes are written one by one, and must have left
+/// the processor's store queue before they are read as vectors.
 pub(super) const FILLED: usize = 8;
 
-/// Packs that are not filled yet.
+/// Packs of zeros, to be filled.
 #[inline(always)]
 pub(super) fn empty<T: Default, P: Packs<T>, const N: usize>(
     processor: P::Processor,
@@ -183,7 +183,7 @@ pub(super) fn empty<T: Default, P: Packs<T>, const N: usize>(
     [[P::filled(processor, T::default()); N]; FILLED]
 }
 
-/// Fills packs with states, as far as these go.
+/// Fills packs with states; packs beyond the last state keep their numbers.
 #[inline(always)]
 pub(super) fn load<T, P: Packs<T>, const N: usize>(
     states: &[[T; N]],

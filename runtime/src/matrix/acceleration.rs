@@ -1,8 +1,8 @@
 //! H, the acceleration matrix.
 //!
-//! In: its blocks, or angular acceleration, angular velocity and the acceleration of the pole. Out:
-//! the acceleration of every point of a body, and the composition of relative motions with
-//! Coriolis' term. Two H have no sum by themselves: the composition needs the velocities too.
+//! In: its blocks, or angular acceleration, angular velocity and the acceleration of the reference
+//! point (the paper's pole). Out: the acceleration of every point of a body, and the composition of
+//! relative motions with the Coriolis term. Two H alone have no sum: it needs the velocities too.
 
 use super::form::kinematic_matrix;
 use super::point::{Direction, Point};
@@ -18,7 +18,8 @@ use core::ops::Mul;
 /// (§ 3.1, (7)).
 ///
 /// G = ω̲̇ + ω̲² [rad/s²], and a₀ is the acceleration [m/s²] of the pole: the point of the body that
-/// is passing through the origin of (k). H = Ẇ + W².
+/// is now at the origin of (k). H = Ẇ + W². It is not the spatial acceleration of Featherstone,
+/// which is Ẇ ([`velocity_derivative`](Self::velocity_derivative)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Acceleration<T> {
@@ -133,7 +134,7 @@ impl<T: Scalar> Acceleration<T> {
 
     /// Hᵢₖ = Hᵢⱼ + Hⱼₖ + 2 Wᵢⱼ Wⱼₖ, all in one frame (11), (13).
     ///
-    /// `self` is Hᵢⱼ, the drag part; the last term is that of Coriolis.
+    /// `self` is Hᵢⱼ, the drag part; the last term is the Coriolis term.
     ///
     /// SPACELIB: `coriolis`.
     #[inline]
@@ -146,7 +147,7 @@ impl<T: Scalar> Acceleration<T> {
         )
     }
 
-    /// 2 Wᵢⱼ Wⱼₖ, the part of Hᵢₖ due to Coriolis (11).
+    /// 2 Wᵢⱼ Wⱼₖ, the Coriolis term of Hᵢₖ (11).
     ///
     /// SPACELIB: `coriolis`.
     #[inline]
@@ -160,8 +161,8 @@ impl<T: Scalar> Acceleration<T> {
         )
     }
 
-    /// H − H_g: the acceleration that, multiplied by the inertia, gives the action that must be
-    /// applied besides the weight (§ 4.5).
+    /// H − H_g: multiplied by the inertia it gives the wrench that must be applied besides the weight
+    /// (§ 4.5).
     #[inline]
     #[must_use]
     pub fn less_gravity(&self, g: [T; 3]) -> Self {

@@ -1,14 +1,14 @@
-//! Φ, the action matrix.
+//! Φ, the wrench: the paper's action matrix.
 //!
-//! In: a torque and a force, or a force at a point. Out: their 4×4 matrix (a wrench), which adds to
-//! other actions and to nothing else. It is made from H and J by [`crate::Inertia::action`].
+//! In: a torque and a force, or a force at a point. Out: their 4×4 matrix, which adds to other wrenches
+//! only. [`crate::Inertia::action`] makes it from H and J.
 
 use super::form::dynamic_matrix;
 use super::vector::{add, cross, negate, sub};
 use crate::scalar::Scalar;
 use core::ops::{Add, Neg, Sub};
 
-/// The action matrix Φᵢ₍ₖ₎ = (c̲, f; −fᵗ, 0) (§ 4.1, (14)).
+/// A wrench, the paper's action matrix Φᵢ₍ₖ₎ = (c̲, f; −fᵗ, 0) (§ 4.1, (14)).
 ///
 /// c is the torque about the origin of frame (k) [N m], f the resultant of the forces \[N\].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,14 +46,14 @@ impl<T: Copy> Action<T> {
 }
 
 impl<T: Scalar> Action<T> {
-    /// No action.
+    /// No torque and no force.
     #[inline]
     #[must_use]
     pub fn zero() -> Self {
         Self::new([T::constant(0.0); 3], [T::constant(0.0); 3])
     }
 
-    /// f Pᵗ − P fᵗ, the action of a `force` \[N\] applied at `position` \[m\]: the integrand of Φ (§ 4.1).
+    /// f Pᵗ − P fᵗ, the wrench of a `force` \[N\] at `position` \[m\]: the integrand of Φ (§ 4.1).
     #[inline]
     #[must_use]
     pub fn of_force(force: [T; 3], position: [T; 3]) -> Self {

@@ -1,8 +1,8 @@
-//! To and from nalgebra (feature `nalgebra`).
+//! Conversions to and from nalgebra (feature `nalgebra`).
 //!
-//! In: a typed matrix. Out: the `Matrix4` it stands for, an `Isometry3`, or a `Vector6` whose order of
-//! rows is in the name. On the way back a `Matrix4` must be exactly of the form asked for (rotations:
-//! to within 10⁻⁹, or 10⁻⁴ in single precision); what is not is refused, never repaired.
+//! In: a typed matrix. Out: its `Matrix4`, an `Isometry3`, or a `Vector6` with the order of rows in the
+//! name. A `Matrix4` is converted back only if it has exactly the form of the type (rotations: to within
+//! 10⁻⁹, or 10⁻⁴ in single precision); it is rejected otherwise, never repaired.
 
 use super::acceleration::Acceleration;
 use super::action::Action;
@@ -23,7 +23,7 @@ use nalgebra::{
     Vector4, Vector6,
 };
 
-/// A `Matrix4` for each type that has `to_matrix`.
+/// Implements `From` into `Matrix4` by `to_matrix`.
 macro_rules! into_matrix {
     ($($kind:ident)*) => {$(
         impl<T: Scalar + nalgebra::Scalar> From<$kind<T>> for Matrix4<T> {
@@ -37,7 +37,7 @@ macro_rules! into_matrix {
 
 into_matrix!(Pose Displacement Screw Velocity Acceleration Inertia Momentum Action);
 
-/// `Vector6` in either row order for each type of two vectors; the first one is of rotation.
+/// Implements conversions to and from `Vector6`, in both orders of rows, for a type of an angular and a linear vector.
 macro_rules! as_vector {
     ($($kind:ident: $first:ident, $second:ident;)*) => {$(
         impl<T: Scalar + nalgebra::Scalar> $kind<T> {
@@ -83,7 +83,7 @@ as_vector! {
     Action: c, f;
 }
 
-/// `TryFrom<Matrix4>`: the blocks are read, and the matrix they make must be the one that was given.
+/// Implements `TryFrom<Matrix4>`: the matrix of the blocks that are read must be the given one.
 macro_rules! try_from_matrix {
     ($($kind:ident, $form:literal, |$x:ident, $column:ident| $read:expr;)*) => {$(
         impl<T: Real + nalgebra::Scalar> TryFrom<Matrix4<T>> for $kind<T> {
@@ -111,7 +111,7 @@ try_from_matrix! {
 impl<T: Real + nalgebra::Scalar> TryFrom<Matrix4<T>> for Inertia<T> {
     type Error = Error;
 
-    /// Refuses a matrix that is not exactly symmetric.
+    /// Rejects a matrix that is not exactly symmetric.
     fn try_from(matrix: Matrix4<T>) -> Result<Self, Error> {
         let ([[xx, xy, xz], [_, yy, yz], [_, _, zz]], q) = blocks(&matrix);
         let read = Self::new([xx, yy, zz, xy, xz, yz], q, matrix[(3, 3)]);
@@ -123,10 +123,10 @@ impl<T: Real + nalgebra::Scalar> TryFrom<Matrix4<T>> for Inertia<T> {
 impl<T: Real + nalgebra::Scalar> TryFrom<Matrix4<T>> for Pose<T> {
     type Error = Error;
 
-    /// Refuses a matrix whose last row is not 0, 0, 0, 1 or whose block is not a rotation.
+    /// Rejects a matrix whose last row is not 0, 0, 0, 1 or whose block is not a rotation.
     fn try_from(matrix: Matrix4<T>) -> Result<Self, Error> {
         let (rotation, translation) = blocks(&matrix);
-        // The root of the rounding unit, or a little less: files and long products stay within it.
+        // About the root of the unit roundoff: files and long products are within it.
         let tolerance = T::constant(0.1) * T::EPSILON.sqrt();
         let read = Self::checked(rotation, translation, tolerance)?;
         same_form("(R, t; 0, 1)", &matrix, &read.to_matrix())?;
@@ -144,7 +144,7 @@ impl<T: Real + nalgebra::Scalar> TryFrom<Matrix4<T>> for Displacement<T> {
 }
 
 impl<T: Real + RealField> From<Pose<T>> for Isometry3<T> {
-    /// Through the quaternion of [`to_quaternion`].
+    /// By the quaternion of [`to_quaternion`].
     fn from(pose: Pose<T>) -> Self {
         let [w, x, y, z] = to_quaternion(pose.rotation());
         let [tx, ty, tz] = pose.translation();
@@ -216,7 +216,7 @@ fn blocks<T: nalgebra::Scalar + Copy>(matrix: &Matrix4<T>) -> ([[T; 3]; 3], [T; 
     )
 }
 
-/// Refuses a matrix with an entry that differs from the one its form asks for.
+/// Rejects a matrix with an entry that differs from that of its form.
 fn same_form<T: Real + nalgebra::Scalar>(
     quantity: &'static str,
     given: &Matrix4<T>,

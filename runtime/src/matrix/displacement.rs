@@ -1,19 +1,18 @@
 //! Q, the rototranslation matrix.
 //!
-//! In: a rotation and a translation, or two poses of one body. Out: the displacement of a body, as
-//! it reads in one frame. The way back to axis, angle and pitch is in [`Displacement::log`].
+//! In: a rotation and a translation, or two poses of one body. Out: the displacement of a body, in one
+//! frame. [`Displacement::log`] gives its axis, angle and pitch.
 
 use super::point::{Direction, Point};
 use super::pose::Pose;
 use crate::scalar::Scalar;
 use core::ops::Mul;
 
-/// The rototranslation Q₍ₖ₎ = (R, t; 0, 1) that takes the points of a body from where they were to
-/// where they are, both in frame (k) (§ 2.3, (2)).
+/// The rototranslation Q₍ₖ₎ = (R, t; 0, 1) that maps the positions of the points of a body before a
+/// motion to those after it, both in frame (k) (§ 2.3, (2)).
 ///
-/// It has the blocks of a [`Pose`] and another change of frame, M Q M⁻¹: the two are not to be mixed
-/// up, hence two types. t is the displacement of the pole \[m\], the point of the body that was in the
-/// origin of (k).
+/// It has the blocks of a [`Pose`] but another change of frame, M Q M⁻¹, hence a type of its own. t is the
+/// displacement \[m\] of the pole, the point of the body that was at the origin of (k).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Displacement<T> {
@@ -80,7 +79,7 @@ impl<T: Scalar> Displacement<T> {
         }
     }
 
-    /// The displacement back.
+    /// The inverse displacement.
     #[inline]
     #[must_use]
     pub fn inverse(&self) -> Self {
@@ -132,7 +131,7 @@ impl<T: Scalar> Mul<Point<T>> for Displacement<T> {
 impl<T: Scalar> Mul<Direction<T>> for Displacement<T> {
     type Output = Direction<T>;
 
-    /// A direction turns and does not translate.
+    /// A direction is rotated and not translated.
     #[inline]
     fn mul(self, direction: Direction<T>) -> Direction<T> {
         self.blocks * direction

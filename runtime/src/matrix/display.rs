@@ -1,8 +1,7 @@
-//! Matrices as people read them.
+//! `Display` of typed matrices.
 //!
-//! In: the sixteen entries, and what stands between the braces of `{:.3}`. Out: four rows in brackets, each
-//! column as wide as its widest entry. It never chooses digits: without a precision every entry has
-//! all of its own.
+//! In: the sixteen entries, and width and precision of the format, as in `{:9.3}`. Out: four rows in brackets,
+//! each column as wide as its widest entry. Without a precision every entry has all of its digits.
 
 use core::fmt::{Display, Formatter, Result, Write};
 
@@ -16,7 +15,7 @@ use super::screw::Screw;
 use super::velocity::Velocity;
 use crate::scalar::Scalar;
 
-/// Counts letters instead of keeping them.
+/// A writer that counts characters.
 struct Length(usize);
 
 impl Write for Length {
@@ -26,7 +25,7 @@ impl Write for Length {
     }
 }
 
-/// Writes an entry, in the precision that was asked for.
+/// Writes an entry in the given precision.
 fn entry<T: Display>(number: &T, precision: Option<usize>, into: &mut dyn Write) -> Result {
     match precision {
         Some(digits) => write!(into, "{number:.digits$}"),
@@ -34,7 +33,7 @@ fn entry<T: Display>(number: &T, precision: Option<usize>, into: &mut dyn Write)
     }
 }
 
-/// Writes four rows, without an end of line behind the last.
+/// Writes four rows, without a line break after the last.
 fn rows<T: Display>(matrix: &[[T; 4]; 4], f: &mut Formatter<'_>) -> Result {
     let precision = f.precision();
     let mut widths = [f.width().unwrap_or(0); 4];
@@ -63,7 +62,7 @@ fn rows<T: Display>(matrix: &[[T; 4]; 4], f: &mut Formatter<'_>) -> Result {
 
 macro_rules! display {
     ($($matrix:ident)*) => {$(
-        /// The 4×4 matrix, a row a line; `{:.3}` rounds its entries, `{:9.3}` makes columns wider.
+        /// The 4×4 matrix, one line a row. `{:.3}` rounds entries, `{:9.3}` widens columns.
         impl<T: Scalar + Display> Display for $matrix<T> {
             fn fmt(&self, f: &mut Formatter<'_>) -> Result {
                 rows(&self.to_matrix(), f)

@@ -1,7 +1,7 @@
 //! The two forms of matrix: kinematic, of L, W and H, and dynamic, of Γ and Φ.
 //!
-//! In: blocks, and M_r,s. Out: the sixteen entries, and the blocks in frame (r). It knows no type;
-//! what the blocks mean is the business of the typed matrices.
+//! In: blocks, and M_r,s. Out: the sixteen entries, and the blocks in frame (r). The typed matrices use
+//! these functions.
 
 use super::pose::Pose;
 use super::vector::{add, cross, product, underscore};

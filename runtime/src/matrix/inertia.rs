@@ -1,8 +1,7 @@
 //! J, the pseudo-inertia matrix, and Newton–Euler in one line.
 //!
-//! In: second moments, or the usual tensor with mass and centre of mass. Out: momenta, actions,
-//! weights and energies of a body. It never asks whether a body with these numbers can exist;
-//! [`Inertia::check`] does.
+//! In: second moments, or the usual tensor with mass and centre of mass. Out: momenta, wrenches,
+//! weights and energies of a body. Nothing is checked; [`Inertia::check`] rejects a non-physical inertia.
 
 use super::acceleration::Acceleration;
 use super::action::Action;
@@ -167,7 +166,7 @@ impl<T: Scalar> Inertia<T> {
         Momentum::new(about, along)
     }
 
-    /// Φ = skew[H J] = H J − J Hᵗ, the action that gives the body the acceleration `h` (18), (25).
+    /// Φ = skew[H J] = H J − J Hᵗ, the wrench that gives the body the acceleration `h` (18), (25).
     ///
     /// `h` is relative to an inertial frame; `self` and `h` are written in any one frame.
     ///
@@ -290,7 +289,7 @@ impl<T: Scalar> Add for Inertia<T> {
 impl<T: Scalar> Sub for Inertia<T> {
     type Output = Self;
 
-    /// The inertia of a body from which a part was taken, both in one frame.
+    /// The inertia of a body without a `part`, both in one frame.
     #[inline]
     fn sub(self, part: Self) -> Self {
         Self::new(

@@ -1,7 +1,7 @@
 //! Γ, the momentum matrix.
 //!
-//! In: an angular and a linear momentum. Out: their 4×4 matrix, which adds to other momenta and to
-//! nothing else. It is made from W and J by [`crate::Inertia::momentum`].
+//! In: an angular and a linear momentum. Out: their 4×4 matrix, which adds to other momenta only.
+//! [`crate::Inertia::momentum`] makes it from W and J.
 
 use super::form::dynamic_matrix;
 use super::vector::{add, cross, negate, scale, sub};

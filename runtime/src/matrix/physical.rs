@@ -1,7 +1,7 @@
-//! Whether a pose, a screw or an inertia can be that of a real body.
+//! Checks of poses, screws and inertias; principal axes of an inertia.
 //!
-//! In: numbers from a file or a computation. Out: the typed matrix, or the quantity that is wrong
-//! and by how much; and the principal axes of a body. It never repairs anything.
+//! In: numbers from a file or a computation. Out: the typed matrix, or an error with the wrong quantity
+//! and its value; the principal frame of a body. It never repairs anything.
 
 use super::inertia::Inertia;
 use super::pose::Pose;
@@ -31,8 +31,8 @@ impl<T: Real> Pose<T> {
 }
 
 impl<T: Real> Screw<T> {
-    /// The screw (u̲, b; 0, 0) whose u is of unit length, or zero with b of unit length, to within
-    /// `tolerance`.
+    /// The screw (u̲, b; 0, 0), checked to within `tolerance`: u has unit length, or is zero and b has unit
+    /// length.
     ///
     /// # Errors
     ///
@@ -56,11 +56,11 @@ impl<T: Real> Screw<T> {
 }
 
 impl<T: Real> Inertia<T> {
-    /// Refuses an inertia that no body has: J must be positive semidefinite (§ 4.3), which is that
-    /// the mass is not negative and no second moment about the centre of mass is.
+    /// Rejects a non-physical inertia: J must be positive semidefinite (§ 4.3). Neither the mass nor a
+    /// second moment about the centre of mass may be negative.
     ///
-    /// `tolerance` is relative to the largest second moment; rounding alone makes flat and rod-like
-    /// bodies miss zero by a few units.
+    /// `tolerance` is relative to the largest second moment. The smallest second moment of flat and
+    /// rod-like bodies is zero, to a few units of rounding.
     ///
     /// # Errors
     ///
@@ -126,7 +126,7 @@ impl<T: Real> Inertia<T> {
         Self::new(self.central_second_moments(), self.q(), self.mass()).second_moments()
     }
 
-    /// What rounding of the second moments is relative to.
+    /// The largest second moment, to which rounding errors are relative.
     fn largest_second_moment(&self) -> T {
         largest_magnitude(self.second_moments().as_flattened())
     }

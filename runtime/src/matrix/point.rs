@@ -1,7 +1,7 @@
 //! Points: four homogeneous coordinates whose last one, w, is 1 or 0.
 //!
 //! In: three coordinates in some frame. Out: [`Point`] (w = 1) and [`Direction`] (w = 0, a point at
-//! infinity, § 2.2), two types, so that the value of w never has to be asked for.
+//! infinity, § 2.2), two types, so that w need not be stored.
 
 use super::vector;
 use crate::scalar::Scalar;
@@ -20,7 +20,7 @@ pub struct Point<T>(
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Direction<T>(
-    /// x, y, z in the unit of what it stands for.
+    /// x, y, z in the unit of the vector.
     pub [T; 3],
 );
 

@@ -1,8 +1,7 @@
 //! M, the position matrix.
 //!
 //! In: a rotation and a translation. Out: the pose of frame (j) in frame (i), its inverse, and its
-//! products with poses, points and directions. It never orthogonalises by itself;
-//! [`crate::normalize`] does, when asked.
+//! products with poses, points and directions. Nothing is orthogonalised; [`crate::normalize`] does that.
 
 use super::point::{Direction, Point};
 use super::vector::{add, identity, matrix_product, negate, product, transpose};
@@ -11,7 +10,7 @@ use core::ops::Mul;
 
 /// The position matrix Mᵢⱼ = (R, t; 0, 1): the pose of frame (j) in frame (i) (§ 2.2, (1)).
 ///
-/// Translations are in metres. `M_i_j` takes coordinates in (j) to coordinates in (i).
+/// Translations are in metres. `M_i_j` maps coordinates in (j) to coordinates in (i).
 ///
 /// ```
 /// use homogen::{Point, Pose};

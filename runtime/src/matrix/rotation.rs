@@ -1,7 +1,7 @@
-//! Rotations: axis and angle, quaternions, and how far a matrix is from being one.
+//! Rotations: conversions between matrix, axis and angle, and quaternion; check of orthogonality.
 //!
-//! In: rows of R, or an axis and an angle. Out: the other one, to a few units of rounding at every
-//! angle. Nothing here repairs a matrix; [`crate::normalize`] does.
+//! In: rows of R, an axis and an angle, or a quaternion w, x, y, z. Out: another of these, to a few units of
+//! rounding at every angle. Nothing here repairs a matrix; [`crate::normalize`] does.
 
 use super::screw::Screw;
 use super::vector::{determinant, dot, norm, transpose, unit};
@@ -19,11 +19,11 @@ pub fn from_axis_angle<T: Scalar>(u: [T; 3], phi: T) -> [[T; 3]; 3] {
 }
 
 /// The axis (a unit vector) and the angle φ in \[0, π\] of a rotation (§ 2.3); the z axis and 0 for
-/// the identity. At φ = π either of the two opposite axes comes back.
+/// the identity. At φ = π it is either of the two opposite axes.
 ///
-/// By the quaternion of [`to_quaternion`] and φ = 2 atan2(‖v‖, w), both of which keep all digits at
-/// every angle, where acos((tr R − 1)/2) and division by 2 sin φ lose them near 0 and π.
-/// R is taken as it is: a defect of orthogonality shows as an error of the same size.
+/// Computed by the quaternion of [`to_quaternion`] and φ = 2 atan2(‖v‖, w), which are accurate at every
+/// angle; acos((tr R − 1)/2) and a division by 2 sin φ lose digits near 0 and π.
+/// A defect of orthogonality of R causes an error of the same size.
 ///
 /// SPACELIB: `extract`.
 ///
@@ -38,8 +38,8 @@ pub fn axis_angle<T: Real>(rotation: &[[T; 3]; 3]) -> ([T; 3], T) {
     (half.axis, half.angle())
 }
 
-/// The axis with the sine and cosine of half the angle: the quaternion in polar form, of any length,
-/// since only the ratio of the two is ever used and a division would round them.
+/// The axis with the sine and cosine of half the angle: a quaternion of any length in polar form. Only the
+/// ratio of sine and cosine is used, so that they are not divided by the length, which would round them.
 pub(crate) struct HalfAngle<T> {
     /// A unit vector.
     pub(crate) axis: [T; 3],
@@ -71,7 +71,7 @@ impl<T: Real> HalfAngle<T> {
 /// The unit quaternion (w, x, y, z) of a rotation, w ≥ 0.
 ///
 /// Source: S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1 (1978): the
-/// largest of the four components is found from the diagonal, the others by division by it, so that
+/// largest of the four components comes from the diagonal, the others by division by it, so that
 /// nothing cancels.
 #[must_use]
 pub fn to_quaternion<T: Real>(rotation: &[[T; 3]; 3]) -> [T; 4] {
@@ -86,7 +86,7 @@ fn multiple_of_quaternion<T: Real>(rotation: &[[T; 3]; 3]) -> [T; 4] {
     let trace = xx + yy + zz;
     let (wx, wy, wz) = (zy - yz, xz - zx, yx - xy);
     let (sxy, sxz, syz) = (xy + yx, xz + zx, yz + zy);
-    // Each row is the quaternion times four times one of its components; the longest one is taken.
+    // Each row is the quaternion times four times one of its components; the longest row is used.
     let multiple = if trace >= xx && trace >= yy && trace >= zz {
         [one + trace, wx, wy, wz]
     } else if xx >= yy && xx >= zz {
@@ -128,7 +128,7 @@ pub fn defect<T: Real>(rotation: &[[T; 3]; 3]) -> T {
         for (j, b) in columns.iter().enumerate() {
             let expected = if i == j { one } else { zero };
             let entry = (dot(*a, *b) - expected).abs();
-            // A NaN must come out, and would lose every comparison.
+            // NaN must be returned, but is lost in every comparison.
             if !entry.is_finite() {
                 return entry;
             }
@@ -138,7 +138,7 @@ pub fn defect<T: Real>(rotation: &[[T; 3]; 3]) -> T {
     largest
 }
 
-/// Refuses a matrix that is not a rotation within `tolerance`.
+/// Rejects a matrix that is not a rotation within `tolerance`.
 ///
 /// # Errors
 ///

@@ -1,8 +1,8 @@
 //! L, the screw axis matrix, and the finite motion exp(L φ).
 //!
-//! In: an axis, a point and a pitch, or Plücker coordinates. Out: the unit motion of a joint or of
-//! an instantaneous screw axis, and what it does in finite time. The way back from a displacement to
-//! its screw is in [`Displacement::log`].
+//! In: an axis, a point and a pitch, or Plücker coordinates. Out: the unit twist of a joint or of an
+//! instantaneous screw axis, and its finite displacements. [`Displacement::log`] is the inverse: the screw
+//! of a displacement.
 
 use super::acceleration::Acceleration;
 use super::action::Action;
@@ -14,12 +14,15 @@ use super::velocity::Velocity;
 use crate::scalar::Scalar;
 use core::ops::{Mul, Neg};
 
-/// The screw L = (u̲, b; 0, 0): a motion by one unit of its coordinate φ (§ 5).
+/// The screw L = (u̲, b; 0, 0), a unit twist: the motion at one unit of the rate of its coordinate φ (§ 5).
 ///
-/// Of a revolute or screw pair u is the unit vector of the axis and b = −u̲ p_ax + p u [m/rad], with
-/// p_ax a point of the axis and p the pitch [m/rad]; of a prismatic pair u = 0 and b is the unit
-/// vector of the direction. The six numbers are the Plücker coordinates of the axis.
-/// The pole is the origin of the frame in which L is written.
+/// | pair | u | b |
+/// |---|---|---|
+/// | revolute, screw | unit vector of the axis | −u̲ p_ax + p u [m/rad], p_ax a point of the axis, p the pitch [m/rad] |
+/// | prismatic | 0 | unit vector of the direction |
+///
+/// The six numbers are the Plücker coordinates of the axis. The pole (reference point) is the origin of the
+/// frame in which L is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Screw<T> {
@@ -91,7 +94,7 @@ impl<T: Scalar> Screw<T> {
     }
 
     /// p_ax = u × b (m), the point of the axis that is nearest to the origin, of a screw with a unit
-    /// vector u; the origin for a translation, whose axis has no place (§ 5).
+    /// vector u; the origin for a translation, whose axis has no position (§ 5).
     #[inline]
     #[must_use]
     pub fn axis_point(&self) -> [T; 3] {
@@ -105,7 +108,7 @@ impl<T: Scalar> Screw<T> {
         Velocity::new(scale(rate, self.u), scale(rate, self.b))
     }
 
-    /// H = L φ̈ + L² φ̇², the acceleration along a screw that stands still (Part II).
+    /// H = L φ̈ + L² φ̇², the acceleration along a fixed screw (Part II).
     #[inline]
     #[must_use]
     pub fn acceleration(&self, rate: T, second_rate: T) -> Acceleration<T> {
@@ -159,8 +162,8 @@ impl<T: Scalar> Screw<T> {
         Displacement::new(rotation, add(scale(phi, b), turn))
     }
 
-    /// L ⊗ Φ = u · c + b · f, the pseudo scalar product: the power of `action` at unit rate, so the
-    /// torque or force of the joint that carries it (Part II).
+    /// L ⊗ Φ = u · c + b · f, the pseudo scalar product: the power of the wrench `action` at unit rate, which
+    /// is the torque or force of the joint (Part II).
     ///
     /// SPACELIB: `psedot`.
     #[inline]
@@ -190,7 +193,7 @@ impl<T: Scalar> Mul<Point<T>> for Screw<T> {
 impl<T: Scalar> Neg for Screw<T> {
     type Output = Self;
 
-    /// The same axis, counted the other way.
+    /// The same axis in the opposite direction.
     #[inline]
     fn neg(self) -> Self {
         Self::new(negate(self.u), negate(self.b))

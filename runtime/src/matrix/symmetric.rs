@@ -1,8 +1,8 @@
 //! Eigenvalues and eigenvectors of a small symmetric matrix.
 //!
-//! In: N×N rows, of which the upper triangle counts. Out: eigenvalues in descending order with
-//! orthonormal eigenvectors, by Jacobi's cyclic rotations: slow and simple, and accurate to rounding
-//! for every input. It takes no branch that could fail to end.
+//! In: N×N rows; the upper triangle is read. Out: eigenvalues in descending order with orthonormal
+//! eigenvectors, by Jacobi's cyclic rotations: simple, slow, accurate to rounding for every input. The
+//! number of sweeps is bounded.
 
 use crate::scalar::Real;
 use core::array::from_fn;
@@ -12,7 +12,7 @@ use core::array::from_fn;
 /// Source: C. G. J. Jacobi 1846; the rotation by the smaller angle as in Golub and Van Loan, § 8.5.
 pub(crate) fn eigen<T: Real, const N: usize>(matrix: &[[T; N]; N]) -> ([T; N], [[T; N]; N]) {
     let (zero, one) = (T::constant(0.0), T::constant(1.0));
-    // The lower triangle is read from the upper one.
+    // The upper triangle is copied to the lower one.
     let mut a = from_fn(|i: usize| from_fn(|j: usize| matrix[i.min(j)][i.max(j)]));
     let mut vectors = from_fn(|i| from_fn(|j| if i == j { one } else { zero }));
     // Convergence is quadratic; more than eight sweeps have never been needed for N ≤ 4.
@@ -38,7 +38,7 @@ pub(crate) fn eigen<T: Real, const N: usize>(matrix: &[[T; N]; N]) -> ([T; N], [
     (order.map(|i| a[i][i]), order.map(|i| vectors[i]))
 }
 
-/// One rotation in the plane of axes p and q; false where the entry is already negligible.
+/// One rotation in the plane of axes p and q; false if the entry is already negligible.
 fn rotate<T: Real, const N: usize>(
     a: &mut [[T; N]; N],
     vectors: &mut [[T; N]; N],
@@ -47,7 +47,7 @@ fn rotate<T: Real, const N: usize>(
 ) -> bool {
     let (zero, one, two) = (T::constant(0.0), T::constant(1.0), T::constant(2.0));
     let (app, aqq, apq) = (a[p][p], a[q][q], a[p][q]);
-    // Adding the entry to either square's root changes nothing: it is below rounding.
+    // The entry is below the rounding of the diagonal.
     let scale = app.abs().max(aqq.abs());
     if apq == zero || !apq.is_finite() || scale + apq.abs() * T::constant(0.01) == scale {
         return false;

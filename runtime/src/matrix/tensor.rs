@@ -1,7 +1,7 @@
-//! The change of frame, chosen by type.
+//! The change of frame of each type.
 //!
-//! In: a matrix in frame (s) and M_r,s. Out: the same thing in frame (r). Kinematic matrices go by
-//! M · M⁻¹, dynamic ones by M · Mᵗ, points by M ·; nobody has to remember which.
+//! In: a matrix in frame (s) and M_r,s. Out: the same quantity in frame (r): M · M⁻¹ for kinematic matrices,
+//! M · Mᵗ for dynamic ones, M · for points.
 
 use super::acceleration::Acceleration;
 use super::action::Action;
@@ -16,19 +16,19 @@ use super::vector::{add, matrix_product, outer, product, scale, sub, transpose};
 use super::velocity::Velocity;
 use crate::scalar::Scalar;
 
-/// What has components in a frame and can be written in another one.
+/// A quantity with components in a frame, which can be written in another one.
 ///
 /// Called through [`Pose::change_frame`].
 pub trait Tensor<T> {
-    /// The same thing in frame (r), given `m_r_s`, the pose of frame (s) in (r).
+    /// The same quantity in frame (r), with `m_r_s` the pose of frame (s) in (r).
     #[must_use]
     fn in_frame(&self, m_r_s: &Pose<T>) -> Self;
 }
 
 impl<T: Scalar> Pose<T> {
-    /// The same thing in frame (r), where `self` is M_r,s and `x` is given in frame (s).
+    /// The same quantity in frame (r), where `self` is M_r,s and `x` is in frame (s).
     ///
-    /// Kinematic matrices go by M · M⁻¹ ((8), (9)), dynamic ones by M · Mᵗ (17), points by M · (1).
+    /// Kinematic matrices change by M · M⁻¹ ((8), (9)), dynamic ones by M · Mᵗ (17), points by M · (1).
     ///
     /// SPACELIB: `trasf_mami`, `trasf_mamt`; its `trasf_miam` and `trasf_miamit` are the same with
     /// [`Pose::inverse`].
@@ -36,7 +36,7 @@ impl<T: Scalar> Pose<T> {
     /// ```
     /// use homogen::{Pose, Velocity};
     /// let m_0_1 = Pose::from_translation([1.0, 0.0, 0.0]);
-    /// // A body that turns about the z axis of frame (1).
+    /// // A body that rotates about the z axis of frame (1).
     /// let w_in_1 = Velocity::new([0.0, 0.0, 2.0], [0.0, 0.0, 0.0]);
     /// assert_eq!(m_0_1.change_frame(&w_in_1), Velocity::new([0.0, 0.0, 2.0], [0.0, -2.0, 0.0]));
     /// ```

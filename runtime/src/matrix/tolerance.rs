@@ -1,8 +1,7 @@
 //! Equality within a tolerance (feature `approx`).
 //!
-//! In: two typed matrices. Out: whether every stored number agrees, absolutely, relatively or in
-//! units in the last place. Numbers are compared one by one; metres and radians are not weighed
-//! against each other.
+//! In: two typed matrices. Out: true if every stored number agrees, absolutely, relatively or in
+//! units in the last place. Numbers are compared one by one, whatever their units.
 
 use super::acceleration::Acceleration;
 use super::action::Action;
@@ -15,7 +14,7 @@ use super::screw::Screw;
 use super::velocity::Velocity;
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
-/// The three traits of `approx`, over what `parts` returns for each type.
+/// Implements the three traits of `approx` by the numbers that `parts` returns for each type.
 macro_rules! within_tolerance {
     ($($kind:ident, |$x:ident| [$($part:expr),+];)*) => {$(
         impl<T: Copy + AbsDiffEq<Epsilon: Copy>> AbsDiffEq for $kind<T> {

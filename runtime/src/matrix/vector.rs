@@ -1,8 +1,7 @@
 //! Three-vectors and 3×3 blocks, as arrays.
 //!
-//! In: `[T; 3]` and rows `[[T; 3]; 3]`. Out: the vector algebra that the blocks of the 4×4 matrices
-//! are made of, among it the paper's underscore operator (§ 2.1). Nothing here knows a frame; that
-//! is the business of the typed matrices.
+//! In: `[T; 3]` and rows `[[T; 3]; 3]`. Out: the vector algebra of the blocks of the 4×4 matrices, with the
+//! paper's underscore operator (§ 2.1). Arrays have no frame; the typed matrices have.
 
 use crate::scalar::{Real, Scalar};
 use core::array::from_fn;
@@ -157,21 +156,21 @@ pub fn determinant<T: Scalar>(x: &[[T; 3]; 3]) -> T {
     dot(x[0], cross(x[1], x[2]))
 }
 
-/// The largest magnitude; zero where there is no number, for NaN is passed over.
+/// The largest magnitude; NaN is ignored, and zero is returned if there is no other number.
 #[inline]
 pub(crate) fn largest_magnitude<'a, T: Real + 'a>(entries: impl IntoIterator<Item = &'a T>) -> T {
     let entries = entries.into_iter();
     entries.fold(T::constant(0.0), |largest, x| largest.max(x.abs()))
 }
 
-/// ‖v‖, without overflow or underflow on the way; NaN or infinity where an entry is.
+/// ‖v‖, without overflow or underflow of squares; NaN or infinity if an entry is.
 ///
 /// SPACELIB: `mod`.
 #[inline]
 #[must_use]
 pub fn norm<T: Real, const N: usize>(v: [T; N]) -> T {
     let zero = T::constant(0.0);
-    // Neither infinity nor NaN would survive the comparisons below.
+    // The comparisons below would lose infinity and NaN.
     if let Some(x) = v.iter().find(|x| !x.is_finite()) {
         return x.abs();
     }
@@ -199,7 +198,7 @@ pub fn unit<T: Real, const N: usize>(v: [T; N]) -> Option<[T; N]> {
     let largest = largest_magnitude(&v);
     let length = norm(v);
     if length < T::MIN_POSITIVE && length > zero {
-        // A subnormal length has few digits; a larger multiple of the vector has them all.
+        // A subnormal length has few digits; that of a larger multiple of the vector has all of them.
         return unit(v.map(|x| x / largest));
     }
     (length > zero && v.iter().all(|x| x.is_finite())).then(|| {

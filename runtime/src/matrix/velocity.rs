@@ -1,8 +1,8 @@
 //! W, the velocity matrix.
 //!
-//! In: an angular velocity and the velocity of the pole. Out: the velocity of every point of a body,
-//! and the composition of relative motions. The instantaneous screw axis of W is in
-//! [`Velocity::instantaneous_screw_axis`].
+//! In: an angular velocity and the velocity of the reference point (the paper's pole). Out: the velocity
+//! of every point of a body, and the composition of relative motions.
+//! [`Velocity::instantaneous_screw_axis`] gives the screw axis of W.
 
 use super::action::Action;
 use super::form::kinematic_matrix;
@@ -16,7 +16,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// (§ 3.1, (6)).
 ///
 /// ω is the angular velocity [rad/s] and v₀ the velocity [m/s] of the pole: the point of the body
-/// that is passing through the origin of (k).
+/// that is now at the origin of (k).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Velocity<T> {
@@ -57,8 +57,8 @@ impl<T: Scalar> Velocity<T> {
         Self::new([T::constant(0.0); 3], [T::constant(0.0); 3])
     }
 
-    /// The velocity of a body that turns with `omega` [rad/s] while its point at `point` \[m\] moves
-    /// with `velocity` [m/s].
+    /// The velocity of a body with angular velocity `omega` [rad/s] whose point at `point` \[m\] has the
+    /// velocity `velocity` [m/s].
     ///
     /// SPACELIB: `velacctoWH`.
     #[inline]

@@ -1,11 +1,11 @@
 //! Cardan and Euler angles, all twelve sequences: position, velocity and acceleration.
 //!
 //! In: three angles about the axes of a [`Sequence`], with their rates and second rates; or a
-//! rotation with ω and ω̇. Out: the other side. Rotations come back exactly at the singular middle
-//! angles too; rates, which do not exist there, are refused with a typed error.
+//! rotation with ω and ω̇. Out: the other representation. At the singular middle angles, the angles of a
+//! rotation still reproduce it; rates do not exist there and are an error.
 //!
-//! Axes move with the body: R = Rᵢ(α) Rⱼ(β) Rₖ(γ). Angles about axes that stand still are the same
-//! in reverse order: roll, pitch and yaw of URDF are `Sequence::Zyx` with (yaw, pitch, roll).
+//! Axes move with the body: R = Rᵢ(α) Rⱼ(β) Rₖ(γ). Angles about fixed axes are the same in reverse
+//! order: roll, pitch and yaw of URDF are `Sequence::Zyx` with (yaw, pitch, roll).
 //!
 //! ```
 //! use homogen::angles::{self, Sequence};
@@ -24,7 +24,7 @@ use crate::scalar::{Real, Scalar};
 
 /// The axes i, j, k of three successive rotations about axes of the moving frame.
 ///
-/// Cardan (Tait–Bryan) sequences have three different axes, Euler's the first one twice.
+/// Cardan (Tait–Bryan) sequences have three different axes; in Euler sequences the last axis is the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sequence {
     /// Cardan x, y, z.
@@ -49,7 +49,7 @@ pub enum Sequence {
     Yzy,
     /// Euler z, x, z: the classical one.
     Zxz,
-    /// Euler z, y, z: most wrists.
+    /// Euler z, y, z: as in most wrists.
     Zyz,
 }
 
@@ -90,7 +90,7 @@ impl Sequence {
         }
     }
 
-    /// Whether the first and the last axis are the same: Euler angles, singular at β = 0 and π.
+    /// True if the first and the last axis are the same: Euler angles, singular at β = 0 and π.
     /// Cardan angles are singular at β = ±π/2.
     #[inline]
     #[must_use]
@@ -99,7 +99,7 @@ impl Sequence {
         i == k
     }
 
-    /// i, j, the axis that is neither, and whether these three are a cyclic order of x, y, z.
+    /// i, j, the third axis, and true if these three are a cyclic order of x, y, z.
     const fn axes_and_sense(self) -> ([usize; 3], bool) {
         let [i, j, _] = self.axes();
         ([i, j, 3 - i - j], are_cyclic(i, j))
@@ -127,9 +127,8 @@ pub fn pose<T: Scalar>(sequence: Sequence, angles: [T; 3], origin: [T; 3]) -> Po
 
 /// The angles (rad) of a rotation: α and γ in [−π, π], β in [−π/2, π/2] (Cardan) or [0, π] (Euler).
 ///
-/// At the singular middle angles only a sum or a difference of α and γ is determined; the angles that
-/// come back then are among those that give the rotation again, to rounding. [`other_angles`] gives the
-/// second solution.
+/// At the singular middle angles only a sum or a difference of α and γ is determined; the result is one of
+/// the solutions, to rounding. [`other_angles`] gives the second solution.
 ///
 /// SPACELIB: `rtocarda`, `rtoeuler`, `mtocarda`, `mtoeuler`.
 #[must_use]
@@ -139,7 +138,7 @@ pub fn from_rotation<T: Real>(sequence: Sequence, rotation: &[[T; 3]; 3]) -> [T;
     let signed = |x: T| if cyclic { x } else { -x };
     let zero = T::constant(0.0);
     let (alpha, beta) = if sequence.is_euler() {
-        // The difference from zero keeps atan2(0, −0) = π away.
+        // Subtracting from zero avoids atan2(0, −0) = π.
         (
             r[j][i].atan2(zero - signed(r[k][i])),
             norm([r[i][j], r[i][k]]).atan2(r[i][i]),
@@ -150,7 +149,7 @@ pub fn from_rotation<T: Real>(sequence: Sequence, rotation: &[[T; 3]; 3]) -> [T;
             signed(r[i][k]).atan2(norm([r[i][i], r[i][j]])),
         )
     };
-    // Rᵢ(−α) R = Rⱼ(β) Rₖ(γ), whose row j is that of Rₖ(γ): whatever α is, γ makes up for it.
+    // Rᵢ(−α) R = Rⱼ(β) Rₖ(γ), whose row j is that of Rₖ(γ): γ compensates for any error of α.
     let (sine, cosine) = alpha.sin_cos();
     let row = add(scale(cosine, r[j]), scale(signed(sine), r[k]));
     let gamma = if sequence.is_euler() {
@@ -177,7 +176,7 @@ pub fn other_angles<T: Scalar>(sequence: Sequence, angles: [T; 3]) -> [T; 3] {
     [alpha + half_turn, beta, gamma + half_turn]
 }
 
-/// ω = α̇ e₁ + β̇ e₂ + γ̇ e₃ (rad/s), in the frame that stands still.
+/// ω = α̇ e₁ + β̇ e₂ + γ̇ e₃ (rad/s), in the fixed frame.
 ///
 /// SPACELIB: `cardatoW`, `eulertoW`, `cardatoomega`, `eulertoomega`.
 #[inline]
@@ -187,8 +186,8 @@ pub fn omega<T: Scalar>(sequence: Sequence, angles: [T; 3], rates: [T; 3]) -> [T
     combination(&e, rates)
 }
 
-/// ω̇ (rad/s²), in the frame that stands still: the second rates along the axes, and the rates of the
-/// axes that the earlier rotations carry along.
+/// ω̇ (rad/s²), in the fixed frame: the second rates along the axes, plus the rates of the axes, which
+/// move with the earlier rotations.
 ///
 /// SPACELIB: `cardatoH`, `eulertoH`, `cardatoomegapto`, `eulertoomegapto`.
 #[inline]
@@ -289,7 +288,7 @@ fn unit_vectors<T: Scalar>(sequence: Sequence) -> [[T; 3]; 3] {
     sequence.axes().map(|axis| unit_vectors[axis])
 }
 
-/// The axes of the three rotations, each carried by those before it.
+/// The axes of the three rotations in the fixed frame, each rotated by those before it.
 #[inline]
 fn axes_in_space<T: Scalar>(sequence: Sequence, angles: [T; 3]) -> [[T; 3]; 3] {
     let [i, j, k] = unit_vectors(sequence);
@@ -314,8 +313,8 @@ fn carried<T: Scalar>(e: &[[T; 3]; 3], rates: [T; 3]) -> [T; 3] {
 
 /// x in e₁ x₁ + e₂ x₂ + e₃ x₃ = v.
 ///
-/// In the axes that the first rotation carries along, e₁ and e₂ are two of them, and only e₃ is to be
-/// divided by: the vector found is right to rounding however small the divisor is.
+/// In axes that move with the first rotation, e₁ and e₂ are two of the axes, and only e₃ needs a division:
+/// the combination of the result is accurate to rounding even for a small divisor.
 fn components<T: Real>(
     sequence: Sequence,
     [alpha, beta, _]: [T; 3],

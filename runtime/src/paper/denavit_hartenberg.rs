@@ -1,12 +1,12 @@
-//! Denavit and Hartenberg's four numbers.
+//! Denavit–Hartenberg parameters.
 //!
-//! In: θ, d, a and α of a link, in either of the two conventions in use. Out: the pose of its frame
-//! in the one before. Which convention a table follows has to be known; nothing in it tells.
+//! In: θ, d, a and α of a link, in either of the two conventions in use. Out: the pose of its frame in
+//! that of the previous link. The convention of a table must be known; the numbers do not show it.
 
 use crate::matrix::Pose;
 use crate::scalar::Scalar;
 
-/// The four numbers of a link.
+/// The four Denavit–Hartenberg parameters of a link.
 ///
 /// Source: J. Denavit and R. S. Hartenberg, J. Appl. Mech. 22 (1955).
 ///
@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 ///
 /// ```
 /// use homogen::denavit_hartenberg::Parameters;
-/// // A horizontal link of 0.4 m, its joint 0.1 m above the one before.
+/// // A horizontal link of 0.4 m, its joint 0.1 m above the previous one.
 /// let link = Parameters { theta: 0.0, d: 0.1, a: 0.4, alpha: 0.0 };
 /// assert_eq!(link.standard().translation(), [0.4, 0.0, 0.1]);
 /// assert_eq!(link.standard(), link.modified());
@@ -51,7 +51,7 @@ impl<T: Scalar> Parameters<T> {
     }
 
     /// Rot_x(α) Trans_x(a) Rot_z(θ) Trans_z(d), Craig's or the modified convention: the frame of a link
-    /// sits at its near joint, and a and α are those of the link before.
+    /// sits at its near joint, and a and α are those of the previous link.
     ///
     /// SPACELIB: `dhtom`.
     #[inline]

@@ -1,8 +1,8 @@
 //! Frames from points and vectors.
 //!
-//! In: an origin and two directions, or three points. Out: the pose of the frame they determine, the
-//! first direction exactly along its axis, the second in its half-plane. Data that determine no
-//! frame are refused.
+//! In: an origin and two directions, or three points. Out: the pose of their frame, with the first
+//! direction exactly along its axis and the second in its half-plane. Parallel or zero directions are an
+//! error.
 
 use super::geometry::refuse_parallel;
 use crate::error::{Error, finite};
@@ -44,7 +44,7 @@ impl Axis {
     }
 }
 
-/// Whether axes i and j and the third one are a cyclic order of x, y, z.
+/// True if axes i and j and the third one are a cyclic order of x, y, z.
 pub(super) const fn are_cyclic(i: usize, j: usize) -> bool {
     (j + 3 - i) % 3 == 1
 }
@@ -86,7 +86,7 @@ pub fn rotation_from_vectors<T: Real>(
     let b = unit(w).ok_or(zero_length("the length of the second vector"))?;
     let normal = cross(a, b);
     refuse_parallel("the sine of the angle between the vectors", norm(normal))?;
-    // The second product, and the normal again, are orthogonal to rounding even for a small sine.
+    // Computed this way, the axes are orthogonal to rounding even for a small sine.
     let normal = orthogonal_unit(normal, a);
     let b = cross(normal, a);
     let (i, j) = (first.index(), second.index());
@@ -100,19 +100,19 @@ pub fn rotation_from_vectors<T: Real>(
     Ok(transpose(&axes))
 }
 
-/// `x` made of unit length and perpendicular to the unit vector `a`.
+/// The unit vector of the part of `x` that is perpendicular to the unit vector `a`.
 fn orthogonal_unit<T: Real>(x: [T; 3], a: [T; 3]) -> [T; 3] {
     let straight = |x: [T; 3]| {
         let x = unit(x).unwrap_or(x);
         let along = dot(x, a);
         sub(x, scale(along, a))
     };
-    // Once more than once is enough (W. Kahan, in Parlett, The Symmetric Eigenvalue Problem, § 6-9).
+    // Twice is enough (W. Kahan, in Parlett, The Symmetric Eigenvalue Problem, § 6-9).
     let x = straight(straight(x));
     unit(x).unwrap_or(x)
 }
 
-/// M of the frame with that origin (m) and the axes of [`rotation_from_vectors`].
+/// M of the frame with its origin at `origin` (m) and the axes of [`rotation_from_vectors`].
 ///
 /// SPACELIB: `frame4V`.
 ///

@@ -1,8 +1,8 @@
 //! Points, lines and planes.
 //!
-//! In: points (m), directions, and what they span. Out: angles, distances, intersections and
-//! projections. What is parallel or coincident to rounding is refused with the quantity that
-//! vanishes; nothing returns NaN for finite input.
+//! In: points (m), directions, lines and planes. Out: angles, distances, intersections and projections.
+//! Parallel or coincident input, to rounding, is an error with the quantity that vanishes; finite input
+//! never gives NaN.
 
 use crate::error::{Error, finite};
 use crate::matrix::vector::{add, cross, dot, norm, scale, sub, unit};
@@ -29,7 +29,7 @@ pub struct Plane<T> {
     offset: T,
 }
 
-/// Where two lines come nearest to each other.
+/// The closest points of two lines.
 ///
 /// SPACELIB: the results of `intersection`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ impl<T: Real> Line<T> {
         Self::from_point_and_direction(a, sub(b, a))
     }
 
-    /// The point that was given (m).
+    /// The given point (m).
     #[inline]
     #[must_use]
     pub const fn point(&self) -> [T; 3] {
@@ -103,8 +103,7 @@ impl<T: Real> Line<T> {
         norm(cross(self.direction, sub(point, self.point)))
     }
 
-    /// Where this line and `other` come nearest to each other; for lines that meet, their
-    /// intersection.
+    /// The closest points of this line and `other`; their intersection if they meet.
     ///
     /// SPACELIB: `intersection`.
     ///
@@ -129,7 +128,7 @@ impl<T: Real> Line<T> {
 }
 
 impl<T: Real> Plane<T> {
-    /// The plane through `point` (m) with that normal, of any length.
+    /// The plane through `point` (m) with a normal of any length.
     ///
     /// SPACELIB: `plane2`.
     ///
@@ -227,7 +226,7 @@ impl<T: Real> Plane<T> {
 
 /// The angle between two vectors of any length, in \[0, π\] rad; 0 where one of them is zero.
 ///
-/// By atan2 of the product's length and the scalar product, which keeps small angles that acos loses.
+/// Computed by atan2 of the lengths of vector and scalar product, which is accurate at small angles, unlike acos.
 ///
 /// SPACELIB: `angle`.
 #[must_use]
@@ -265,7 +264,7 @@ pub fn middle<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     intermediate(a, b, T::constant(0.5))
 }
 
-/// The unit vector along `v`, or what is wrong with it.
+/// The unit vector along `v`, or an error with the name of the quantity.
 fn unit_or_refuse<T: Real>(quantity: &'static str, v: [T; 3]) -> Result<[T; 3], Error> {
     finite(quantity, &v)?;
     unit(v).ok_or(Error::Degenerate {
@@ -274,7 +273,7 @@ fn unit_or_refuse<T: Real>(quantity: &'static str, v: [T; 3]) -> Result<[T; 3], 
     })
 }
 
-/// Refuses the sine of an angle that is zero to rounding.
+/// Rejects an angle whose sine is zero to rounding.
 pub(super) fn refuse_parallel<T: Real>(quantity: &'static str, sine: T) -> Result<(), Error> {
     if sine.abs() <= T::constant(4.0) * T::EPSILON {
         return Err(Error::Degenerate {

@@ -1,8 +1,8 @@
-//! Lagrange's form of the dynamics of a chain, by traces of 4×4 matrices.
+//! Lagrange's formulation of the dynamics of a chain, by traces of 4×4 matrices.
 //!
-//! In: a [`Chain`], its state and external actions. Out: derivatives of M and J with respect to the
-//! coordinates, the mass matrix, the bias and the torques (Part II, Lagrange). It says the same as
-//! Newton–Euler in [`crate::open_chain`] by another way, and never calls it.
+//! In: a [`Chain`], its state and external wrenches. Out: derivatives of M and J with respect to the
+//! coordinates, the mass matrix, the bias and the torques (Part II, Lagrange). The results are those of
+//! Newton–Euler in [`crate::open_chain`], by independent code.
 
 use super::open_chain::{bias_accelerations, inertias, poses, screws, sums_over_carried};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Screw};
@@ -53,7 +53,7 @@ pub fn mass_matrix<T: Scalar, const N: usize, const F: usize>(
         from_fn(|m| {
             let (inner, outer) = (i.min(m), i.max(m));
             if chain.carries(inner, Some(outer)) {
-                // The same order on both sides of the diagonal, so that M is symmetric to the bit.
+                // The same order on both sides of the diagonal, so that M is exactly symmetric.
                 trace(&screws[inner], &carried[outer], &screws[outer])
             } else {
                 T::constant(0.0)
@@ -65,7 +65,7 @@ pub fn mass_matrix<T: Scalar, const N: usize, const F: usize>(
 /// The bias C\[m\] = Tr(Σ (H̃ₕ − H_g) Jₕ Lₘᵗ) − Lₘ ⊗ Σ Φₕ, the sums over the bodies h that joint m
 /// carries [N m, N] (Part II, Lagrange).
 ///
-/// `external` holds the actions Φₕ on the bodies besides their weight, in frame 0 [N m, N].
+/// `external` holds the wrenches Φₕ on the bodies besides their weight, in frame 0 [N m, N].
 #[must_use]
 pub fn bias<T: Scalar, const N: usize, const F: usize>(
     chain: &Chain<N, F>,
@@ -103,8 +103,7 @@ pub fn inverse_dynamics<T: Scalar, const N: usize, const F: usize>(
     })
 }
 
-/// Tr(A J Bᵗ) for screws A and B, all in one frame: what [`Inertia::coupling`] says without the
-/// matrices.
+/// Tr(A J Bᵗ) for screws A and B, all in one frame; [`Inertia::coupling`] is the same by vectors.
 fn trace<T: Scalar>(a: &Screw<T>, inertia: &Inertia<T>, b: &Screw<T>) -> T {
     let x = product(&a.to_matrix(), &inertia.to_matrix());
     trace_with_transpose(&x, &b.to_matrix())

@@ -1,8 +1,8 @@
-//! From motions back to screws.
+//! The logarithm of a displacement, and the instantaneous screw axis of a velocity.
 //!
-//! In: a displacement Q, or a velocity W. Out: its screw L with the amount of motion along it, the
-//! inverse of exp and of L φ̇; and through it the displacement that a lasting W makes. Accurate near
-//! 0 and near π, and free of NaN at rest and in pure translation, where the axis lies at infinity.
+//! In: a displacement Q, or a velocity W. Out: its screw L with the motion φ or the rate φ̇ along it, the
+//! inverse of exp and of L φ̇; the displacement at a constant W. Accurate near 0 and near π, without NaN at
+//! rest and in pure translation, where the axis is at infinity.
 
 use crate::matrix::rotation::HalfAngle;
 use crate::matrix::vector::{add, cross, dot, norm, scale, sub, unit};
@@ -12,8 +12,8 @@ use crate::scalar::Real;
 impl<T: Real> Displacement<T> {
     /// The screw L and the motion φ in \[0, π\] rad along it with Q = exp(L φ) (§ 2.3, § 5).
     ///
-    /// For a pure translation L is (0, u) and φ its length (m); for no displacement at all φ = 0 and L
-    /// is a screw along z. At φ = π either of the two opposite axes comes back. R is taken as it is.
+    /// For a pure translation L is (0, u) and φ its length (m); for the identity φ = 0 and L is a screw
+    /// along z. At φ = π the axis is either of the two opposite ones. R is not checked.
     ///
     /// With the quaternion's cot(φ/2) = w/‖v‖, b = u (u·t)/φ + ½ cot(φ/2) t⊥ − ½ u × t⊥.
     ///
@@ -54,8 +54,8 @@ impl<T: Real> Displacement<T> {
 impl<T: Real> Velocity<T> {
     /// The instantaneous screw axis L with the rate φ̇ ≥ 0 along it: W = L φ̇ (§ 5).
     ///
-    /// φ̇ = ‖ω‖ (rad/s), or ‖v₀‖ (m/s) when ω = 0; at rest φ̇ = 0 and L is zero. There is no threshold:
-    /// as ω goes to zero the axis goes to infinity, until its position is no longer a number.
+    /// φ̇ = ‖ω‖ (rad/s), or ‖v₀‖ (m/s) if ω = 0; at rest φ̇ = 0 and L is zero. There is no threshold: as ω
+    /// goes to zero the axis goes to infinity, until its position overflows.
     ///
     /// SPACELIB: `WtoL`.
     ///
@@ -82,9 +82,9 @@ impl<T: Real> Velocity<T> {
         }
     }
 
-    /// exp(W Δt), the displacement of a body that keeps its velocity for `duration` (s).
+    /// exp(W Δt), the displacement of a body at constant velocity for `duration` (s).
     ///
-    /// For a short time it is the infinitesimal motion dP = W P dt (§ 5).
+    /// To first order it is the infinitesimal motion dP = W P dt (§ 5).
     #[must_use]
     pub fn displacement(&self, duration: T) -> Displacement<T> {
         let (screw, rate) = self.instantaneous_screw_axis();

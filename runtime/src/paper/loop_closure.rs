@@ -1,11 +1,12 @@
 //! Closed loops: mobility, and positions, velocities and accelerations for given driving joints.
 //!
-//! In: a chain, and pairs of its frames that the closed loops make coincide. Out: the matrix A of
-//! A q̇ = 0 and A q̈ = b(H̃), its rank, and the motion of the joints that are not driven (Part II,
-//! closed loops). A position that cannot be reached is an error and a singular position a flag;
-//! it never picks a branch other than the one nearest to the start.
+//! In: a chain, and pairs of its frames that coincide when the loops are closed. Out: the matrix A of
+//! A q̇ = 0 and A q̈ = b(H̃), its rank, and the motion of the passive joints (Part II, closed loops). An
+//! unreachable position is an error, a singular position a flag. Positions are those of the branch nearest
+//! to the start.
 //!
-//! Inverse kinematics is the same problem: the target is a frame of the base that the tip must meet.
+//! Inverse kinematics is the same problem: the target is a frame of the base that the end effector must
+//! meet.
 
 mod found;
 mod gap;
@@ -32,18 +33,18 @@ pub use projection::{
 /// and the two faces of the cut are frames of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosedChain<const N: usize, const F: usize, const K: usize> {
-    /// The bodies and joints, cut open.
+    /// The bodies and joints, with the loops cut open.
     pub chain: Chain<N, F>,
-    /// What the loops hold together.
+    /// The pairs of frames that the loops close.
     pub closures: [Closure; K],
 }
 
-/// Two frames that coincide when the loop is closed: M_left,right = 1.
+/// A loop by two frames that coincide when it is closed: M_left,right = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure {
     /// The frame at one face of the cut.
     pub left: Frame,
-    /// The frame at the other face; everything about the loop is written in it.
+    /// The frame at the other face; the equations of the loop are in this frame.
     pub right: Frame,
 }
 
@@ -69,8 +70,8 @@ impl<const N: usize, const F: usize> ClosedChain<N, F, 1> {
 
 /// The matrix A: of each loop six rows u_x … b_z, one column (u, b) a joint (Part II, closed loops).
 ///
-/// A column is L of the joint in the frame `right` of the loop, pole at its origin; negative for a
-/// joint on the way to `right`, zero for one that is not in the loop.
+/// A column is L of the joint in the frame `right` of the loop, reference point at its origin; negative for a
+/// joint between the base and `right`, zero for one that is not in the loop.
 #[must_use]
 pub fn matrix<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
@@ -85,7 +86,7 @@ pub fn matrix<T: Real, const N: usize, const F: usize, const K: usize>(
             match (moves(&closure.left), moves(&closure.right)) {
                 (true, false) => components(&m_right_0.change_frame(&screws[i])),
                 (false, true) => components(&-m_right_0.change_frame(&screws[i])),
-                // What moves both faces alike does not move them apart.
+                // A joint that moves both faces does not change their relative pose.
                 _ => [T::constant(0.0); 6],
             }
         });
@@ -93,8 +94,8 @@ pub fn matrix<T: Real, const N: usize, const F: usize, const K: usize>(
     })
 }
 
-/// The rank of A at `q`, by singular values above 64 ε times the largest; rows of lengths are
-/// taken in parts of the size of the mechanism.
+/// The rank of A at `q`, by singular values above 64 ε times the largest; rows of lengths are divided by the
+/// size of the robot.
 #[must_use]
 pub fn rank<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
@@ -106,8 +107,8 @@ pub fn rank<T: Real, const N: usize, const F: usize, const K: usize>(
 
 /// The mobility at `q`: the number of joints less the rank of A (Part II, closed loops).
 ///
-/// At a singular position it is the mobility to first order, which may be larger than that of the
-/// positions around it.
+/// At a singular position it is the mobility to first order, which may be larger than at neighbouring
+/// positions.
 #[must_use]
 pub fn mobility<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
@@ -118,14 +119,14 @@ pub fn mobility<T: Real, const N: usize, const F: usize, const K: usize>(
 
 /// The coordinates that close the loops, by Newton–Raphson (Part II, closed loops).
 ///
-/// `driving` holds the coordinates that are given (`None` is sought), `start` a guess of the others.
-/// Each step solves A Δq = −(φ u, φ b) for the screws exp(L φ) that are missing from Π M = 1, and
-/// turns no joint by more than 1 rad. Steps go on while they halve the residual, so that the
-/// result is as good as rounding allows; it is accepted when the residual is at most 4 (N + 2) ε.
+/// `driving` holds the given coordinates (`None` is unknown), `start` a guess of the others.
+/// Each step solves A Δq = −(φ u, φ b), with exp(L φ) the displacements by which the loops are open, and
+/// moves no joint by more than 1 rad. Steps continue while they halve the residual, down to rounding; the
+/// result is accepted if the residual is at most 4 (N + 2) ε.
 ///
 /// # Errors
 ///
-/// [`NotClosed`] when 100 steps did not get there, and for input that is not finite.
+/// [`NotClosed`] if 100 steps are not enough, and for input that is not finite.
 pub fn position<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
     driving: &[Option<T>; N],
@@ -147,7 +148,7 @@ pub fn position<T: Real, const N: usize, const F: usize, const K: usize>(
         let residual;
         (screws, residual) = gaps(closed, &q, size);
         iterations += 1;
-        // Rounding may make a residual a little smaller for a long time.
+        // Rounding may decrease a residual slightly in many steps.
         let helps = residual + residual < best.0;
         in_vain = if helps { 0 } else { in_vain + 1 };
         if residual < best.0 {
@@ -210,10 +211,10 @@ pub fn acceleration<T: Real, const N: usize, const F: usize, const K: usize>(
     linear_at(closed, q, driving).rates(b, driving)
 }
 
-/// Steps after which Newton–Raphson gives up; a dead centre takes about 30.
+/// The largest number of steps of Newton–Raphson; a dead centre takes about 30.
 const STEPS: usize = 100;
 
-/// The factor that keeps a step below 1 rad in every joint, or below the size of the mechanism.
+/// The factor that keeps a step below 1 rad in every joint, or below the size of the robot.
 fn step_factor<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
     step: &[T; N],
@@ -230,7 +231,7 @@ fn step_factor<T: Real, const N: usize, const F: usize, const K: usize>(
     one / turns.fold(one, T::max)
 }
 
-/// A at `q`, to be solved for the joints that are not driven.
+/// A at `q`, to be solved for the passive joints.
 fn linear_at<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
     q: &[T; N],
@@ -239,7 +240,7 @@ fn linear_at<T: Real, const N: usize, const F: usize, const K: usize>(
     Linear::new(matrix(closed, q), size(closed), driving)
 }
 
-/// The screws that are missing from closed loops, (φ u, φ b) of M_right,left = exp(L φ) in the frame
+/// The displacements by which the loops are open, (φ u, φ b) of M_right,left = exp(L φ) in the frame
 /// `right`, and their largest component.
 fn gaps<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
@@ -253,7 +254,7 @@ fn gaps<T: Real, const N: usize, const F: usize, const K: usize>(
     let screws = gaps.map(missing_screw);
     let all = screws.map(|screw| with_lengths_in_parts_of(size, screw));
     let largest = largest_magnitude(all.as_flattened());
-    // Neither the logarithm nor the maximum lets a NaN through; the sum of all entries does.
+    // The logarithm and the maximum lose NaN; the sum of all entries does not.
     let sum = gaps.iter().fold(T::constant(0.0), |sum, m| {
         let rows = m.to_matrix();
         rows.as_flattened().iter().fold(sum, |sum, x| sum + x.abs())
@@ -261,8 +262,7 @@ fn gaps<T: Real, const N: usize, const F: usize, const K: usize>(
     (screws, if sum.is_finite() { largest } else { sum })
 }
 
-/// A length that belongs to the mechanism: the sum of the distances from joint to joint; 1 m where
-/// all of them are zero.
+/// The size of the robot: the sum of the distances from joint to joint; 1 m if all of them are zero.
 fn size<T: Real, const N: usize, const F: usize, const K: usize>(
     closed: &ClosedChain<N, F, K>,
 ) -> T {

@@ -1,8 +1,8 @@
 //! Φ = skew\[Ẇ J\] and Γ = skew\[W J\], solved for any six of their twelve numbers.
 //!
-//! In: the inertia of a body, and for each of the six components either the kinematic or the dynamic
-//! number, or six in all in any mixture. Out: all twelve. Direct and inverse dynamics of a free body
-//! are its two ends.
+//! In: the inertia of a body, and any six of the twelve numbers that determine the others. Out: all
+//! twelve. Six dynamic numbers are the direct dynamics of a free body, six kinematic ones its inverse
+//! dynamics.
 
 use crate::error::{Error, finite};
 use crate::matrix::vector::largest_magnitude;
@@ -10,17 +10,17 @@ use crate::matrix::{Acceleration, Action, Inertia, Momentum, Velocity};
 use crate::scalar::Real;
 use core::array::from_fn;
 
-/// The momentum and velocity of which six components are given: Γ = skew\[W J\] (26).
+/// The velocity and momentum of a body from six of their twelve components: Γ = skew\[W J\] (26).
 ///
 /// `kinematic` is ω_x, ω_y, ω_z, v_x, v_y, v_z (rad/s, m/s) and `dynamic` γ_x, γ_y, γ_z, ρ_x, ρ_y,
-/// ρ_z (kg m²/s, kg m/s), all in the frame of `inertia`; `Some` is given, `None` is sought.
+/// ρ_z (kg m²/s, kg m/s), all in the frame of `inertia`; `Some` is given, `None` is unknown.
 ///
 /// SPACELIB: `dyn_eq`.
 ///
 /// # Errors
 ///
 /// [`Error::NotFinite`]; [`Error::Degenerate`] unless exactly six are given and they determine the
-/// others: a body without inertia about an axis does not accept every action.
+/// others. A body without inertia about an axis is degenerate.
 pub fn momentum<T: Real>(
     inertia: &Inertia<T>,
     kinematic: [Option<T>; 6],
@@ -33,12 +33,11 @@ pub fn momentum<T: Real>(
     ))
 }
 
-/// The action and the rate Ẇ of which six components are given: Φ = skew\[Ẇ J\] (25), for a body that
-/// is momentarily at rest.
+/// The rate Ẇ and the wrench on a body at rest from six of their twelve components: Φ = skew\[Ẇ J\] (25).
 ///
 /// `kinematic` is ω̇ and the acceleration of the pole (rad/s², m/s²) and `dynamic` c and f (N m, N),
-/// all in the frame of `inertia`; `Some` is given, `None` is sought.
-/// Of a body that moves, Φ − skew\[W² J\] takes the place of Φ: [`action_in_motion`].
+/// all in the frame of `inertia`; `Some` is given, `None` is unknown.
+/// For a moving body, Φ − skew\[W² J\] replaces Φ: [`action_in_motion`].
 ///
 /// SPACELIB: `dyn_eq`.
 ///
@@ -51,11 +50,11 @@ pub fn momentum<T: Real>(
 /// let tensor = [[0.3, 0.0, 0.0], [0.0, 0.2, 0.0], [0.0, 0.0, 0.4]];
 /// let body = Inertia::from_tensor_at_origin(2.0, [0.0; 3], &tensor);
 /// // A hinge about z: the other components of Ẇ vanish, the torque about it is 8 N m.
-/// let (still, sought) = (Some(0.0), None);
+/// let (zero, unknown) = (Some(0.0), None);
 /// let (w_dot, phi) = newton_euler::action(
 ///     &body,
-///     [still, still, sought, still, still, still],
-///     [sought, sought, Some(8.0), sought, sought, sought],
+///     [zero, zero, unknown, zero, zero, zero],
+///     [unknown, unknown, Some(8.0), unknown, unknown, unknown],
 /// )
 /// .unwrap();
 /// assert!((w_dot.omega()[2] - 20.0_f64).abs() < 1e-13);
@@ -73,7 +72,7 @@ pub fn action<T: Real>(
     ))
 }
 
-/// The same for a body that moves with `w`: Φ = skew\[H J\] with H = Ẇ + W² (25), any six of Ẇ and Φ.
+/// The same for a body with velocity `w`: Φ = skew\[H J\] with H = Ẇ + W² (25), from any six of Ẇ and Φ.
 ///
 /// SPACELIB: `dyn_eq`.
 ///
@@ -104,7 +103,7 @@ pub fn action_in_motion<T: Real>(
     ))
 }
 
-/// Both sides of A x = y with six of the twelve numbers given, A the map of W to skew\[W J\].
+/// x and y of A x = y from six of their twelve numbers, with A the map of W to skew\[W J\].
 fn solve<T: Real>(
     inertia: &Inertia<T>,
     kinematic: [Option<T>; 6],
@@ -154,7 +153,7 @@ fn solve<T: Real>(
     ))
 }
 
-/// The 6×6 matrix of W ↦ skew\[W J\], as rows; found column by column.
+/// The 6×6 matrix of W ↦ skew\[W J\], as rows; computed column by column.
 fn spatial_inertia<T: Real>(inertia: &Inertia<T>) -> [[T; 6]; 6] {
     let columns: [[T; 6]; 6] = from_fn(|k| {
         let unit = |i: usize| T::constant(if i == k { 1.0 } else { 0.0 });

@@ -1,8 +1,7 @@
-//! The nearest matrix of a form.
+//! The nearest rotation, pose, symmetric and skew-symmetric matrix.
 //!
-//! In: a matrix that should be a rotation, symmetric or skew and, after many products or a lossy
-//! file, no longer is. Out: the nearest one that is, in the sense of the Frobenius norm. Nothing in
-//! this crate calls these functions unasked.
+//! In: a matrix with errors, of many products or of the digits of a file. Out: the nearest matrix of the
+//! form, in the Frobenius norm. Nothing else in this crate calls these functions.
 
 use crate::error::{Error, finite};
 use crate::matrix::Pose;
@@ -12,17 +11,17 @@ use crate::matrix::vector::{largest_magnitude, unit};
 use crate::scalar::{Real, Scalar};
 use core::array::from_fn;
 
-/// The rotation nearest to `matrix`, as rows: of all rotations the one with the least ‖R − X‖.
+/// The rotation nearest to `matrix` X, as rows: R with the least ‖R − X‖.
 ///
 /// It is the eigenvector of the largest eigenvalue of Davenport's symmetric 4×4 matrix, read as a
-/// quaternion; a reflection comes out as the nearest proper rotation.
+/// quaternion; the result for a reflection is the nearest proper rotation.
 ///
 /// SPACELIB: `normal`, `normal3`, `normal4`, for drifts of any size.
 ///
 /// # Errors
 ///
-/// [`Error::NotFinite`] for NaN and infinity; [`Error::Degenerate`] where two rotations are equally
-/// near, as for the zero matrix.
+/// [`Error::NotFinite`] for NaN and infinity; [`Error::Degenerate`] if two rotations are equally near, as for
+/// the zero matrix.
 pub fn nearest_rotation<T: Real>(matrix: &[[T; 3]; 3]) -> Result<[[T; 3]; 3], Error> {
     finite("an entry of R", matrix.iter().flatten())?;
     let zero = T::constant(0.0);
@@ -48,11 +47,11 @@ pub fn nearest_rotation<T: Real>(matrix: &[[T; 3]; 3]) -> Result<[[T; 3]; 3], Er
             value: gap.to_f64(),
         });
     }
-    // Many small rotations leave the vector a few units off unit length.
+    // After many small rotations the length differs from 1 by a few units of rounding.
     Ok(from_quaternion(unit(vectors[0]).unwrap_or(vectors[0])))
 }
 
-/// The pose whose rotation is nearest to that of `pose`; its translation stays.
+/// The pose whose rotation is nearest to that of `pose`, with the same translation.
 ///
 /// SPACELIB: `normal`, `normal4`.
 ///

@@ -1,10 +1,9 @@
 //! Open chains: the relative motions of bodies, composed in any frame, and Newton–Euler.
 //!
 //! In: a [`Chain`] and its state, or the motions of single joints. Out: M, W and H of every body,
-//! H̃ by recursion and as a closed sum, and the action through every joint with external actions on
+//! H̃ by recursion and as a closed sum, and the wrench through every joint with external wrenches on
 //! the bodies (Part II, open chains and Newton–Euler). Every joint moves along a screw by a coordinate
-//! of its own, as in the paper. It never leaves out a term because it is zero; that is the business of
-//! generated code.
+//! of its own, as in the paper. Terms that are zero are computed too, unlike in generated code.
 
 use crate::matrix::vector::{add, cross};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Screw, Velocity};
@@ -15,8 +14,8 @@ use core::array::from_fn;
 
 /// Position, velocity and acceleration of body j relative to body i.
 ///
-/// The two kinematic matrices are written in frame (i), so that W = Ṁ M⁻¹ and H = M̈ M⁻¹;
-/// [`Motion::in_frame`] writes them in any other one.
+/// The two kinematic matrices are in frame (i), so that W = Ṁ M⁻¹ and H = M̈ M⁻¹;
+/// [`Motion::in_frame`] gives them in any other frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
     /// Mᵢⱼ.
@@ -38,13 +37,13 @@ impl<T: Scalar> Motion<T> {
         }
     }
 
-    /// Of one joint: Mₕ₋₁,ₕ, Wₕ₋₁,ₕ = L q̇ and Hₕ₋₁,ₕ = L q̈ + L² q̇² (Part II, kinematic pairs).
+    /// The motion of one joint: Mₕ₋₁,ₕ, Wₕ₋₁,ₕ = L q̇ and Hₕ₋₁,ₕ = L q̈ + L² q̇² (Part II, kinematic pairs).
     ///
     /// `q`, `qd`, `qdd` are in rad or m, and seconds.
     #[must_use]
     pub fn of_joint(joint: &Joint, q: T, qd: T, qdd: T) -> Self {
         let l = rounded_screw(&joint.screw);
-        // exp(L q) moves along its own axis, so L reads the same before and after it.
+        // exp(L q) moves along its own axis and does not change L.
         let pose = rounded_pose(&joint.placement) * l.exp(q).to_relative_pose();
         let l_in_parent = pose.change_frame(&l);
         Self {
@@ -147,8 +146,8 @@ pub fn inertias<T: Scalar, const N: usize, const F: usize>(
     from_fn(|i| poses[i].change_frame(&rounded_inertia(&chain.joints[i].inertia)))
 }
 
-/// H̃₀,₁ … H̃₀,N in frame 0: the accelerations at q̈ = 0, which Coriolis' and centrifugal terms make
-/// (Part II, open chains), by the recursion (13).
+/// H̃₀,₁ … H̃₀,N in frame 0: the accelerations at q̈ = 0, due to Coriolis and centrifugal terms (Part II, open
+/// chains), by the recursion (13).
 #[must_use]
 pub fn bias_accelerations<T: Scalar, const N: usize, const F: usize>(
     chain: &Chain<N, F>,
@@ -158,7 +157,7 @@ pub fn bias_accelerations<T: Scalar, const N: usize, const F: usize>(
     motions(chain, q, qd, &[T::constant(0.0); N]).map(|motion| motion.acceleration)
 }
 
-/// H̃₀ₕ = Σ (W₀,ᵢ₋₁ Wᵢ − Wᵢ W₀,ᵢ₋₁) + W₀ₕ², the sum over the joints i on the way to body h, in
+/// H̃₀ₕ = Σ (W₀,ᵢ₋₁ Wᵢ − Wᵢ W₀,ᵢ₋₁) + W₀ₕ², the sum over the joints i between the base and body h, in
 /// frame 0 (Part II, open chains).
 ///
 /// `velocities` holds W₀ᵢ of all bodies, in frame 0.
@@ -180,8 +179,8 @@ pub fn bias_acceleration_as_sum<T: Scalar, const N: usize, const F: usize>(
     Acceleration::from_velocity_derivative(&velocity_of(Some(body).filter(|i| *i < N)), &sum)
 }
 
-/// A B − B A = (a̲ × b, …): the rate of the velocity matrix B that is carried along with the
-/// motion A, both in one frame. Its blocks are ω_A × ω_B and ω_A × v_B − ω_B × v_A.
+/// A B − B A: the rate of the velocity matrix B of a body that moves with A, both in one frame. Its blocks are
+/// ω_A × ω_B and ω_A × v_B − ω_B × v_A.
 #[must_use]
 pub fn commutator<T: Scalar>(a: &Velocity<T>, b: &Velocity<T>) -> Velocity<T> {
     Velocity::new(
@@ -190,12 +189,12 @@ pub fn commutator<T: Scalar>(a: &Velocity<T>, b: &Velocity<T>) -> Velocity<T> {
     )
 }
 
-/// The action through every joint in frame 0, exerted on the body that it carries
+/// The wrench through every joint in frame 0, exerted on the body that it carries
 /// (Part II, Newton–Euler).
 ///
-/// Through joint i goes Σ (skew\[(Hₕ − H_g) Jₕ\] − Φₕ) over the bodies h that it carries, Φₕ being the
-/// `external` action on body h in frame 0 besides its weight [N m, N]. The component along L is the
-/// torque or force of the joint's motor; the others are what the joint must bear.
+/// The wrench through joint i is Σ (skew\[(Hₕ − H_g) Jₕ\] − Φₕ) over the bodies h that it carries. Φₕ is the
+/// `external` wrench on body h in frame 0 besides its weight [N m, N]. The component along L is the torque or
+/// force of the joint's motor; the bearings support the others.
 #[must_use]
 pub fn joint_actions<T: Scalar, const N: usize, const F: usize>(
     chain: &Chain<N, F>,
@@ -214,8 +213,8 @@ pub fn joint_actions<T: Scalar, const N: usize, const F: usize>(
     sums_over_carried(chain, own, |sum, action| sum + action)
 }
 
-/// Of what belongs to each body the sum over the bodies that each joint carries: children come after
-/// their parents.
+/// Sums of a quantity of each body over the bodies that each joint carries; children come after their
+/// parents.
 pub(super) fn sums_over_carried<X: Copy, const N: usize, const F: usize>(
     chain: &Chain<N, F>,
     own: [X; N],

@@ -1,8 +1,8 @@
 //! Singular values of a small matrix with any number of rows and columns.
 //!
-//! In: rows, and a right-hand side. Out: the rank, and the least-squares solution of least norm, by
-//! one-sided Jacobi rotations (Hestenes 1958), which keep small singular values accurate. It needs
-//! no allocation and no bound on the sizes, which the decomposition of nalgebra would.
+//! In: rows, and a right-hand side. Out: the singular values, the rank, and the least-squares solution of
+//! least norm, by one-sided Jacobi rotations (Hestenes 1958), which keep small singular values accurate.
+//! Unlike the decomposition of nalgebra it needs neither allocation nor bounds on the generic sizes.
 
 use crate::matrix::vector::largest_magnitude;
 use crate::scalar::Real;
@@ -14,8 +14,8 @@ const TOLERANCE: f64 = 64.0;
 /// Sweeps converge quadratically; six or seven are usual.
 const SWEEPS: usize = 40;
 
-/// The rank of the matrix with these rows, and the x of least norm among those that make
-/// ‖A x − y‖ least. Both arguments are used up.
+/// The rank of the matrix with these rows, and the least-squares solution x of A x = y with the least norm.
+/// Both arguments are overwritten.
 ///
 /// The rank is the number of singular values above 64 ε times the largest.
 pub(crate) fn solve<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) -> (usize, [T; N]) {
@@ -37,8 +37,8 @@ pub(crate) fn solve<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) -> (
     (rank, x.map(|x| x / scale))
 }
 
-/// The singular values of the matrix with these rows, the largest first, and how many of them are above
-/// 64 ε times the largest. The argument is used up.
+/// The singular values of the matrix with these rows, the largest first, and the rank: the number of those above
+/// 64 ε times the largest. The argument is overwritten.
 pub(crate) fn values<T: Real, const N: usize, const R: usize>(
     a: &mut [[T; N]; R],
 ) -> ([T; R], usize) {
@@ -59,7 +59,7 @@ pub(crate) fn values<T: Real, const N: usize, const R: usize>(
     (values, rank)
 }
 
-/// Divides a matrix by its largest entry where squares of that overflow or lose digits; by what it was divided.
+/// Divides a matrix by its largest entry if squares of that overflow or lose digits; returns the divisor.
 fn moderate<T: Real, const N: usize>(a: &mut [[T; N]]) -> T {
     let largest = largest_magnitude(a.as_flattened());
     let square = largest * largest * T::constant(64.0);
@@ -73,12 +73,12 @@ fn moderate<T: Real, const N: usize>(a: &mut [[T; N]]) -> T {
     largest
 }
 
-/// Rotates pairs of rows, and the right-hand side with them, until all rows are orthogonal: U A,
-/// whose rows are as long as the singular values are large.
+/// Rotates pairs of rows, and the right-hand side with them, until all rows are orthogonal. The lengths of
+/// the rows are the singular values.
 fn orthogonalize<T: Real, const N: usize>(a: &mut [[T; N]], y: &mut [T]) {
     let (zero, one, two) = (T::constant(0.0), T::constant(1.0), T::constant(2.0));
     let largest = a.iter().map(|row| dot(row, row)).fold(zero, T::max);
-    // What is left of rows that depend on others is rounding: its directions mean nothing.
+    // The rest of a row that depends on others is rounding error without a meaningful direction.
     let noise = T::EPSILON * T::EPSILON * largest;
     for _ in 0..SWEEPS {
         let mut rotated = false;
@@ -126,7 +126,7 @@ mod tests {
     use homogen_random::Random;
     use nalgebra::{SMatrix, SVector};
 
-    /// Entries in (−1, 1) that do not depend on one another in any simple way.
+    /// Pseudo-random entries in (−1, 1).
     fn entries<const R: usize, const N: usize>(seed: u64) -> [[f64; N]; R] {
         let mut random = Random::new(seed);
         from_fn(|_| from_fn(|_| random.odd()))

@@ -1,8 +1,7 @@
-//! The two mechanisms that Part II works out, in closed form.
+//! The two worked examples of Part II, in closed form.
 //!
-//! In: coordinates and rates. Out: what a person obtains with pencil and paper from the matrices of
-//! the joints; the tests hold every formula against the recursions. They are examples to read, and
-//! references to compare with; nothing in the library calls them.
+//! In: coordinates and rates. Out: closed-form results, derived by hand from the matrices of the joints. Tests
+//! compare every formula with the recursions; nothing in the library calls them.
 
 pub mod slider_crank;
 pub mod stanford_arm;

@@ -1,16 +1,15 @@
 //! Every function of closed loops, at run time (feature `nalgebra`).
 //!
-//! In: a [`Mechanism`] and a state. Out: what generated code returns. With A and B the matrices of the two
-//! frames of a loop in frame 0, what it closes are entries of M = A⁻¹ B; Ṁ = A⁻¹ (W_B − W_A) B, and
-//! M̈ = A⁻¹ (H_B − H_A − 2 W_A (W_B − W_A)) B, because H = Ẇ + W² of each. It shares nothing with the code
-//! generator.
+//! In: a [`Mechanism`] and a state. Out: the results of generated code, by independent code. With A and B the
+//! poses of the two frames of a loop in frame 0, the residuals are entries of M = A⁻¹ B. Then
+//! Ṁ = A⁻¹ (W_B − W_A) B, and M̈ = A⁻¹ (H_B − H_A − 2 W_A (W_B − W_A)) B, because H = Ẇ + W² of each.
 
 use super::dense::inverse;
 use super::generic::{bias, inverse_dynamics, mass_matrix};
 use super::motion::{Motion, Positions};
 use crate::robot;
 use crate::robot::chain::Frame;
-use crate::robot::constrained::ConstrainedForwardDynamics;
+use crate::robot::constrained::ConstrainedAccelerations;
 use crate::robot::mechanism::{Mechanism, Residual, Row};
 use core::array::from_fn;
 use nalgebra::{Cholesky, Matrix4, RealField, SMatrix, SVector};
@@ -25,11 +24,11 @@ pub fn constraint<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
 ) -> [T; C] {
-    let positions = Positions::at(&mechanism.chain, q);
-    mechanism.residuals.map(|residual| {
+    let positions = Positions::at(&robot.chain, q);
+    robot.residuals.map(|residual| {
         let [a, b] = residual.frames.map(|frame| positions.pose_of(&frame));
         let m = inverse(&a) * b;
         match residual.row {
@@ -44,7 +43,7 @@ pub fn constraint<
     })
 }
 
-/// J, a row for each residual: what a unit of each velocity changes it by.
+/// J, a row for each residual: its rate is J q̇.
 #[must_use]
 pub fn constraint_jacobian<
     T: RealField + Copy,
@@ -54,24 +53,24 @@ pub fn constraint_jacobian<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
 ) -> [[T; N]; C] {
-    let chain = &mechanism.chain;
+    let chain = &robot.chain;
     let positions = Positions::at(chain, q);
-    mechanism.residuals.map(|residual| {
+    robot.residuals.map(|residual| {
         let [a, b] = residual.frames.map(|frame| positions.pose_of(&frame));
         let back = inverse(&a);
         let m = back * b;
         let mut row = [T::zero(); N];
-        for freedom in positions.freedoms() {
-            let moves = |frame: Frame| chain.carries(freedom.body, frame.body);
+        for dof in positions.degrees_of_freedom() {
+            let moves = |frame: Frame| chain.carries(dof.body, frame.body);
             let l = match residual.frames.map(moves) {
-                [true, false] => -freedom.l,
-                [false, true] => freedom.l,
+                [true, false] => -dof.l,
+                [false, true] => dof.l,
                 _ => continue,
             };
-            if let Some(entry) = row.get_mut(freedom.velocity) {
+            if let Some(entry) = row.get_mut(dof.velocity) {
                 *entry += changed(residual.row, &m, &(back * l * b));
             }
         }
@@ -79,7 +78,7 @@ pub fn constraint_jacobian<
     })
 }
 
-/// γ, the acceleration of each residual at q̈ = 0 [m/s², 1/s²].
+/// γ, the second rate of each residual at q̈ = 0 [m/s², 1/s²].
 #[must_use]
 pub fn constraint_bias<
     T: RealField + Copy,
@@ -89,12 +88,12 @@ pub fn constraint_bias<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
 ) -> [T; C] {
-    let motion = Motion::at(&mechanism.chain, q, qd, &[T::zero(); N]);
-    mechanism.residuals.map(|residual| {
+    let motion = Motion::at(&robot.chain, q, qd, &[T::zero(); N]);
+    robot.residuals.map(|residual| {
         let frames = residual.frames;
         let [a, b] = frames.map(|frame| motion.positions.pose_of(&frame));
         let [w_a, w_b] = frames.map(|frame| motion.velocity_of(frame.body));
@@ -111,10 +110,10 @@ pub fn constraint_bias<
     })
 }
 
-/// q̈ and λ of M q̈ + bias = τ + Jᵗ λ and J q̈ + γ = 0, by the mass matrix and J M⁻¹ Jᵗ, whose rows are
-/// left out that depend on those before them: λ of such is zero.
+/// q̈ and λ of M q̈ + bias = τ + Jᵗ λ and J q̈ + γ = 0, by the mass matrix and J M⁻¹ Jᵗ. Rows that depend on
+/// those before them are left out; their λ is zero.
 ///
-/// NaN where M is not positive definite.
+/// NaN if M is not positive definite.
 #[must_use]
 pub fn constrained_forward_dynamics<
     T: RealField + Copy,
@@ -124,39 +123,39 @@ pub fn constrained_forward_dynamics<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
     tau: &[T; N],
-) -> ConstrainedForwardDynamics<N, C, T> {
-    let chain = &mechanism.chain;
+) -> ConstrainedAccelerations<N, C, T> {
+    let chain = &robot.chain;
     let (m, bias) = (mass_matrix(chain, q), bias(chain, q, qd));
-    let jacobian = constraint_jacobian(mechanism, q);
+    let jacobian = constraint_jacobian(robot, q);
     let jacobian: SMatrix<T, C, N> = SMatrix::from_fn(|i, k| jacobian[i][k]);
-    let gamma = constraint_bias(mechanism, q, qd);
-    let lacking: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
+    let gamma = constraint_bias(robot, q, qd);
+    let net_torque: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
     let Some(factors) = Cholesky::new(SMatrix::from_fn(|i, k| m[i][k])) else {
         let nan = || T::zero() / T::zero();
-        return ConstrainedForwardDynamics {
+        return ConstrainedAccelerations {
             qdd: from_fn(|_| nan()),
             multipliers: from_fn(|_| nan()),
         };
     };
-    let (free, moved) = (
-        factors.solve(&lacking),
+    let (unconstrained, response) = (
+        factors.solve(&net_torque),
         factors.solve(&jacobian.transpose()),
     );
-    let wanted = -(jacobian * free + SVector::from(gamma));
-    let multipliers = eliminated(&mechanism.residuals, jacobian * moved, wanted);
-    let qdd = free + moved * multipliers;
-    ConstrainedForwardDynamics {
+    let right = -(jacobian * unconstrained + SVector::from(gamma));
+    let multipliers = eliminated(&robot.residuals, jacobian * response, right);
+    let qdd = unconstrained + response * multipliers;
+    ConstrainedAccelerations {
         qdd: qdd.into(),
         multipliers: multipliers.into(),
     }
 }
 
-/// τ of the velocities that are driven, zero for all others, which produces q̈ where the loops hold the
-/// others as far as they can (least squares) [N m, N].
+/// τ that produces q̈ with closed loops [N m, N], zero for velocities without actuator: constraint forces balance
+/// the torques of those, in the sense of least squares.
 #[must_use]
 pub fn actuated_inverse_dynamics<
     T: RealField + Copy,
@@ -166,17 +165,17 @@ pub fn actuated_inverse_dynamics<
     const Q: usize,
     const B: usize,
 >(
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    robot: &Mechanism<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
 ) -> [T; N] {
-    let needed = SVector::from(inverse_dynamics(&mechanism.chain, q, qd, qdd));
-    let jacobian = constraint_jacobian(mechanism, q);
-    let driven = &mechanism.driven;
+    let needed = SVector::from(inverse_dynamics(&robot.chain, q, qd, qdd));
+    let jacobian = constraint_jacobian(robot, q);
+    let actuated = &robot.driven;
     let only = |wanted: bool| -> SMatrix<T, C, N> {
         SMatrix::from_fn(|i, k| {
-            if driven[k] == wanted {
+            if actuated[k] == wanted {
                 jacobian[i][k]
             } else {
                 T::zero()
@@ -185,30 +184,30 @@ pub fn actuated_inverse_dynamics<
     };
     let passive = only(false);
     let held = passive * passive.transpose();
-    let multipliers = eliminated(&mechanism.residuals, held, passive * needed);
+    let multipliers = eliminated(&robot.residuals, held, passive * needed);
     let torques = needed - only(true).transpose() * multipliers;
-    from_fn(|k| if driven[k] { torques[k] } else { T::zero() })
+    from_fn(|k| if actuated[k] { torques[k] } else { T::zero() })
 }
 
-/// λ of S λ = y, row after row, without those of which a pivot is nothing beside the whole that their loop
-/// measures alike.
+/// λ of S λ = y by elimination. Rows with a negligible pivot are left out: negligible relative to the sum of the
+/// diagonal entries of the same loop and the same unit.
 fn eliminated<T: RealField + Copy, const C: usize>(
     residuals: &[Residual; C],
     mut s: SMatrix<T, C, C>,
     mut y: SVector<T, C>,
 ) -> SVector<T, C> {
-    let nothing = T::default_epsilon().sqrt() * number(0.1);
+    let negligible = T::default_epsilon().sqrt() * number(0.1);
     let alike = |i: usize, k: usize| {
         let [one, other] = [residuals[i], residuals[k]];
         one.frames == other.frames && one.row.is_length() == other.row.is_length()
     };
-    let wholes: [T; C] = from_fn(|k| {
+    let scales: [T; C] = from_fn(|k| {
         let same = (0..C).filter(|&i| alike(i, k));
         same.fold(T::zero(), |sum, i| sum + s[(i, i)])
     });
     let mut kept = [false; C];
     for k in 0..C {
-        kept[k] = s[(k, k)] > nothing * wholes[k];
+        kept[k] = s[(k, k)] > negligible * scales[k];
         if !kept[k] {
             continue;
         }
@@ -228,7 +227,7 @@ fn eliminated<T: RealField + Copy, const C: usize>(
     found
 }
 
-/// What a residual changes by where M does by this.
+/// The change of a residual due to a change `by` of M.
 fn changed<T: RealField + Copy>(row: Row, m: &Matrix4<T>, by: &Matrix4<T>) -> T {
     match row {
         Row::Along(k) => entry(by, k, 3),
@@ -246,7 +245,7 @@ fn square<T: RealField + Copy>(m: &Matrix4<T>) -> T {
     (0..3).fold(T::zero(), |sum, k| sum + m[(k, 3)] * m[(k, 3)])
 }
 
-/// An entry; zero where there is none, as of an axis that is not one of three.
+/// An entry; zero if there is none, as for an axis index above 2.
 fn entry<T: RealField + Copy>(m: &Matrix4<T>, row: usize, column: usize) -> T {
     m.get((row, column)).copied().unwrap_or(T::zero())
 }
@@ -295,7 +294,7 @@ where
         q: &[T; Q],
         qd: &[T; N],
         tau: &[T; N],
-    ) -> ConstrainedForwardDynamics<N, C, T> {
+    ) -> ConstrainedAccelerations<N, C, T> {
         constrained_forward_dynamics(self, q, qd, tau)
     }
 }

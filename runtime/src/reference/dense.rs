@@ -1,7 +1,7 @@
 //! 4×4 matrices with all their entries.
 //!
 //! In: sixteen numbers a matrix. Out: exponential, inverse, pseudo scalar product and blocks, each by
-//! its formula in the paper. It knows none of the typed matrices.
+//! its formula in the paper, independently of the typed matrices.
 
 use core::array::from_fn;
 use nalgebra::{Matrix3, Matrix4, RealField};

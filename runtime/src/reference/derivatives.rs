@@ -1,19 +1,19 @@
-//! Derivatives of joint forces and torques, and the Coriolis matrix, by the rule for products.
+//! Derivatives of joint torques and forces, and the Coriolis matrix, by the product rule.
 //!
-//! In: a [`Chain`] and a state. Out: matrices, a row for each torque or force. A motion along L moves what the
-//! joint carries, so that ∂L' = L L' − L' L and ∂J = L J + J Lᵗ; W and H follow as they are composed, and τ of a
-//! joint is Tr(Σ (H − H_g) J Lᵗ), term by term (Part II, Lagrange).
+//! In: a [`Chain`] and a state. Out: matrices, a row for each torque or force. A motion along L moves all bodies
+//! that the joint carries, so that ∂L' = L L' − L' L and ∂J = L J + J Lᵗ. ∂W and ∂H follow from their composition,
+//! and ∂τ from τ = Tr(Σ (H − H_g) J Lᵗ), term by term (Part II, Lagrange).
 
 use super::dense::gravity_matrix;
-use super::motion::{Freedom, Motion};
+use super::motion::{DegreeOfFreedom, Motion};
 use crate::robot::chain::Chain;
-use crate::robot::derivatives::InverseDynamicsDerivatives;
+use crate::robot::derivatives::TorqueDerivatives;
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
 /// ∂τ/∂q and ∂τ/∂q̇ of the torques [N m] and forces \[N\] that produce q̈.
 ///
-/// Of drives ∂τ/∂q̇ has the damping; the sign of q̇, which Coulomb friction has, changes only where it steps.
+/// ∂τ/∂q̇ includes damping. Coulomb friction has the derivative zero, except at q̇ = 0 where it is undefined.
 #[must_use]
 pub fn inverse_dynamics_derivatives<
     T: RealField + Copy,
@@ -26,7 +26,7 @@ pub fn inverse_dynamics_derivatives<
     q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
-) -> InverseDynamicsDerivatives<N, T> {
+) -> TorqueDerivatives<N, T> {
     let motion = Motion::at(chain, q, qd, qdd);
     let matrix = |of: Of| {
         by_columns(&motion, |along| {
@@ -34,19 +34,19 @@ pub fn inverse_dynamics_derivatives<
         })
     };
     let mut dqd = matrix(Of::Rate);
-    for freedom in motion.positions.freedoms() {
-        let row = dqd.get_mut(freedom.velocity);
-        if let Some(entry) = row.and_then(|row| row.get_mut(freedom.velocity)) {
-            *entry += freedom.damping();
+    for dof in motion.positions.degrees_of_freedom() {
+        let row = dqd.get_mut(dof.velocity);
+        if let Some(entry) = row.and_then(|row| row.get_mut(dof.velocity)) {
+            *entry += dof.damping();
         }
     }
-    InverseDynamicsDerivatives {
+    TorqueDerivatives {
         dq: matrix(Of::Coordinate),
         dqd,
     }
 }
 
-/// ∂τ/∂q of what holds the robot against gravity.
+/// ∂τ/∂q of the torques and forces that hold the robot against gravity.
 #[must_use]
 pub fn gravity_derivative<
     T: RealField + Copy,
@@ -64,10 +64,9 @@ pub fn gravity_derivative<
 
 /// C(q, q̇) of τ = M q̈ + C q̇ + gravity, with Ṁ − 2C skew-symmetric.
 ///
-/// C\[i\]\[m\] = Tr(Σ (L̇ₘ + Lₘ W) J Lᵢᵗ) over the bodies that both joints carry, with L̇ₘ = W Lₘ − Lₘ W of
-/// the body that joint m moves: of H at q̈ = 0, which is Σ (L̇ₘ + Lₘ W) q̇ₘ, what joint i feels. Where each
-/// joint has one velocity it holds the Christoffel symbols of M. Friction is not in it, and armatures, which do not
-/// change, add nothing.
+/// C\[i\]\[m\] = Tr(Σ (L̇ₘ + Lₘ W) J Lᵢᵗ) over the bodies that both joints carry, with L̇ₘ = W Lₘ − Lₘ W and W of
+/// the body that joint m moves. It follows from H = Σ (L̇ₘ + Lₘ W) q̇ₘ at q̈ = 0. If each joint has one velocity,
+/// C consists of the Christoffel symbols of M. Friction is not included; armatures are constant and add nothing.
 #[must_use]
 pub fn coriolis_matrix<
     T: RealField + Copy,
@@ -91,24 +90,24 @@ pub fn coriolis_matrix<
             }
         });
         let flows: [Matrix4<T>; B] = carried(chain, flows);
-        felt(&motion, |of| (flows[of.body] * of.l.transpose()).trace())
+        by_velocity(&motion, |of| (flows[of.body] * of.l.transpose()).trace())
     })
 }
 
-/// With respect to what.
+/// The variable of a derivative.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Of {
     Coordinate,
     Rate,
 }
 
-/// A matrix by its columns, each the sum of those of all that a velocity moves.
+/// A matrix by its columns: each is the sum over all degrees of freedom with the same velocity.
 fn by_columns<T: RealField + Copy, const N: usize, const B: usize>(
     motion: &Motion<T, B>,
-    column: impl Fn(&Freedom<T>) -> [T; N],
+    column: impl Fn(&DegreeOfFreedom<T>) -> [T; N],
 ) -> [[T; N]; N] {
     let mut matrix = [[T::zero(); N]; N];
-    for along in motion.positions.freedoms() {
+    for along in motion.positions.degrees_of_freedom() {
         for (row, entry) in matrix.iter_mut().zip(column(&along)) {
             if let Some(sum) = row.get_mut(along.velocity) {
                 *sum += entry;
@@ -118,17 +117,17 @@ fn by_columns<T: RealField + Copy, const N: usize, const B: usize>(
     matrix
 }
 
-/// What the torques change by along the motion that a velocity gives to a body, or with the velocity.
+/// The derivative of the torques by one degree of freedom: by its coordinate, or by its rate.
 fn change<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
     chain: &Chain<N, F, Q, B>,
     motion: &Motion<T, B>,
     [qd, qdd]: [&[T; N]; 2],
-    along: &Freedom<T>,
+    along: &DegreeOfFreedom<T>,
     of: Of,
 ) -> [T; N] {
     let j = &motion.positions.j;
     let is_carried = |body: usize| chain.carries(along.body, Some(body));
-    // What is moved along L, of the screws.
+    // The derivative of a screw of a body.
     let change_of = |l: &Matrix4<T>, body: usize| {
         if of == Of::Coordinate && is_carried(body) {
             commutator(&along.l, l)
@@ -146,7 +145,7 @@ fn change<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, c
         // H = H_parent + Σ L q̈ + (Σ L q̇)² + 2 W_parent Σ L q̇.
         let own = motion.w[i] - w;
         let (mut rate, mut second) = (Matrix4::zeros(), Matrix4::zeros());
-        for Freedom { velocity, l, .. } in motion.positions.of(i) {
+        for DegreeOfFreedom { velocity, l, .. } in motion.positions.of_joint(i) {
             let [first, then] = [qd, qdd].map(|of| of.get(velocity).copied());
             rate += change_of(&l, i) * first.unwrap_or(T::zero());
             second += change_of(&l, i) * then.unwrap_or(T::zero());
@@ -158,25 +157,25 @@ fn change<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, c
         change_of_h[i] =
             change_h + second + (rate * own + own * rate) + (change_w * own + w * rate) * two;
     }
-    // (H − H_g) J of each body and its change, then the sums over all that each joint carries.
+    // (H − H_g) J of each body and its change, then the sums over the bodies that each joint carries.
     let h_g = gravity_matrix::<T>(chain.gravity);
     let flow: [Matrix4<T>; B] = from_fn(|i| (motion.h[i] - h_g) * j[i]);
     let change: [Matrix4<T>; B] = from_fn(|i| {
-        let turned = if of == Of::Coordinate && is_carried(i) {
+        let change_of_j = if of == Of::Coordinate && is_carried(i) {
             along.l * j[i] + j[i] * along.l.transpose()
         } else {
             Matrix4::zeros()
         };
-        change_of_h[i] * j[i] + (motion.h[i] - h_g) * turned
+        change_of_h[i] * j[i] + (motion.h[i] - h_g) * change_of_j
     });
     let (flow, change) = (carried(chain, flow), carried(chain, change));
-    felt(motion, |at| {
-        let turned = change_of(&at.l, at.body);
-        (change[at.body] * at.l.transpose() + flow[at.body] * turned.transpose()).trace()
+    by_velocity(motion, |at| {
+        let change_of_l = change_of(&at.l, at.body);
+        (change[at.body] * at.l.transpose() + flow[at.body] * change_of_l.transpose()).trace()
     })
 }
 
-/// The sums over all that each joint carries: children come after their parents.
+/// The sums over the bodies that each joint carries; children come after their parents.
 fn carried<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
     chain: &Chain<N, F, Q, B>,
     mut each: [Matrix4<T>; B],
@@ -190,18 +189,18 @@ fn carried<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, 
     each
 }
 
-/// What each velocity has of all that it moves.
-fn felt<T: RealField + Copy, const N: usize, const B: usize>(
+/// The sum for each velocity over all degrees of freedom with it.
+fn by_velocity<T: RealField + Copy, const N: usize, const B: usize>(
     motion: &Motion<T, B>,
-    of: impl Fn(&Freedom<T>) -> T,
+    of: impl Fn(&DegreeOfFreedom<T>) -> T,
 ) -> [T; N] {
-    let mut felt = [T::zero(); N];
-    for freedom in motion.positions.freedoms() {
-        if let Some(sum) = felt.get_mut(freedom.velocity) {
-            *sum += of(&freedom);
+    let mut sums = [T::zero(); N];
+    for dof in motion.positions.degrees_of_freedom() {
+        if let Some(sum) = sums.get_mut(dof.velocity) {
+            *sum += of(&dof);
         }
     }
-    felt
+    sums
 }
 
 /// A B − B A.

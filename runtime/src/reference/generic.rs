@@ -1,10 +1,10 @@
 //! Every function of a robot, at run time, as the paper writes it (feature `nalgebra`).
 //!
-//! In: a [`Chain`](crate::Chain) and a state. Out: what generated code returns, by dense 4×4 products in frame 0
-//! (Part II). It is the reference: short enough to be compared with the paper line by line, free of
-//! any simplification, and therefore slow. It shares nothing with the code generator.
+//! In: a [`Chain`](crate::Chain) and a state. Out: the results of generated code, by dense 4×4 products in frame 0
+//! (Part II). It is the reference: short enough to compare with the paper line by line, without
+//! simplifications, and therefore slow. It shares no code with the generator.
 //!
-//! A chain that [`check`](crate::Chain::check) refuses gives numbers that mean nothing, and no panic.
+//! A chain that [`check`](crate::Chain::check) rejects gives meaningless numbers, but no panic.
 //!
 //! ```
 //! use homogen::{Chain, Inertia, Joint, Pose, Screw, generic};

@@ -1,7 +1,7 @@
-//! Where the bodies of a robot are, and how they move.
+//! Poses, velocities and accelerations of the bodies of a robot.
 //!
-//! In: a [`Chain`] and its state. Out: M, L and J, and with the rates W and H, of every body as dense
-//! matrices in frame 0 (Part II, open chains). It knows no forces.
+//! In: a [`Chain`] and its state. Out: M, L and J of every body, and with rates W and H, as dense matrices
+//! in frame 0 (Part II, open chains).
 
 use super::dense::{dense, exponential, inverse, turned};
 use crate::matrix::Screw;
@@ -11,34 +11,31 @@ use crate::robot::joint::{Joint, Motion as Allowed};
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
-/// The most velocities of a joint.
-const MOST: usize = VELOCITIES;
-
-/// What depends on q alone, in frame 0.
+/// Quantities that depend on q alone, in frame 0.
 pub(super) struct Positions<T, const B: usize> {
     /// M₀ᵢ.
     pub(super) m: [Matrix4<T>; B],
     /// Jᵢ₍₀₎.
     pub(super) j: [Matrix4<T>; B],
-    /// Lᵢ₍₀₎ of each velocity of the joint, and of the multiplier times it where another's moves it.
-    l: [[Matrix4<T>; MOST]; B],
-    /// Where the velocities of the joint begin, and how many they are.
+    /// Lᵢ₍₀₎ of each velocity of the joint; of a mimic joint, times its multiplier.
+    l: [[Matrix4<T>; VELOCITIES]; B],
+    /// The index of the joint's first velocity, and their number.
     velocities: [(usize, usize); B],
-    /// What drives each of them, and what the joint makes of it.
-    drives: [([Drive; MOST], T); B],
+    /// Armature and friction of each velocity, and the multiplier of the joint; 1 if it is no mimic joint.
+    drives: [([Drive; VELOCITIES], T); B],
 }
 
-/// A motion that one velocity gives to a body, and to all that it carries.
-pub(super) struct Freedom<T> {
-    /// The body.
+/// The motion of a body at one velocity of its joint. Mimic joints share a velocity with the mimicked joint.
+pub(super) struct DegreeOfFreedom<T> {
+    /// The index of the body.
     pub(super) body: usize,
-    /// The place of the velocity.
+    /// The index of the velocity.
     pub(super) velocity: usize,
-    /// L₍₀₎.
+    /// L₍₀₎ of the velocity.
     pub(super) l: Matrix4<T>,
-    /// What drives the joint there.
+    /// Armature and friction of the joint.
     pub(super) drive: Drive,
-    /// What the joint's own rate is times the velocity.
+    /// The joint's own rate divided by the velocity.
     pub(super) multiplier: T,
 }
 
@@ -51,8 +48,8 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
         Self::from(chain, q, Matrix4::identity())
     }
 
-    /// The same from a frame with the axes of frame 0 and its origin where the first body has its own: what is far
-    /// from frame 0 keeps its digits there.
+    /// The same in a frame with the axes of frame 0 and its origin at that of the first body, for accuracy far from
+    /// frame 0.
     pub(super) fn at_first_body<const N: usize, const F: usize, const Q: usize>(
         chain: &Chain<N, F, Q, B>,
         q: &[T; Q],
@@ -63,7 +60,7 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
         Self::from(chain, q, back)
     }
 
-    /// The same from a frame in which frame 0 is at a pose.
+    /// The same in a frame in which frame 0 has the pose `frame_0`.
     fn from<const N: usize, const F: usize, const Q: usize>(
         chain: &Chain<N, F, Q, B>,
         q: &[T; Q],
@@ -82,7 +79,7 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
         let j = from_fn(|i| m[i] * dense(chain.joints[i].inertia.to_matrix()) * m[i].transpose());
         let velocities = from_fn(|i| {
             let velocities = chain.velocities(i);
-            (velocities.start, velocities.len().min(MOST))
+            (velocities.start, velocities.len().min(VELOCITIES))
         });
         let drives = from_fn(|i| {
             let multiplier = match chain.joints[i].motion {
@@ -106,15 +103,15 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
         carrier.copied().unwrap_or_else(Matrix4::identity) * dense(frame.placement.to_matrix())
     }
 
-    /// What each velocity moves: several bodies, where joints follow others.
-    pub(super) fn freedoms(&self) -> impl Iterator<Item = Freedom<T>> {
-        (0..B).flat_map(|body| self.of(body))
+    /// The degrees of freedom of all bodies; with mimic joints, several have the same velocity.
+    pub(super) fn degrees_of_freedom(&self) -> impl Iterator<Item = DegreeOfFreedom<T>> {
+        (0..B).flat_map(|body| self.of_joint(body))
     }
 
-    /// What the velocities of one joint do to its body.
-    pub(super) fn of(&self, body: usize) -> impl Iterator<Item = Freedom<T>> {
+    /// The degrees of freedom of one joint.
+    pub(super) fn of_joint(&self, body: usize) -> impl Iterator<Item = DegreeOfFreedom<T>> {
         let (start, count) = self.velocities[body];
-        (0..count).map(move |k| Freedom {
+        (0..count).map(move |k| DegreeOfFreedom {
             body,
             velocity: start + k,
             l: self.l[body][k],
@@ -124,7 +121,7 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
     }
 }
 
-/// What depends on the rates as well, in frame 0.
+/// Quantities that depend on the rates as well, in frame 0.
 pub(super) struct Motion<T, const B: usize> {
     pub(super) positions: Positions<T, B>,
     /// W₀ᵢ₍₀₎.
@@ -134,8 +131,8 @@ pub(super) struct Motion<T, const B: usize> {
 }
 
 impl<T: RealField + Copy, const B: usize> Motion<T, B> {
-    /// Of one joint W = Σ L q̇ and H = Σ L q̈ + W², because its screws are constant in the frame of the
-    /// moved body: of one velocity that is L q̈ + L² q̇² (Part II). Composed by (12) and (13).
+    /// For one joint, W = Σ L q̇ and H = Σ L q̈ + W², because its screws are constant in the frame of the
+    /// moved body; with one velocity H = L q̈ + L² q̇² (Part II). Composed by (12) and (13).
     pub(super) fn at<const N: usize, const F: usize, const Q: usize>(
         chain: &Chain<N, F, Q, B>,
         q: &[T; Q],
@@ -145,7 +142,7 @@ impl<T: RealField + Copy, const B: usize> Motion<T, B> {
         Self::of(chain, Positions::at(chain, q), qd, qdd)
     }
 
-    /// The same, seen from wherever the positions are.
+    /// The same in the frame of `positions`.
     pub(super) fn of<const N: usize, const F: usize, const Q: usize>(
         chain: &Chain<N, F, Q, B>,
         positions: Positions<T, B>,
@@ -160,9 +157,9 @@ impl<T: RealField + Copy, const B: usize> Motion<T, B> {
                 .parent(i)
                 .map_or_else(|| (Matrix4::zeros(), Matrix4::zeros()), |p| (w[p], h[p]));
             let along = |rates: &[T; N]| {
-                let each = positions.of(i);
-                each.fold(Matrix4::zeros(), |sum, freedom| {
-                    sum + freedom.l * rates.get(freedom.velocity).copied().unwrap_or(T::zero())
+                let each = positions.of_joint(i);
+                each.fold(Matrix4::zeros(), |sum, dof| {
+                    sum + dof.l * rates.get(dof.velocity).copied().unwrap_or(T::zero())
                 })
             };
             let w_joint = along(qd);
@@ -184,22 +181,22 @@ impl<T: RealField + Copy, const B: usize> Motion<T, B> {
     }
 }
 
-impl<T: RealField + Copy> Freedom<T> {
-    /// What its drive takes of the velocity's torque: armature q̈ + damping q̇ + friction sign q̇ at the
+impl<T: RealField + Copy> DegreeOfFreedom<T> {
+    /// The torque of armature and friction at the velocity: armature q̈ + damping q̇ + friction sign q̇ at the
     /// joint's own rate, times the multiplier.
-    pub(super) fn driven<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> T {
+    pub(super) fn drive_torque<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> T {
         let Drive {
             armature,
             damping,
             friction,
         } = self.drive;
         let numbers: [T; 3] = [armature, damping, friction].map(nalgebra::convert);
-        let of_each = self.of_drives(qd, qdd).into_iter().zip(numbers);
+        let of_each = self.unit_drive_torques(qd, qdd).into_iter().zip(numbers);
         of_each.fold(T::zero(), |sum, (of_one, number)| sum + of_one * number)
     }
 
-    /// The same of an armature of 1, of a damping of 1 and of a friction of 1.
-    pub(super) fn of_drives<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> [T; 3] {
+    /// The torques of an armature of 1, of a damping of 1 and of a friction of 1.
+    pub(super) fn unit_drive_torques<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> [T; 3] {
         let own = |rates: &[T; N]| {
             let rate = rates.get(self.velocity).copied().unwrap_or(T::zero());
             self.multiplier * rate
@@ -212,24 +209,23 @@ impl<T: RealField + Copy> Freedom<T> {
         } else {
             T::zero()
         };
-        [own(qdd), rate, sign].map(|felt| self.multiplier * felt)
+        [own(qdd), rate, sign].map(|torque| self.multiplier * torque)
     }
 
-    /// Viscous friction as the velocity feels it.
+    /// Viscous friction, reflected to the velocity.
     pub(super) fn damping(&self) -> T {
         let damping: T = nalgebra::convert(self.drive.damping);
         self.multiplier * self.multiplier * damping
     }
 
-    /// The armature as the velocity feels it.
+    /// The armature, reflected to the velocity.
     pub(super) fn armature(&self) -> T {
         let armature: T = nalgebra::convert(self.drive.armature);
         self.multiplier * self.multiplier * armature
     }
 }
 
-/// Q of a joint at its coordinates; of one that follows another, at those of the other. None where there
-/// are not as many as there should be.
+/// Q of a joint at its coordinates, or those of the mimicked joint. The identity if their number is wrong.
 fn displacement<T: RealField + Copy>(joint: &Joint, q: &[T]) -> Matrix4<T> {
     let l = dense(joint.screw.to_matrix());
     match (joint.motion, q) {
@@ -239,8 +235,8 @@ fn displacement<T: RealField + Copy>(joint: &Joint, q: &[T]) -> Matrix4<T> {
         }
         (Allowed::Planar, &[x, y, angle]) => {
             let about_z = dense(Screw::new([0.0, 0.0, 1.0], [0.0; 3]).to_matrix());
-            let turn = exponential(&about_z, angle);
-            Matrix4::new_translation(&[x, y, T::zero()].into()) * turn
+            let rotation = exponential(&about_z, angle);
+            Matrix4::new_translation(&[x, y, T::zero()].into()) * rotation
         }
         (Allowed::Spherical, &[x, y, z, w]) => turned([x, y, z], w),
         (Allowed::Floating, &[x, y, z, v_x, v_y, v_z, w]) => {
@@ -250,21 +246,35 @@ fn displacement<T: RealField + Copy>(joint: &Joint, q: &[T]) -> Matrix4<T> {
     }
 }
 
-/// L of each velocity of a joint in the frame of its body, times the multiplier where it follows another.
-fn screws<T: RealField + Copy>(joint: &Joint) -> [Matrix4<T>; MOST] {
+/// L of each velocity of a joint in the frame of its body; of a mimic joint, times its multiplier.
+fn screws<T: RealField + Copy>(joint: &Joint) -> [Matrix4<T>; VELOCITIES] {
     let own = dense(joint.screw.to_matrix());
     let axis = |k: usize| from_fn(|i| if i == k { 1.0 } else { 0.0 });
-    let turn = |k| dense(Screw::new(axis(k), [0.0; 3]).to_matrix());
-    let slide = |k| dense(Screw::new([0.0; 3], axis(k)).to_matrix());
+    let rotation = |k| dense(Screw::new(axis(k), [0.0; 3]).to_matrix());
+    let translation = |k| dense(Screw::new([0.0; 3], axis(k)).to_matrix());
     let none = Matrix4::zeros();
     match joint.motion {
         Allowed::Along => [own, none, none, none, none, none],
         Allowed::Following { multiplier, .. } => {
-            let times = own * nalgebra::convert::<f64, T>(multiplier);
-            [times, none, none, none, none, none]
+            let multiple = own * nalgebra::convert::<f64, T>(multiplier);
+            [multiple, none, none, none, none, none]
         }
-        Allowed::Planar => [slide(0), slide(1), turn(2), none, none, none],
-        Allowed::Spherical => [turn(0), turn(1), turn(2), none, none, none],
-        Allowed::Floating => [slide(0), slide(1), slide(2), turn(0), turn(1), turn(2)],
+        Allowed::Planar => [
+            translation(0),
+            translation(1),
+            rotation(2),
+            none,
+            none,
+            none,
+        ],
+        Allowed::Spherical => [rotation(0), rotation(1), rotation(2), none, none, none],
+        Allowed::Floating => [
+            translation(0),
+            translation(1),
+            translation(2),
+            rotation(0),
+            rotation(1),
+            rotation(2),
+        ],
     }
 }

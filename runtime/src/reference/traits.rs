@@ -1,7 +1,7 @@
-//! The robot as data has every function, as generated robots have.
+//! The traits of [`robot`] for a robot as data.
 //!
-//! In: a [`Chain`]. Out: the traits of [`robot`] for it, each by the function of its name in
-//! [`generic`], of the tip where a function is of a frame. It computes nothing itself.
+//! In: a [`Chain`]. Out: implementations of the traits by the functions of the same names in [`generic`]; functions
+//! of a frame are those of the end effector.
 
 use super::generic;
 use crate::every_function;
@@ -19,7 +19,7 @@ macro_rules! of_a_chain {
 }
 
 macro_rules! implement {
-    // Which columns of its regressor depend on others, a chain does not know.
+    // A chain does not know its base parameters.
     (chosen $($row:tt)*) => {};
     (sized $name:ident $method:ident($($argument:ident),*) -> $result:ty) => {
         impl<T, const N: usize, const F: usize, const P: usize, const Q: usize, const B: usize>

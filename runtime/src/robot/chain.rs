@@ -1,8 +1,8 @@
-//! A robot as data.
+//! A robot as data: joints, bodies and frames.
 //!
-//! In: joints and named frames. Out: a constant that the recursions at run time read
-//! ([`crate::generic`]) and that generated code carries beside its straight-line functions; who
-//! carries whom, and which entries of q and of q̇ are whose. It computes nothing itself.
+//! In: joints and named frames. Out: a constant for the recursions at run time ([`crate::generic`]), which
+//! generated code has beside its straight-line functions; the bodies that a joint carries, and the entries
+//! of q and q̇ of each joint.
 
 use super::joint::{Joint, Motion};
 use crate::matrix::Pose;
@@ -10,11 +10,17 @@ use core::ops::Range;
 
 /// A tree of bodies and joints, parents before children.
 ///
-/// Body i is what joint i carries, and frame (i) is fixed in it; frame (0), the base, is what has no
-/// joint. `N` is the number of velocities (and of accelerations, torques and forces), `F` of named
-/// frames, `Q` of coordinates and `B` of joints; the last two need not be written where every joint has
-/// one coordinate of its own. What they are of each joint is said by [`Motion`]. Numbers are f64 whatever
-/// the type that a function is asked for.
+/// Body i hangs on joint i, and frame (i) is fixed in it. Frame (0) is the base, which has no joint.
+///
+/// | parameter | number of |
+/// |---|---|
+/// | `N` | degrees of freedom: entries of q̇, q̈ and τ |
+/// | `F` | named frames |
+/// | `Q` | coordinates |
+/// | `B` | joints |
+///
+/// `Q` and `B` need not be written if every joint has one coordinate of its own. [`Motion`] lists the
+/// coordinates and velocities of each type of joint. The data are `f64`; functions compute in any type.
 ///
 /// ```
 /// use homogen::{Chain, Frame, Inertia, Joint, Pose, Screw};
@@ -23,10 +29,10 @@ use core::ops::Range;
 ///     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
 ///     [0.0, 0.0, 0.4],
 /// );
-/// const SLIDE: Screw<f64> = Screw::new([0.0; 3], [0.0, 0.0, 1.0]);
+/// const AXIS: Screw<f64> = Screw::new([0.0; 3], [0.0, 0.0, 1.0]);
 /// const TOOL: Inertia<f64> = Inertia::new([0.02, 0.02, 0.01, 0.0, 0.0, 0.0], [0.0, 0.0, 0.1], 1.5);
 /// static LIFT: Chain<1, 1> = Chain::new(
-///     [Joint::new("lift", None, PLACE, SLIDE, TOOL)],
+///     [Joint::new("lift", None, PLACE, AXIS, TOOL)],
 ///     [Frame::new("flange", Some(0), PLACE)],
 ///     [0.0, 0.0, -9.81],
 /// );
@@ -37,7 +43,7 @@ use core::ops::Range;
 pub struct Chain<const N: usize, const F: usize, const Q: usize = N, const B: usize = N> {
     /// The joints, parents before children; their order is that of q and of q̇.
     pub joints: [Joint; B],
-    /// Named frames; the first one is the tip.
+    /// Named frames; the first one is the end effector.
     pub frames: [Frame; F],
     /// The acceleration of gravity in frame (0) [m/s²].
     pub gravity: [f64; 3],
@@ -55,7 +61,7 @@ pub struct Frame {
 }
 
 impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F, Q, B> {
-    /// A robot; nothing is checked, so that it can be a constant (`check` does, when asked).
+    /// A robot. Nothing is checked, so that it can be a constant; `check` checks it.
     #[inline]
     #[must_use]
     pub const fn new(joints: [Joint; B], frames: [Frame; F], gravity: [f64; 3]) -> Self {
@@ -66,7 +72,8 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         }
     }
 
-    /// The first frame if there is one, else the frame of the last body (of the base, without joints).
+    /// The frame of the end effector: the first named frame; without one the frame of the last body; without
+    /// joints that of the base.
     #[must_use]
     pub fn tip(&self) -> Frame {
         self.frames.first().copied().unwrap_or(Frame {
@@ -76,15 +83,15 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         })
     }
 
-    /// The frame of that name.
+    /// The frame of this name.
     #[must_use]
     pub fn frame(&self, name: &str) -> Option<Frame> {
         self.frames.iter().find(|frame| frame.name == name).copied()
     }
 
-    /// Whether body `body` is carried, directly or not, by joint `joint`.
+    /// True if joint `joint` moves body `body`, directly or through other joints.
     ///
-    /// A parent that does not come before its child ends the walk.
+    /// The search ends at a parent that does not come before its child.
     #[must_use]
     pub fn carries(&self, joint: usize, body: Option<usize>) -> bool {
         let mut at = body;
@@ -97,21 +104,21 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         false
     }
 
-    /// Which entries of q say where joint `joint` is: its own, or the one of the joint it follows; none
-    /// where there is no such joint.
+    /// The range in q of the coordinates of joint `joint`: its own, or that of the mimicked joint. Empty if
+    /// there is no such joint.
     #[must_use]
     pub fn coordinates(&self, joint: usize) -> Range<usize> {
         self.entries(joint, Motion::coordinates)
     }
 
-    /// Which entries of q̇, and with other units of q̈ and τ, belong to joint `joint`: its own, or the one of
-    /// the joint it follows; none where there is no such joint.
+    /// The range in q̇, q̈ and τ of the velocities of joint `joint`: its own, or that of the mimicked joint.
+    /// Empty if there is no such joint.
     #[must_use]
     pub fn velocities(&self, joint: usize) -> Range<usize> {
         self.entries(joint, Motion::velocities)
     }
 
-    /// The entries of a joint in a list of which each joint has so many of its own.
+    /// The range of a joint in a list where each joint has `own` entries.
     fn entries(&self, joint: usize, own: fn(Motion) -> usize) -> Range<usize> {
         let Some(Joint { motion, .. }) = self.joints.get(joint) else {
             return 0..0;
@@ -126,7 +133,7 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         start..start + count
     }
 
-    /// The parent of joint `i`, where it comes before it.
+    /// The parent of joint `i`, if it comes before it.
     pub(crate) fn parent(&self, i: usize) -> Option<usize> {
         self.joints
             .get(i)

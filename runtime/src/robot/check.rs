@@ -1,7 +1,6 @@
-//! Whether a robot as data can be a robot.
+//! Checks of a robot as data.
 //!
-//! In: a [`Chain`] as it was written. Out: nothing, or what is wrong with the first joint or frame
-//! that is. It never repairs anything.
+//! In: a [`Chain`]. Out: nothing, or the error of the first wrong joint or frame. It never repairs anything.
 
 use super::chain::Chain;
 use super::joint::Motion;
@@ -9,10 +8,13 @@ use crate::error::{Error, finite};
 use crate::matrix::{Pose, Screw};
 
 impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F, Q, B> {
-    /// Refuses a chain that the recursions cannot be right for: parents must come before children,
-    /// placements be poses, screws have unit vectors, bodies be possible, to within `tolerance`; who leads
-    /// must move along a screw by a coordinate of its own; and all joints together must have `Q` coordinates
-    /// and `N` velocities.
+    /// Rejects a chain for which the recursions are wrong. These must hold, to within `tolerance`:
+    ///
+    /// - parents come before children, and frames are on existing bodies;
+    /// - placements are poses, screws have unit vectors, inertias are physical;
+    /// - mimicked joints move along a screw with a coordinate of their own;
+    /// - all joints together have `Q` coordinates and `N` velocities;
+    /// - gravity and the multipliers of mimic joints are finite.
     ///
     /// # Errors
     ///
@@ -29,8 +31,8 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
             Pose::checked(*place.rotation(), place.translation(), tolerance)?;
             if let Motion::Following { leader, multiplier } = joint.motion {
                 finite("a multiplier", &[multiplier])?;
-                let leads = self.joints.get(leader);
-                if leads.is_none_or(|leads| leads.motion != Motion::Along) {
+                let mimicked = self.joints.get(leader);
+                if mimicked.is_none_or(|mimicked| mimicked.motion != Motion::Along) {
                     let joint = joint.name;
                     return Err(Error::NotALeader { joint, leader });
                 }

@@ -1,22 +1,17 @@
-//! What functions of several parts return: one struct each, with a field for each part.
-//!
-//! In: the matrices of a function. Out: the same by name. It computes nothing.
+//! The results of derivatives of the dynamics: one struct each, with a field for each matrix.
 
-/// What small changes of the coordinates and of their rates do to the joint torques and forces that
-/// produce q̈: see [`crate::robot`]. What a change of q̈ does is
-/// the mass matrix.
+/// Derivatives of inverse dynamics by q and q̇; see [`crate::robot`]. The derivative by q̈ is the mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InverseDynamicsDerivatives<const N: usize, T = f64> {
+pub struct TorqueDerivatives<const N: usize, T = f64> {
     /// ∂τ/∂q, a row for each torque or force [N m, N, N/m].
     pub dq: [[T; N]; N],
     /// ∂τ/∂q̇, a row for each torque or force [N m s, N s, N s/m].
     pub dqd: [[T; N]; N],
 }
 
-/// What small changes of the coordinates, of their rates and of the torques and forces do to the joint
-/// accelerations that they produce; see [`crate::robot`].
+/// Derivatives of forward dynamics by q, q̇ and τ; see [`crate::robot`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ForwardDynamicsDerivatives<const N: usize, T = f64> {
+pub struct AccelerationDerivatives<const N: usize, T = f64> {
     /// ∂q̈/∂q, a row for each acceleration [1/s², 1/(m s²), m/s²].
     pub dq: [[T; N]; N],
     /// ∂q̈/∂q̇, a row for each acceleration [1/s, 1/(m s), m/s].

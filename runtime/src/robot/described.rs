@@ -1,7 +1,7 @@
 //! A robot's description of itself.
 //!
-//! In: a description. Out: counts, names, limits and the neutral configuration as constants of a trait, which controllers
-//! for any robot read.
+//! In: a description. Out: counts, names, limits and the neutral configuration as constants of a trait, the bound of
+//! controllers for any robot.
 
 /// A robot that describes itself: counts, names, limits and the neutral configuration.
 ///
@@ -14,7 +14,7 @@
 /// use homogen::Robot;
 /// use homogen::robot::{Bias, MassMatrix};
 ///
-/// /// Torques that follow an acceleration as far as the actuators can.
+/// /// Torques for an acceleration, within the effort limits of the actuators.
 /// fn computed_torque<R, const N: usize>(robot: &R, q: &[f64; N], qd: &[f64; N], qdd: &[f64; N]) -> [f64; N]
 /// where
 ///     R: Robot<N> + MassMatrix<N> + Bias<N>,
@@ -45,6 +45,6 @@ pub trait Robot<const N: usize, const Q: usize = N> {
     const MAX_VELOCITY: [f64; N];
     /// Limits of |τ| \[N m or N\].
     const MAX_EFFORT: [f64; N];
-    /// The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions (x, y, z, w).
+    /// The neutral configuration, with every joint at its placement: zeros, and 0, 0, 0, 1 for quaternions (x, y, z, w).
     const NEUTRAL: [f64; Q];
 }

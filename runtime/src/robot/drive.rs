@@ -1,17 +1,17 @@
-//! What drives a joint beside its bodies: the motor's inertia and friction.
+//! Armature and friction of a joint as data.
 //!
-//! In: numbers. Out: a [`Drive`], as a constant. What it does to a motion is for [`crate::generic`].
+//! In: numbers. Out: a [`Drive`], as a constant. [`crate::generic`] computes its torque.
 
-/// The most velocities that a joint has.
+/// The largest number of velocities of a joint.
 pub(crate) const VELOCITIES: usize = 6;
 
-/// What one velocity of a joint meets beside the bodies.
+/// Armature, damping and friction at one velocity of a joint.
 ///
-/// The joint takes armature q̈ + damping q̇ + friction sign q̇ more; the sign is 0 at rest.
+/// They add armature · q̈ + damping · q̇ + friction · sign q̇ to the torque; the sign is 0 at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
-    /// Inertia that the joint feels beside that of the bodies: of the rotor of its motor, times the square
-    /// of the ratio between them [kg m², of a slide kg].
+    /// Inertia of the motor's rotor, reflected to the joint: times the square of the gear ratio [kg m²; kg for a
+    /// prismatic joint].
     pub armature: f64,
     /// Viscous friction [N m s/rad, N s/m].
     pub damping: f64,
@@ -20,11 +20,11 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// No drive.
+    /// No armature and no friction.
     pub const NONE: Self = Self::new(0.0, 0.0, 0.0);
 
-    /// An armature [kg m², of a slide kg], viscous friction `damping` [N m s/rad, N s/m] and Coulomb friction
-    /// `friction` [N m, N].
+    /// An armature [kg m²; kg for a prismatic joint], viscous friction `damping` [N m s/rad, N s/m] and Coulomb
+    /// friction `friction` [N m, N].
     #[inline]
     #[must_use]
     pub const fn new(armature: f64, damping: f64, friction: f64) -> Self {

@@ -1,15 +1,15 @@
 //! Jacobians: arrays of screws, one column a joint.
 //!
-//! In: `[Screw<T>; N]`. Out: the 6×N matrix in the order of rows that is asked for by name, and the
-//! velocity at given rates. It never picks an order of rows by itself.
+//! In: `[Screw<T>; N]`. Out: the 6×N matrix, angular or linear rows first as the method's name says, and the
+//! velocity at given rates.
 
 use crate::matrix::{Screw, Velocity};
 use crate::scalar::Scalar;
 use core::array::from_fn;
 
-/// What can be done with the columns of a Jacobian.
+/// Operations on a Jacobian, an array of columns.
 ///
-/// Frame and pole are those of the function that made it: see [`crate::robot`].
+/// Axes and reference point are those of the function that computed it; see [`crate::robot`].
 pub trait Jacobian<T, const N: usize> {
     /// The rows u_x, u_y, u_z, b_x, b_y, b_z.
     #[must_use]
@@ -19,7 +19,7 @@ pub trait Jacobian<T, const N: usize> {
     #[must_use]
     fn to_matrix_linear_first(&self) -> [[T; N]; 6];
 
-    /// W = Σ Lᵢ q̇ᵢ, in the frame and about the pole of the Jacobian (12).
+    /// W = Σ Lᵢ q̇ᵢ, with the axes and the reference point of the Jacobian (12).
     #[must_use]
     fn velocity(&self, qd: &[T; N]) -> Velocity<T>;
 }

@@ -1,8 +1,8 @@
-//! A joint as data, and what it allows.
+//! A joint as data, and its type of motion.
 //!
-//! In: a placement, a screw or the kind of a posture, an inertia. Out: a [`Joint`] of a
-//! [`Chain`](crate::Chain), as a constant, and how many coordinates and velocities each [`Motion`] has.
-//! Where a body goes is for [`crate::generic`] and [`posture`](super::posture).
+//! In: a placement, a screw or another type of motion, an inertia. Out: a [`Joint`] of a
+//! [`Chain`](crate::Chain), as a constant, and the numbers of coordinates and velocities of each [`Motion`].
+//! [`crate::generic`] and [`posture`](super::posture) compute the motion itself.
 
 use super::drive::{Drive, VELOCITIES};
 use crate::matrix::{Inertia, Pose, Screw};
@@ -12,54 +12,56 @@ use crate::matrix::{Inertia, Pose, Screw};
 pub struct Joint {
     /// Its name.
     pub name: &'static str,
-    /// The joint that carries the body it stands on; `None` is the base.
+    /// The index of the parent joint, whose body carries this joint; `None` is the base.
     pub parent: Option<usize>,
-    /// M_parent,i where the joint is neutral \[m\].
+    /// M_parent,i in the neutral configuration \[m\].
     pub placement: Pose<f64>,
-    /// L of the joint, in frame (i); zero where its motion is no screw's.
+    /// L of the joint, in frame (i); zero for planar, spherical and floating joints.
     pub screw: Screw<f64>,
-    /// What it allows.
+    /// Its type of motion.
     pub motion: Motion,
     /// J of body i, in frame (i).
     pub inertia: Inertia<f64>,
-    /// What drives each of its velocities, in their order; none behind the last.
+    /// Armature and friction of each of its velocities, in their order; [`Drive::NONE`] behind the last.
     pub drives: [Drive; VELOCITIES],
 }
 
-/// What a joint allows, and what its entries of q and q̇ are.
+/// The type of motion of a joint, with its coordinates (entries of q) and velocities (entries of q̇).
 ///
 /// The velocities of [`Planar`](Self::Planar), [`Spherical`](Self::Spherical) and
-/// [`Floating`](Self::Floating) are those of the body in its own moved frame (i), and no derivatives of the
+/// [`Floating`](Self::Floating) are those of the body in its own moved frame (i), not the derivatives of the
 /// coordinates: W of the joint is Σ L q̇ with screws L that are constant in frame (i). The layouts of the
 /// last two are Pinocchio's.
 ///
-/// A quaternion v, w stands for R = I + 2 w v̲ + 2 v̲² and is taken to have length 1. Of length 1 + ε that is
-/// R at length 1 plus (2ε + ε²) (R − I): no column is off by more than 4ε, to the first order, and turns of
-/// half a circle are distorted most. [`Chain::normalize`](crate::Chain::normalize) mends it.
+/// A quaternion v, w means R = I + 2 w v̲ + 2 v̲² and should have length 1. At length 1 + ε the result is R at
+/// length 1 plus (2ε + ε²) (R − I): the error of a column is at most 4ε, to the first order, and largest for
+/// rotations by 180°. [`Chain::normalize`](crate::Chain::normalize) restores the length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Motion {
-    /// Along its screw, by one coordinate \[rad or m\] and its rate.
+    /// Revolute, prismatic or helical: along its screw, with one coordinate \[rad or m\] and its rate.
     Along,
-    /// Along its screw, by the coordinate of joint `leader` times `multiplier`: it has none of its own.
+    /// Mimic joint: along its screw by `multiplier` times the coordinate of the mimicked joint. It has no
+    /// coordinate of its own.
     Following {
-        /// The joint that has the coordinate, which moves along a screw.
+        /// The index of the mimicked joint, which moves along a screw.
         leader: usize,
-        /// What the coordinate, its rates and the force it sends back are multiplied by.
+        /// Factor of the coordinate, of its rates, and of the torque on the mimicked joint.
         multiplier: f64,
     },
-    /// In the plane z = 0 of the parent: x, y \[m\] and the angle about z \[rad\]; v_x, v_y in the
-    /// moved frame, ω_z.
+    /// In the plane z = 0 of the placement. Coordinates x, y \[m\] and the angle about z \[rad\]; velocities v_x, v_y
+    /// in the moved frame \[m/s\] and ω_z \[rad/s\].
     Planar,
-    /// Any turn: the quaternion x, y, z, w; ω in the moved frame.
+    /// Any rotation. Coordinates are the quaternion x, y, z, w; velocities ω in the moved frame \[rad/s\].
     Spherical,
-    /// Any displacement: x, y, z \[m\] and the quaternion x, y, z, w; v and ω in the moved frame.
+    /// Any displacement. Coordinates x, y, z \[m\] and the quaternion x, y, z, w; velocities v \[m/s\] and ω \[rad/s\] in
+    /// the moved frame.
     Floating,
 }
 
 impl Joint {
     /// A joint that moves along a screw: `placement` is M_parent,i at q = 0, `screw` its L in frame (i),
-    /// `inertia` the J of body i in frame (i). It has no drives.
+    /// `inertia` the J of body i in frame (i). It has neither armature nor friction.
     #[inline]
     #[must_use]
     pub const fn new(
@@ -80,8 +82,8 @@ impl Joint {
         }
     }
 
-    /// The same joint without a coordinate of its own: that of joint `leader` moves it, `multiplier` times
-    /// as far. Where the leader's coordinate is zero it is at its placement.
+    /// The same joint as a mimic joint: it moves by `multiplier` times the coordinate of joint `leader`, and is
+    /// at its placement where that coordinate is zero.
     #[inline]
     #[must_use]
     pub const fn following(self, leader: usize, multiplier: f64) -> Self {
@@ -91,8 +93,8 @@ impl Joint {
         }
     }
 
-    /// The same joint with a drive on the velocity of that index among its own; of a joint that follows
-    /// another, on its own rate. Nothing is driven where it has no such velocity.
+    /// The same joint with armature and friction at its velocity of index `velocity`; of a mimic joint, at its
+    /// own rate. An index that the joint does not have changes nothing.
     #[inline]
     #[must_use]
     pub const fn with_drive(mut self, velocity: usize, drive: Drive) -> Self {
@@ -102,7 +104,7 @@ impl Joint {
         self
     }
 
-    /// A joint that slides in the plane z = 0 of `placement`, and turns about its z axis.
+    /// A planar joint: translation in the plane z = 0 of `placement`, rotation about its z axis.
     #[inline]
     #[must_use]
     pub const fn planar(
@@ -111,10 +113,10 @@ impl Joint {
         placement: Pose<f64>,
         inertia: Inertia<f64>,
     ) -> Self {
-        Self::postured(name, parent, placement, Motion::Planar, inertia)
+        Self::with_manifold(name, parent, placement, Motion::Planar, inertia)
     }
 
-    /// A joint that turns in any way about the origin of `placement`.
+    /// A spherical joint: any rotation about the origin of `placement`.
     #[inline]
     #[must_use]
     pub const fn spherical(
@@ -123,10 +125,10 @@ impl Joint {
         placement: Pose<f64>,
         inertia: Inertia<f64>,
     ) -> Self {
-        Self::postured(name, parent, placement, Motion::Spherical, inertia)
+        Self::with_manifold(name, parent, placement, Motion::Spherical, inertia)
     }
 
-    /// A joint that allows any motion, and counts it from `placement` on.
+    /// A floating joint: any displacement from `placement`.
     #[inline]
     #[must_use]
     pub const fn floating(
@@ -135,10 +137,10 @@ impl Joint {
         placement: Pose<f64>,
         inertia: Inertia<f64>,
     ) -> Self {
-        Self::postured(name, parent, placement, Motion::Floating, inertia)
+        Self::with_manifold(name, parent, placement, Motion::Floating, inertia)
     }
 
-    const fn postured(
+    const fn with_manifold(
         name: &'static str,
         parent: Option<usize>,
         placement: Pose<f64>,
@@ -158,7 +160,7 @@ impl Joint {
 }
 
 impl Motion {
-    /// How many entries of q it has of its own.
+    /// Number of its own entries of q.
     #[must_use]
     pub const fn coordinates(self) -> usize {
         match self {
@@ -170,7 +172,7 @@ impl Motion {
         }
     }
 
-    /// How many entries of q̇ it has of its own.
+    /// Number of its own entries of q̇.
     #[must_use]
     pub const fn velocities(self) -> usize {
         match self {

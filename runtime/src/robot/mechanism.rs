@@ -1,15 +1,15 @@
 //! A robot with closed loops as data.
 //!
-//! In: a [`Chain`] and what holds its frames together. Out: a constant that the recursions at run time
-//! read ([`crate::generic`]) and that generated code carries beside its straight-line functions. It
-//! computes nothing itself.
+//! In: a [`Chain`] and the residuals of its loops. Out: a constant for the recursions at run time
+//! ([`crate::generic`]), which generated code has beside its straight-line functions.
 
 use super::chain::{Chain, Frame};
 
-/// A tree of bodies and joints, with `C` residuals that are zero where its loops are closed.
+/// A robot with closed loops: a tree of bodies and joints, and `C` residuals that are zero where the loops are
+/// closed.
 ///
-/// It has every function of loops, so that its states can be projected as those of generated robots are
-/// ([`loop_closure`](mod@crate::loop_closure)).
+/// It implements every function of loops, so that [`loop_closure`](mod@crate::loop_closure) projects its
+/// states like those of generated robots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mechanism<
     const N: usize,
@@ -18,43 +18,43 @@ pub struct Mechanism<
     const Q: usize = N,
     const B: usize = N,
 > {
-    /// What hangs on the base, loops open.
+    /// The tree, with the loops cut open.
     pub chain: Chain<N, F, Q, B>,
-    /// What its loops close.
+    /// The residuals of its loops.
     pub residuals: [Residual; C],
-    /// Which velocities are driven, where loops move the others.
+    /// True for each velocity that has an actuator; loops move the others.
     pub driven: [bool; N],
 }
 
-/// An equation of a closure: a number that is zero where the loop is closed.
+/// One equation of a loop: a number that is zero where the loop is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
     /// Its name.
     pub name: &'static str,
-    /// The frames A and B that its loop holds together.
+    /// The frames A and B of its loop.
     pub frames: [Frame; 2],
-    /// What it is of the pose of B as A sees it.
+    /// The expression of the pose of B in A.
     pub row: Row,
 }
 
-/// What a residual is of the pose M of frame B as frame A sees it.
+/// The expression of a residual in the pose M of frame B in frame A.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Row {
-    /// How far the origin of B is from that of A along an axis of A \[m\].
+    /// The coordinate of the origin of B along an axis of A \[m\].
     Along(usize),
-    /// An axis of A times an axis of B, which are perpendicular.
+    /// The scalar product of an axis of A and an axis of B: zero if they are perpendicular.
     Product(usize, usize),
-    /// z of A times z of B, less this.
+    /// The scalar product of the z axes of A and B, minus this cosine.
     Inclined(f64),
-    /// (d² − l²)/2l of the distance d of the origins and this length l \[m\].
+    /// (d² − l²)/2l with the distance d of the origins and this length l \[m\].
     Distance(f64),
 }
 
 impl<const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
     Mechanism<N, F, C, Q, B>
 {
-    /// A robot with loops; nothing is checked, so that it can be a constant.
+    /// A robot with closed loops. Nothing is checked, so that it can be a constant.
     #[inline]
     #[must_use]
     pub const fn new(
@@ -80,7 +80,7 @@ impl Residual {
 }
 
 impl Row {
-    /// Whether it measures a length, and not the cosine of an angle.
+    /// True if the residual is a length \[m\], false if it is a cosine.
     #[must_use]
     pub const fn is_length(self) -> bool {
         matches!(self, Self::Along(_) | Self::Distance(_))

@@ -1,7 +1,7 @@
-//! What a robot carries, as a field of it.
+//! A payload that is known at run time, as a field of a robot.
 //!
-//! In: mass, centre and inertia. Out: the ten numbers that generated code reads. It never asks whether a
-//! body can have them; [`Inertia::check`](crate::Inertia::check) does.
+//! In: mass, centre and inertia. Out: the ten numbers that generated code reads. Nothing is checked;
+//! [`Inertia::check`](crate::Inertia::check) rejects a non-physical inertia.
 
 use crate::scalar::Scalar;
 
@@ -23,7 +23,7 @@ use crate::scalar::Scalar;
 pub struct Payload<T = f64> {
     /// m \[kg\].
     pub mass: T,
-    /// Where its centre of mass is in the link's frame \[m\].
+    /// Its centre of mass in the link's frame \[m\].
     pub center: [T; 3],
     /// I_xx, I_xy, I_xz, I_yy, I_yz, I_zz about that centre, in the axes of the link's frame [kg m²]: the
     /// order of URDF, whose products of inertia are I_xy = −∫ x y dm.
@@ -41,7 +41,7 @@ impl<T: Copy> Payload<T> {
 }
 
 impl<T: Scalar> Payload<T> {
-    /// All of the mass \[kg\] in one point of the link's frame \[m\].
+    /// A point mass \[kg\] at `center` in the link's frame \[m\].
     #[inline]
     #[must_use]
     pub fn of_point(mass: T, center: [T; 3]) -> Self {

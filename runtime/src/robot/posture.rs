@@ -1,10 +1,9 @@
-//! Steps between postures that no list of angles and shifts can describe.
+//! Integration and difference of the configurations of planar, spherical and floating joints; quaternions.
 //!
-//! In: quaternions x, y, z, w and coordinates of planar, spherical and floating joints, and motions of a
-//! body in its own frame that last for one unit of time. Out: where they lead, and which one leads from one
-//! posture to another, the shortest. Everything is free of branches and generic over [`Scalar`], and holds
-//! its digits near rest and near half a turn. It knows no chain; [`Chain::integrate`](crate::Chain::integrate)
-//! does.
+//! In: quaternions x, y, z, w, coordinates of one joint, and velocities of a body in its own frame times a
+//! duration. Out: the configuration after the step, or the shortest step between two configurations.
+//! Everything is generic over [`Scalar`], without branches, and accurate near rest and near 180°.
+//! [`Chain::integrate`](crate::Chain::integrate) does the same for a whole robot.
 //!
 //! ```
 //! use homogen::robot::posture::{log, turn};
@@ -17,14 +16,15 @@ use crate::matrix::rotation::from_quaternion;
 use crate::matrix::vector::{add, cross, dot, product, scale, sub, transposed_product};
 use crate::scalar::Scalar;
 
-/// 2⁴⁰: a quaternion whose largest entry is between this and its inverse has squares in every type.
+/// 2⁴⁰: if the largest entry of a quaternion is between this and its inverse, squares neither overflow nor
+/// vanish in any type.
 const MODERATE: f64 = 1_099_511_627_776.0;
 
-/// What is added to the square of an angle \[rad²\], so that nothing is divided by zero: no rounding sees it.
+/// Added to the square of an angle \[rad²\] to avoid divisions by zero; below rounding.
 const LEAST: f64 = 1e-20;
 
-/// The product a b of quaternions x, y, z, w: the turn b, then a, both about axes that stay; or a, then b
-/// about the axes that a has turned.
+/// The product a b of quaternions x, y, z, w: the rotation b, then a, both about fixed axes; or a, then b
+/// about the axes rotated by a.
 #[inline]
 #[must_use]
 pub fn times<T: Scalar>([ax, ay, az, aw]: [T; 4], [bx, by, bz, bw]: [T; 4]) -> [T; 4] {
@@ -33,15 +33,15 @@ pub fn times<T: Scalar>([ax, ay, az, aw]: [T; 4], [bx, by, bz, bw]: [T; 4]) -> [
     [x, y, z, aw * bw - dot(a, b)]
 }
 
-/// The turn back of a quaternion x, y, z, w of unit length.
+/// The inverse rotation of a quaternion x, y, z, w of unit length.
 #[inline]
 #[must_use]
 pub fn back<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 4] {
     [-x, -y, -z, w]
 }
 
-/// The quaternion x, y, z, w with length 1, whatever its length: subnormal entries have fewer digits. NaN where all
-/// entries are zero, or one is not finite.
+/// The quaternion x, y, z, w scaled to length 1, from any length; subnormal entries have fewer digits. NaN if all
+/// entries are zero or one is not finite.
 #[inline]
 #[must_use]
 pub fn normalized<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
@@ -51,14 +51,20 @@ pub fn normalized<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
     scaled.map(|entry| entry / length)
 }
 
-/// A quaternion over its largest entry, where that is beyond 2⁻⁴⁰ to 2⁴⁰ and squares may overflow or vanish, and
-/// else over 1, which changes no digit.
+/// The sign of a number, ±1; 1 for zero and NaN.
+#[inline]
+fn side<T: Scalar>(x: T) -> T {
+    (x.sign() + T::constant(0.5)).sign()
+}
+
+/// A quaternion divided by its largest entry if that is outside 2⁻⁴⁰ to 2⁴⁰, so that squares neither overflow nor
+/// vanish; the same quaternion otherwise.
 #[inline]
 fn moderate<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
     let [one, half, most, least] = [1.0, 0.5, MODERATE, 1.0 / MODERATE].map(T::constant);
-    // 1 of a number that is not negative, 0 of another.
-    let step = |x: T| half + half * x.sign();
-    let [a, b, c, d] = quaternion.map(|entry| entry.sign() * entry);
+    // 1 if a number is at least 0, otherwise 0.
+    let step = |x: T| half + half * side(x);
+    let [a, b, c, d] = quaternion.map(|entry| side(entry) * entry);
     let larger = |a: T, b: T| {
         let first = step(a - b);
         first * a + (one - first) * b
@@ -69,7 +75,7 @@ fn moderate<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
     quaternion.map(|entry| entry / size)
 }
 
-/// The quaternion x, y, z, w of a turn by the vector `omega` \[rad\], exp ω̲.
+/// The quaternion x, y, z, w of the rotation vector `omega` \[rad\], exp ω̲.
 ///
 /// v = ω sin(φ/2)/φ and w = cos(φ/2), φ = ‖ω‖.
 #[inline]
@@ -81,20 +87,20 @@ pub fn turn<T: Scalar>(omega: [T; 3]) -> [T; 4] {
     [x, y, z, cosine]
 }
 
-/// The shortest vector \[rad\] that turns as a quaternion v, w does, of any length whose square neither overflows nor
-/// vanishes: ω with R = exp ω̲ and ‖ω‖ ≤ π. Of a turn by half a circle it is either of the two.
+/// The shortest rotation vector \[rad\] of a quaternion v, w: ω with R = exp ω̲ and ‖ω‖ ≤ π. At 180° it is either of
+/// the two. The quaternion may have any length whose square neither overflows nor vanishes.
 ///
-/// ω = ±2 v α/‖v‖ with α = atan(‖v‖/|w|), an angle that is halved three times by
+/// ω = ±2 v α/‖v‖ with α = atan(‖v‖/|w|). The angle is halved three times by
 /// tan α/2 = tan α/(1 + √(1 + tan² α)) before its series is summed.
 #[inline]
 #[must_use]
 pub fn log<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 3] {
     let v = [x, y, z];
-    scale(T::constant(2.0) * w.sign() * half_angle(v, w), v)
+    scale(T::constant(2.0) * side(w) * half_angle(v, w), v)
 }
 
-/// V(ω) v with exp (ω̲, v; 0, 0) = (exp ω̲, V(ω) v; 0, 1): how far a body has gone \[m\] that moves by
-/// `v` \[m\] and turns by `omega` \[rad\], both in its own frame, seen from where it was.
+/// The displacement \[m\] of the origin of a body that moves by `v` \[m\] while it rotates by `omega` \[rad\], both in
+/// its own frame; in the frame before the motion: V(ω) v with exp (ω̲, v; 0, 0) = (exp ω̲, V(ω) v; 0, 1).
 ///
 /// V = 1 + ω̲ (1 − cos φ)/φ² + ω̲² (φ − sin φ)/φ³, φ = ‖ω‖ (§ 5).
 #[inline]
@@ -113,8 +119,8 @@ pub fn way<T: Scalar>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
     add(v, turned)
 }
 
-/// The motion (ω, v) in the frame of a body, within one unit of time, that turns it as the quaternion and takes
-/// its origin by `t` \[m\], seen from where it was; ω = [`log`] and V(ω) v = t.
+/// The step (ω, v) in the frame of a body that rotates it by the quaternion and displaces its origin by `t` \[m\], in
+/// the frame before the motion: ω = [`log`] and V(ω) v = t.
 ///
 /// V⁻¹ = 1 − ½ ω̲ + ω̲² (1 − α cot α)/φ², α = φ/2.
 #[inline]
@@ -122,8 +128,8 @@ pub fn way<T: Scalar>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
 pub fn motion<T: Scalar>(quaternion: [T; 4], t: [T; 3]) -> ([T; 3], [T; 3]) {
     let [x, y, z, w] = quaternion;
     let omega = log(quaternion);
-    // α cot α = (α/‖v‖) |w|, whatever the length.
-    let cotangent = half_angle([x, y, z], w) * w.sign() * w;
+    // α cot α = (α/‖v‖) |w|, for any length.
+    let cotangent = half_angle([x, y, z], w) * side(w) * w;
     let square = dot(omega, omega) + T::constant(LEAST);
     let across = cross(omega, t);
     let bent = scale(
@@ -133,7 +139,7 @@ pub fn motion<T: Scalar>(quaternion: [T; 4], t: [T; 3]) -> ([T; 3], [T; 3]) {
     (omega, add(sub(t, scale(T::constant(0.5), across)), bent))
 }
 
-/// Where a planar joint at `q` gets to that moves by v_x, v_y, ω_z.
+/// The coordinates of a planar joint after a step v_x, v_y, ω_z from `q`.
 #[inline]
 #[must_use]
 pub fn integrate_planar<T: Scalar>([x, y, angle]: [T; 3], [vx, vy, wz]: [T; 3]) -> [T; 3] {
@@ -147,18 +153,18 @@ pub fn integrate_planar<T: Scalar>([x, y, angle]: [T; 3], [vx, vy, wz]: [T; 3]) 
     ]
 }
 
-/// Where a spherical joint at `q` gets to that turns by `omega`; an error of the length of `q` is squared.
+/// The coordinates of a spherical joint after a rotation by `omega` from `q`; an error of the length of `q` is squared.
 #[inline]
 #[must_use]
 pub fn integrate_spherical<T: Scalar>(q: [T; 4], omega: [T; 3]) -> [T; 4] {
     let [x, y, z, w] = times(q, turn(omega));
     let square = x * x + y * y + z * z + w * w;
-    // 1/√(1 + ε) to the first order, which is exact beside rounding.
-    let mend = T::constant(1.5) - T::constant(0.5) * square;
-    [x, y, z, w].map(|entry| mend * entry)
+    // 1/√(1 + ε) to the first order; the rest is below rounding.
+    let correction = T::constant(1.5) - T::constant(0.5) * square;
+    [x, y, z, w].map(|entry| correction * entry)
 }
 
-/// Where a floating joint at `q` gets to that moves by v, ω.
+/// The coordinates of a floating joint after a step v, ω from `q`.
 #[inline]
 #[must_use]
 pub fn integrate_floating<T: Scalar>(q: [T; 7], motion: [T; 6]) -> [T; 7] {
@@ -171,7 +177,7 @@ pub fn integrate_floating<T: Scalar>(q: [T; 7], motion: [T; 6]) -> [T; 7] {
     [x, y, z, qx, qy, qz, qw]
 }
 
-/// v_x, v_y, ω_z by which a planar joint gets from `from` to `to`, |ω_z| ≤ π.
+/// The step v_x, v_y, ω_z of a planar joint from `from` to `to`, |ω_z| ≤ π.
 #[inline]
 #[must_use]
 pub fn difference_planar<T: Scalar>(from: [T; 3], to: [T; 3]) -> [T; 3] {
@@ -184,14 +190,14 @@ pub fn difference_planar<T: Scalar>(from: [T; 3], to: [T; 3]) -> [T; 3] {
     [vx, vy, wz]
 }
 
-/// ω by which a spherical joint gets from `from` to `to`, ‖ω‖ ≤ π.
+/// The step ω of a spherical joint from `from` to `to`, ‖ω‖ ≤ π.
 #[inline]
 #[must_use]
 pub fn difference_spherical<T: Scalar>(from: [T; 4], to: [T; 4]) -> [T; 3] {
     log(times(back(from), to))
 }
 
-/// v, ω by which a floating joint gets from `from` to `to`, ‖ω‖ ≤ π.
+/// The step v, ω of a floating joint from `from` to `to`, ‖ω‖ ≤ π.
 #[inline]
 #[must_use]
 pub fn difference_floating<T: Scalar>(from: [T; 7], to: [T; 7]) -> [T; 6] {
@@ -204,21 +210,21 @@ pub fn difference_floating<T: Scalar>(from: [T; 7], to: [T; 7]) -> [T; 6] {
     [vx, vy, vz, wx, wy, wz]
 }
 
-/// ‖ω‖, and not quite zero where it is.
+/// ‖ω‖ with [`LEAST`] added to its square, so that it is never zero.
 #[inline]
 fn angle<T: Scalar>(omega: [T; 3]) -> T {
     (dot(omega, omega) + T::constant(LEAST)).sqrt()
 }
 
-/// α/‖v‖ with α = atan(‖v‖/|w|) in \[0, π/2\], which has no zero to divide by.
+/// α/‖v‖ with α = atan(‖v‖/|w|) in \[0, π/2\], without a division by zero at v = 0.
 #[inline]
 fn half_angle<T: Scalar>(v: [T; 3], w: T) -> T {
-    /// So many terms of the series are beside those that `f64` sees, up to π/16.
+    /// Terms of the series up to which it is exact in `f64`, for angles up to π/16.
     const TERMS: u8 = 12;
     let one = T::constant(1.0);
     let square = dot(v, v);
     // tan(α/2)/‖v‖, tan(α/4)/‖v‖, tan(α/8)/‖v‖.
-    let half = one / ((square + w * w).sqrt() + w.sign() * w);
+    let half = one / ((square + w * w).sqrt() + side(w) * w);
     let quarter = half / (one + (one + square * half * half).sqrt());
     let eighth = quarter / (one + (one + square * quarter * quarter).sqrt());
     let tangent = square * eighth * eighth;

@@ -1,8 +1,7 @@
-//! Steps of a whole robot: from a posture by velocities, and from one posture to another.
+//! Integration and difference of configurations of a whole robot, and normalised quaternions.
 //!
 //! In: a [`Chain`], coordinates, and velocities times a duration. Out: coordinates, or velocities times a
-//! duration. How a joint goes is said by its [`Motion`]; what is not an angle or a shift is left to
-//! [`posture`]. It knows no forces.
+//! duration. [`posture`] has the same for planar, spherical and floating joints alone.
 
 use super::chain::Chain;
 use super::joint::Motion;
@@ -10,8 +9,7 @@ use super::posture;
 use crate::scalar::Scalar;
 
 impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F, Q, B> {
-    /// The coordinates at which every joint that does not follow another is at its placement: zeros, and 0, 0,
-    /// 0, 1 of quaternions.
+    /// The neutral configuration, with every joint at its placement: zeros, and 0, 0, 0, 1 for quaternions.
     #[must_use]
     pub fn neutral<T: Scalar>(&self) -> [T; Q] {
         let mut q = [T::constant(0.0); Q];
@@ -19,12 +17,11 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         q
     }
 
-    /// Where the robot gets to from `q` if it keeps its velocities for one unit of time; of a time Δt, `v` is
-    /// q̇ Δt.
+    /// The configuration after a step `v` = q̇ Δt from `q` at constant velocities.
     ///
-    /// Coordinates along screws are added to. Bodies whose velocities are seen in their own frame move along
-    /// the screw that they keep, exp(W Δt): the chain is where it should be to rounding, however far it goes.
-    /// Quaternions keep their length 1: an error of it is squared.
+    /// Coordinates along screws are sums. Planar, spherical and floating joints, whose velocities are in the
+    /// frame of the moved body, move along a constant screw, exp(W Δt): exact to rounding for steps of any size.
+    /// Quaternions stay at length 1; an error of the length is squared.
     ///
     /// ```
     /// use homogen::{Chain, Inertia, Joint, Pose};
@@ -34,7 +31,7 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
     ///     [],
     ///     [0.0; 3],
     /// );
-    /// // A quarter of a circle about z, forwards along its tangent: of radius 1.
+    /// // A quarter of a circle of radius 1 about z, forwards along its tangent.
     /// let quarter = core::f64::consts::FRAC_PI_2;
     /// let motion = [quarter, 0.0, 0.0, 0.0, 0.0, quarter];
     /// let there = free.integrate(&free.neutral(), &motion);
@@ -61,11 +58,10 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         moved
     }
 
-    /// The velocities that lead from `from` to `to` in one unit of time: what [`integrate`](Self::integrate)
-    /// needs.
+    /// The step q̇ Δt from `from` to `to`: the inverse of [`integrate`](Self::integrate).
     ///
-    /// Turns of bodies whose velocities are seen in their own frame are the shortest, of half a circle at
-    /// most (of exactly half a circle either of the two); coordinates along screws are subtracted.
+    /// Coordinates along screws are differences. Planar, spherical and floating joints rotate the shortest way, by
+    /// 180° at most; at exactly 180° either of the two ways is returned.
     #[must_use]
     pub fn difference<T: Scalar>(&self, from: &[T; Q], to: &[T; Q]) -> [T; N] {
         let mut v = [T::constant(0.0); N];
@@ -86,8 +82,8 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         v
     }
 
-    /// The same coordinates with quaternions of length 1, to rounding, whatever their lengths. One that is zero, or has
-    /// an entry that is not finite, comes out as NaN.
+    /// The same coordinates with quaternions of length 1, to rounding, from any length. A quaternion that is zero or
+    /// has an entry that is not finite becomes NaN.
     #[must_use]
     pub fn normalize<T: Scalar>(&self, q: &[T; Q]) -> [T; Q] {
         let mut normalized = *q;
@@ -108,7 +104,7 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
     }
 }
 
-/// Moves the coordinates of a joint, where they are as many as they should be.
+/// Applies `integrate` to the coordinates of a joint, if the lengths match.
 fn step<T: Copy, const Q: usize, const N: usize>(
     q: &mut [T],
     v: &[T],
@@ -119,7 +115,7 @@ fn step<T: Copy, const Q: usize, const N: usize>(
     }
 }
 
-/// Compares the coordinates of a joint, where they are as many as they should be.
+/// Applies `difference` to the coordinates of a joint, if the lengths match.
 fn compare<T: Copy, const Q: usize, const N: usize>(
     v: &mut [T],
     from: &[T],

@@ -1,15 +1,15 @@
-//! Numbers whose products and sums are always one operation.
+//! Numbers whose fused multiply-add is rounded once on every target.
 //!
-//! In: `f32` or `f64`. Out: [`Fused`], the same number with every `a · b + c` rounded once, in its sines as
-//! well: what a target with that instruction computes, on any target. Where the target is not known to have
-//! it each is a call of a library routine, unless what calls it was compiled for more than the target.
+//! In: `f32` or `f64`. Out: [`Fused`], the same number with every `a · b + c` rounded once, also inside its sines:
+//! the results of a target with the instruction, on any target. If the code is compiled for a target without
+//! the instruction, each is a call of a library routine.
 
 use super::Scalar;
 use super::pack::{Lane, sealed::Sealed};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number with [`mul_add`](Scalar::mul_add) rounded once on every target: bit for bit what its primitive
-/// is where the target fuses products with sums.
+/// A number with [`mul_add`](Scalar::mul_add) rounded once on every target: bit for bit the results of its
+/// primitive on a target that fuses products with sums.
 ///
 /// ```
 /// use homogen::{Fused, Scalar};
@@ -23,7 +23,7 @@ pub struct Fused<T>(
     pub T,
 );
 
-/// What the sines take from beside them.
+/// The product with a sum that the sines use.
 mod fused {
     macro_rules! always {
         ($float:ident) => {
@@ -37,7 +37,7 @@ mod fused {
     always!(f64);
 }
 
-// What stands beside them decides how they round: here the module above.
+// The sines call `super::fused`, here the module above, and so round once.
 #[allow(
     clippy::duplicate_mod,
     reason = "the same sines over another product and sum"
@@ -107,11 +107,6 @@ macro_rules! implement {
             #[inline(always)]
             fn sign(self) -> Self {
                 Self(self.0.sign())
-            }
-
-            #[inline(always)]
-            fn sgn(self) -> Self {
-                Self(self.0.sgn())
             }
 
             #[inline]

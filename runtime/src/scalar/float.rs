@@ -1,8 +1,7 @@
 //! `f32` and `f64` as scalars.
 //!
-//! In: nothing. Out: [`Scalar`] and [`Real`] for both, square roots, sines one by one and inverse
-//! tangents by the standard library or by `libm`, which no other file calls.
-//! Sines of a whole call are those of [`super::trigonometry`].
+//! [`Scalar`] and [`Real`] for both, with square roots, single sines and inverse tangents of the standard
+//! library or of `libm`; no other file calls these. [`super::trigonometry`] has the sines of a whole call.
 
 use super::trigonometry::{sin_cos_all_f32, sin_cos_all_f64};
 use super::{Real, Scalar, fused};
@@ -22,7 +21,7 @@ macro_rules! platform {
     };
 }
 
-/// Implements [`Scalar`] and [`Real`] for a primitive type with the functions named.
+/// Implements [`Scalar`] and [`Real`] for a primitive type with the given functions.
 macro_rules! implement {
     ($float:ident, $sqrt:expr, $sin_cos:expr, $atan2:expr, $constant:expr, $to_f64:expr, $sin_cos_all:path, $terms:literal) => {
         impl Scalar for $float {
@@ -42,7 +41,7 @@ macro_rules! implement {
             }
 
             #[inline]
-            fn sgn(self) -> Self {
+            fn sign(self) -> Self {
                 Self::from(i8::from(self > 0.0) - i8::from(self < 0.0))
             }
 
@@ -58,14 +57,9 @@ macro_rules! implement {
             }
 
             #[inline]
-            fn sign(self) -> Self {
-                if self < 0.0 { -1.0 } else { 1.0 }
-            }
-
-            #[inline]
             fn less_sine(self, sine: Self) -> Self {
                 let series = arc_less_sine::<Self, $terms>(self);
-                // Both are computed, and one is taken.
+                // Both are computed and one is selected, without a branch.
                 if $float::abs(self) < 2.0 {
                     series
                 } else {

@@ -1,9 +1,8 @@
-//! Several numbers that take the same steps.
+//! SIMD packs: several numbers that are computed together.
 //!
-//! In: lanes, `f32` or `f64`. Out: [`Pack`], a [`Scalar`] whose every operation is that of its lanes, one
-//! beside the other, so that the compiler makes one vector instruction of it. There are no masks and no
-//! instructions by name: a lane is right to the last bit of what the number alone would be, on every
-//! target. It never compares lanes with each other.
+//! In: lanes, `f32` or `f64`. Out: [`Pack`], a [`Scalar`] that applies every operation to each lane, so that
+//! the compiler makes vector instructions of it. There are no masks and no intrinsics: each lane has the bits
+//! of the number alone, on every target.
 #![expect(
     clippy::inline_always,
     reason = "an operation that stayed a call would be as slow as a whole function of a robot"
@@ -13,11 +12,11 @@ use super::Scalar;
 use super::trigonometry::{double, single};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `L` numbers of one type: a [`Scalar`] for as many states of a robot at once.
+/// `L` numbers of one type: a [`Scalar`] for `L` states of a robot at once.
 ///
 /// `Pack<f64, 4>` and `Pack<f32, 8>` fill a register of AVX, `Pack<f64, 8>` and `Pack<f32, 16>` one of
-/// AVX-512; where registers are shorter each is several. Every lane has the bits that the number alone
-/// would have, NaN and infinities among them; products are fused with sums where those of the number are.
+/// AVX-512; with shorter registers a pack takes several. Every lane has the bits of the number alone, NaN and
+/// infinities included; products are fused with sums if those of the number are.
 ///
 /// ```
 /// use homogen::{Pack, Scalar};
@@ -33,25 +32,24 @@ pub struct Pack<T, const L: usize>(
     pub [T; L],
 );
 
-/// A number that packs are made of: `f32`, `f64`, and with the feature `std` either as
-/// [`Fused`](super::Fused).
+/// The number of a lane: `f32`, `f64`, and with the feature `std` [`Fused`](super::Fused) of these.
 pub trait Lane: Scalar + Default + Send + Sync + sealed::Sealed {
-    /// The primitive type that it is.
+    /// The primitive type.
     type Bare: Copy + Default + Send + Sync;
 
-    /// The number of a primitive.
+    /// The number with the value of a primitive.
     #[must_use]
     fn of(bare: Self::Bare) -> Self;
 
-    /// The primitive that it is.
+    /// The value as a primitive.
     #[must_use]
     fn bare(self) -> Self::Bare;
 
-    /// Whether [`sin_cos_moderate`](Self::sin_cos_moderate) takes this angle.
+    /// True if [`sin_cos_moderate`](Self::sin_cos_moderate) is accurate at this angle.
     #[must_use]
     fn is_moderate(self) -> bool;
 
-    /// Sine and cosine of a moderate angle \[rad\], without any branch.
+    /// Sine and cosine of a moderate angle \[rad\], without branches.
     #[must_use]
     fn sin_cos_moderate(self) -> (Self, Self);
 
@@ -61,7 +59,7 @@ pub trait Lane: Scalar + Default + Send + Sync + sealed::Sealed {
 }
 
 pub(super) mod sealed {
-    /// What only this crate implements.
+    /// Implemented by this crate alone.
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
@@ -119,7 +117,7 @@ impl<T: Lane, const L: usize> Pack<T, L> {
         self
     }
 
-    /// Two results of each lane.
+    /// An operation with two results.
     #[inline(always)]
     fn two(self, operation: impl Fn(T) -> (T, T)) -> (Self, Self) {
         let (mut first, mut second) = (self, self);
@@ -188,13 +186,8 @@ impl<T: Lane, const L: usize> Scalar for Pack<T, L> {
         self.each(T::sign)
     }
 
-    #[inline(always)]
-    fn sgn(self) -> Self {
-        self.each(T::sgn)
-    }
-
-    /// While every angle of every lane is moderate the code is straight; beyond it, after one branch for
-    /// all, they go one by one.
+    /// Straight-line code if every angle of every lane is moderate; otherwise, after one branch for all, angles are
+    /// computed one by one.
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let mut moderate = true;
@@ -232,7 +225,7 @@ mod tests {
 
     const NUMBERS: [f64; 8] = [0.3, -0.0, f64::NAN, -1.7, f64::INFINITY, 1e9, -1e-310, 2.5];
 
-    /// Every operation of the trait of three numbers.
+    /// Every operation of the trait, on three numbers.
     fn results<T: Scalar>(a: T, b: T, c: T) -> [T; 14] {
         let (sine, cosine) = a.sin_cos();
         let ([first, second], [third, _]) = T::sin_cos_all([a, b]);
@@ -259,15 +252,15 @@ mod tests {
     where
         T::Bare: core::fmt::Debug + PartialEq,
     {
-        for turn in 0..NUMBERS.len() {
-            let number = |lane: usize, step: usize| of(NUMBERS[(lane * step + turn) % 8]);
+        for shift in 0..NUMBERS.len() {
+            let number = |lane: usize, step: usize| of(NUMBERS[(lane * step + shift) % 8]);
             let pack = |step| Pack::<T, 8>(from_fn(|lane| number(lane, step)));
             let together = results(pack(1), pack(3), pack(5));
             for lane in 0..8 {
                 let alone = results(number(lane, 1), number(lane, 3), number(lane, 5));
                 for (together, alone) in together.iter().zip(alone) {
                     let (found, alone) = (together.0[lane].bare(), alone.bare());
-                    // The sign of zero counts; a number that is none is not equal to itself.
+                    // As text, since NaN is not equal to itself and the sign of zero counts.
                     assert_eq!(std::format!("{found:?}"), std::format!("{alone:?}"));
                 }
             }

@@ -1,12 +1,14 @@
 //! Sines and cosines of all joints at once, by this crate's own functions.
 //!
-//! In: the angles of a call \[rad\]. Out: their sines and cosines, correct to less than a unit in
-//! the last place for every finite angle, whatever the other angles of the call are.
-//! It calls neither the standard library nor `libm`, so that every platform gives the same digits
-//! (but for the last one, where the target fuses products with sums). The platform's functions are
-//! the alternative: [`sin_cos_each`] calls them one by one.
-//! Where a register holds a block of angles they are short enough to stand in each function of a robot: a call
-//! would put angles, sines and all that is in registers on the stack, which takes up to a seventh of a pose.
+//! In: the angles of a call \[rad\]. Out: their sines and cosines, with an error of less than a unit in
+//! the last place for every finite angle.
+//!
+//! Neither the standard library nor `libm` is called, so that every platform gives the same digits; targets that
+//! fuse products with sums differ in the last one. [`sin_cos_each`] calls the platform's functions instead, one by
+//! one.
+//!
+//! With AVX-512, where a register holds a block of angles, they are inlined into each function of a robot. A call
+//! would put angles, sines and all registers on the stack, up to a seventh of the time of a pose.
 
 use super::fused;
 pub use super::sin_cos_each;
@@ -16,8 +18,8 @@ pub mod single;
 
 /// The sines and the cosines of all angles \[rad\], within 0.9 units in the last place.
 ///
-/// While every magnitude is at most [`double::LIMIT`] the code is straight and vectorised; beyond
-/// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
+/// Straight-line, vectorised code if every magnitude is at most [`double::LIMIT`]; otherwise, after one branch
+/// for all, angles are computed one by one. NaN and infinite angles give NaN.
 #[cfg_attr(
     target_feature = "avx512f",
     expect(clippy::inline_always, reason = "a call puts all on the stack"),
@@ -36,8 +38,8 @@ pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N])
 
 /// The sines and the cosines of all angles \[rad\], within 0.92 units in the last place.
 ///
-/// While every magnitude is at most [`single::LIMIT`] the code is straight and vectorised; beyond
-/// it, after one branch for all, they go one by one. NaN and infinite angles give NaN.
+/// Straight-line, vectorised code if every magnitude is at most [`single::LIMIT`]; otherwise, after one branch
+/// for all, angles are computed one by one. NaN and infinite angles give NaN.
 /// No operation is in double precision.
 #[cfg_attr(
     target_feature = "avx512f",
@@ -55,9 +57,9 @@ pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N])
     }
 }
 
-/// Applies `sin_cos`, which has no branch, so that the compiler vectorises it.
+/// Applies `sin_cos`, which has no branch, to blocks of angles, so that the compiler vectorises it.
 ///
-/// Loops of fixed length suit its vectoriser best: the last angles share a block with zeros.
+/// It vectorises loops of fixed length best: zeros fill the last block.
 #[expect(
     clippy::inline_always,
     reason = "in a call of its own, lanes without an angle are computed as well"
@@ -83,7 +85,7 @@ fn together<T: Copy + Default, const N: usize>(
     (sines, cosines)
 }
 
-/// The lanes of a block: more than one register has, and one where there are no vectors.
+/// The lanes of a block: a multiple of those of a register; 1 without SIMD instructions.
 const BLOCK: usize = if cfg!(any(
     target_feature = "sse2",
     target_feature = "neon",
@@ -112,7 +114,7 @@ fn sin_cos_block<T: Copy + Default>(
     (sines, cosines)
 }
 
-/// Copies as many as there are on both sides.
+/// Copies up to the length of the shorter slice.
 #[inline]
 fn copy<T: Copy>(from: &[T], to: &mut [T]) {
     for (to, from) in to.iter_mut().zip(from) {
@@ -120,11 +122,11 @@ fn copy<T: Copy>(from: &[T], to: &mut [T]) {
     }
 }
 
-/// The sines and the cosines of pairs, taken number by number.
+/// The sines and the cosines of pairs, copied number by number.
 ///
-/// A call leaves its results in memory. If they were handed on as they lie there, those that are computed without
-/// the call would have to lie there as well; like this they stay in registers, and a pose takes a tenth less where
-/// sines stand in each function.
+/// A call returns its results in memory. If they were returned from there, the results that are computed without the
+/// call would be stored in memory too. Copies keep those in registers: a tenth of the time of a pose where the sines
+/// are inlined.
 #[cfg_attr(
     target_feature = "avx512f",
     expect(clippy::inline_always, reason = "a call puts all on the stack"),

@@ -1,8 +1,7 @@
-//! A number with its first and second derivative with respect to time: a scalar that differentiates.
+//! Automatic differentiation: a number with its first and second derivative with respect to time.
 //!
-//! In: numbers and their derivatives. Out: those of what is computed from them, to rounding; so the
-//! positions of a body carry velocities and accelerations that owe nothing to W, H or their
-//! composition. It never compares numbers.
+//! In: numbers and their derivatives. Out: the derivatives of results, to rounding. Positions of a body then
+//! have velocities and accelerations that are independent of W, H and their composition.
 
 use homogen::{Real, Scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -12,13 +11,13 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Jet<T = f64>(pub T, pub T, pub T);
 
 impl<T: Real> Jet<T> {
-    /// A number that does not change.
+    /// A constant.
     pub fn still(x: T) -> Self {
         let zero = T::constant(0.0);
         Self(x, zero, zero)
     }
 
-    /// What moves with t itself, at x: derivatives with respect to it come out.
+    /// The variable t at x, with derivative 1.
     pub fn moving(x: T) -> Self {
         Self(x, T::constant(1.0), T::constant(0.0))
     }

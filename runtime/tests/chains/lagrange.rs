@@ -1,4 +1,4 @@
-//! Lagrange's form: derivatives of M and J, and the same torques as Newton–Euler.
+//! Lagrange's formulation: derivatives of M and J, and the same torques as Newton–Euler.
 
 use crate::jet::Jet;
 use crate::sample::{Random, agree, largest};
@@ -7,7 +7,7 @@ use homogen::{Action, Real, lagrange, open_chain};
 use homogen_magnitude::Magnitude;
 use std::array::from_fn;
 
-/// ∂M/∂qₘ = Lₘ M and ∂J/∂qₘ = Lₘ J + J Lₘᵗ, against derivatives carried along with the positions.
+/// ∂M/∂qₘ = Lₘ M and ∂J/∂qₘ = Lₘ J + J Lₘᵗ, against automatic derivatives of the positions.
 #[test]
 fn derivatives_of_poses_and_inertias() {
     for seed in 0..100 {
@@ -44,8 +44,8 @@ fn derivatives_of_poses_and_inertias() {
     }
 }
 
-/// Returns the largest differences met, in units of rounding: of the sum of magnitudes of the joint,
-/// and of the largest torque.
+/// The largest differences in units of rounding, relative to the sum of magnitudes of the joint, and to the
+/// largest torque.
 fn lagrange_against_newton_euler<T: Real>() -> [f64; 2] {
     let mut worst = [0.0; 2];
     let unit = 0.5 * T::EPSILON.to_f64();
@@ -133,7 +133,7 @@ fn both_agree_with_the_dense_recursions() {
     }
 }
 
-/// Zero mass is allowed: no torque is needed for it.
+/// Zero mass is allowed and needs no torque.
 #[test]
 fn a_chain_without_mass_needs_no_torque() {
     let mut random = Random::new(1);

@@ -32,7 +32,7 @@ fn mobility_of_known_mechanisms() {
         ring([[0.0; 3], [0.0, 1.0, 0.0], [2.0, 1.5, 0.0], [3.0, 0.0, 0.0]].map(|p| revolute(Z, p)));
     assert_eq!(mobility(&four_bar, &[0.0; 4]), 1);
 
-    // All axes through one point: spherical, though the count 4 − 6 promises nothing.
+    // All axes through one point: spherical, although the count 4 − 6 is negative.
     let tilted = [0.6, 0.0, 0.8];
     let spherical = ring([X, Y, Z, tilted].map(|u| revolute(u, [0.0; 3])));
     assert_eq!(mobility(&spherical, &[0.0; 4]), 1);
@@ -51,7 +51,7 @@ fn mobility_of_known_mechanisms() {
         (5, 1)
     );
 
-    // Six hinges at random are a structure, seven move.
+    // Six random hinges have mobility 0, seven have 1.
     let mut random = Random::new(3);
     let hinges: [Screw<f64>; 7] = from_fn(|_| revolute(random.unit(), random.numbers()));
     assert_eq!(mobility(&ring(hinges), &[0.0; 7]), 1);
@@ -59,7 +59,7 @@ fn mobility_of_known_mechanisms() {
     assert_eq!(mobility(&ring([revolute(Z, [0.0; 3]); 5]), &[0.0; 5]), 4);
 }
 
-/// The unit of length must not matter, nor where the base stands.
+/// Mobility does not depend on the unit of length and on the pose of the base.
 #[test]
 fn mobility_does_not_depend_on_units() {
     for scale in [1e-9, 1e-3, 1.0, 1e3, 1e9] {
@@ -84,7 +84,7 @@ fn mobility_does_not_depend_on_units() {
     }
 }
 
-/// Two loops: a four-bar whose coupler carries a second rod down to a slider.
+/// Two loops: a four-bar linkage with a second rod from its coupler to a slider.
 fn two_loops() -> ClosedChain<7, 4, 2> {
     let at = |x, y| Pose::from_translation([x, y, 0.0]);
     let hinge = revolute(Z, [0.0; 3]);
@@ -141,7 +141,7 @@ fn two_loops_share_their_joints() {
         let rates = velocity(&closed, &q, &driving(1.0));
         let second = acceleration(&closed, &q, &rates.values, &driving(0.0));
         for closure in &closed.closures {
-            // Both faces of the cut: the same place, velocity and acceleration.
+            // Both faces of the cut have the same position, velocity and acceleration.
             let motions = motions(&closed.chain, &q, &rates.values, &second.values);
             let [left, right] = [closure.left, closure.right].map(|frame| {
                 let motion = motions[frame.body.expect("not of the base")];
@@ -224,7 +224,7 @@ fn inverse_kinematics_is_a_closed_loop() {
     inverse_kinematics::<f32>();
 }
 
-/// At the wrist's singular position two axes are one line, and A is flagged.
+/// At the singular position of the wrist two axes coincide, and A is flagged.
 #[test]
 fn a_singular_wrist_is_flagged() {
     let q = [0.3_f64, 0.8, 0.6, 0.2, 0.0, -0.4];
@@ -238,7 +238,7 @@ fn a_singular_wrist_is_flagged() {
 fn a_pose_beyond_reach_is_an_error() {
     let target = Pose::from_translation([1.0, 0.0, 9.0]);
     let mut chain = stanford_arm::chain();
-    // Without the boom the arm is as long as it is.
+    // The boom cannot extend: the length of the arm is fixed.
     chain.joints[2].screw = revolute(Z, [0.0; 3]);
     let closed = ClosedChain::tip_at(chain, target);
     let start = [0.1_f64, 0.8, 0.5, 0.3, 0.4, 0.2];
@@ -247,7 +247,7 @@ fn a_pose_beyond_reach_is_an_error() {
     assert!(error.to_string().contains("do not close"));
 }
 
-/// The columns of A are the derivatives of the screws that are missing.
+/// The columns of A are the derivatives of the displacements by which the loops are open.
 #[test]
 fn columns_move_the_cut_apart() {
     let closed = two_loops();

@@ -13,7 +13,7 @@ fn entries<T: Real>(matrix: &[[T; 4]; 4]) -> Vec<T> {
     matrix.as_flattened().to_vec()
 }
 
-/// Velocity and acceleration of points, from positions alone.
+/// Velocity and acceleration of points, by automatic derivatives of positions.
 #[test]
 fn motions_are_the_derivatives_of_positions() {
     for seed in 0..300 {
@@ -71,7 +71,7 @@ fn composition_in_any_frame<T: Real>() {
                 64.0,
                 size,
             );
-            // Back and forth is no motion.
+            // A motion and its inverse are the identity.
             let none = in_base[i].then(&in_base[i].inverse());
             agree(
                 &entries(&none.velocity.to_matrix()),
@@ -95,7 +95,7 @@ fn composition_holds_in_any_frame() {
     composition_in_any_frame::<f32>();
 }
 
-/// (W, W') = W W' − W' W, literally.
+/// (W, W') = W W' − W' W, by dense products.
 #[test]
 fn commutators_are_differences_of_products() {
     for seed in 0..100 {
@@ -158,7 +158,7 @@ fn velocities_are_sums_of_screws() {
     }
 }
 
-/// What an external action takes off the joints is what its point of application sees of them.
+/// An external wrench reduces the torque of a joint by its power at a unit rate of the joint.
 #[test]
 fn external_actions_work_on_the_joints_that_carry_them() {
     for seed in 0..300 {
@@ -181,7 +181,7 @@ fn external_actions_work_on_the_joints_that_carry_them() {
     }
 }
 
-/// The base must bear the weight of a robot at rest and nothing else.
+/// At rest, the wrench on the base is the weight of the robot.
 #[test]
 fn the_first_joint_bears_all_weight() {
     for seed in 0..100 {

@@ -3,7 +3,7 @@
 use homogen::{Action, Chain, Frame, Inertia, Joint, Pose, Real, Screw, rotation, vector};
 use std::array::from_fn;
 
-/// Random numbers, and what is made of them.
+/// Random numbers, vectors, poses, screws, inertias and chains.
 pub struct Random(homogen_random::Random);
 
 impl Random {
@@ -37,7 +37,7 @@ impl Random {
         )
     }
 
-    /// Revolute, prismatic and screw pairs in turn.
+    /// A revolute, prismatic or screw pair, by `kind` modulo 3.
     pub fn screw(&mut self, kind: usize) -> Screw<f64> {
         match kind % 3 {
             0 => Screw::revolute(self.unit(), self.numbers()),
@@ -54,7 +54,7 @@ impl Random {
         })
     }
 
-    /// A tree of seven joints of all kinds; every third seed gives one without branches.
+    /// A tree of seven joints of all types; every third seed gives one without branches.
     pub fn chain(&mut self) -> Chain<7, 1> {
         let branched = !self.0.chance(3);
         let joints = from_fn(|i| {
@@ -71,7 +71,7 @@ impl Random {
     }
 }
 
-/// Fails unless all entries of `a` and `b` agree to `units` of rounding times `size`.
+/// Asserts that all entries of `a` and `b` agree to `units` of rounding times `size`.
 #[track_caller]
 pub fn agree<T: Real>(a: &[T], b: &[T], units: f64, size: f64) {
     assert_eq!(a.len(), b.len());

@@ -1,9 +1,8 @@
-//! The recursions at run time over joints with several velocities, and over joints that follow others:
-//! against derivatives of positions and d'Alembert's principle.
+//! The recursions at run time over joints with several velocities, and over mimic joints, against automatic
+//! derivatives of positions and d'Alembert's principle.
 //!
-//! In: random trees with a floating root, spherical and planar joints, screws and followers. Fails where a
-//! function is not what its definition says of positions that carry their derivatives along; these know
-//! of velocities no more than that M⁻¹ Ṁ = Σ L q̇ in the frame of a moved body.
+//! In: random trees with a floating root, spherical and planar joints, screws and mimic joints. The derivatives
+//! assume only that M⁻¹ Ṁ = Σ L q̇ in the frame of a moved body.
 #![cfg(feature = "nalgebra")]
 
 use crate::jet::Jet;
@@ -19,7 +18,7 @@ const JOINTS: usize = 8;
 type Tree = Chain<V, 1, Q, JOINTS>;
 type Matrix = [[f64; 4]; 4];
 
-/// A leader that comes behind its follower, branches, and every kind of motion.
+/// A tree with a mimicked joint behind its mimic joint, branches, and every type of motion.
 fn tree(random: &mut Random) -> Tree {
     let joints = from_fn(|i| {
         let (placement, inertia) = (random.pose(), random.inertia());
@@ -56,7 +55,7 @@ fn coordinates(random: &mut Random) -> [f64; Q] {
     q
 }
 
-/// Where the bodies are, with derivatives: each joint moves by M exp(W t + …).
+/// The poses of the bodies with derivatives: each joint moves by M exp(W t + …).
 fn poses(chain: &Tree, q: &[f64; Q], rates: &[[f64; V]; 2]) -> [Pose<Jet>; JOINTS] {
     let mut poses: [Pose<Jet>; JOINTS] = from_fn(|_| Pose::identity());
     for (i, joint) in chain.joints.iter().enumerate() {
@@ -158,7 +157,7 @@ fn unit(k: usize) -> [f64; V] {
     from_fn(|i| if i == k { 1.0 } else { 0.0 })
 }
 
-/// Σ Tr(H J Wᵗ) over the bodies, W being what one velocity does: its torque (Part II, d'Alembert).
+/// The torque of each velocity: Σ Tr(H J Wᵗ) over the bodies, with W at a unit velocity (Part II, d'Alembert).
 fn torques(chain: &Tree, q: &[f64; Q], rates: &[[f64; V]; 2]) -> [f64; V] {
     let moved = poses(chain, q, rates);
     let g = Screw::new([0.0; 3], chain.gravity).to_matrix();
@@ -248,7 +247,7 @@ fn dynamics_are_virtual_work() {
 }
 
 #[test]
-fn accelerations_take_the_torques_they_came_from() {
+fn forward_dynamics_inverts_inverse_dynamics() {
     for seed in 0..20 {
         let mut random = Random::new(200 + seed);
         let (chain, q) = (tree(&mut random), coordinates(&mut random));
@@ -271,7 +270,7 @@ fn vector_product(a: &[f64; V], b: &[f64; V]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// What the documentation of [`Motion`] says of a quaternion that is off unit length.
+/// The documented error of [`Motion`] for a quaternion whose length is not 1.
 #[test]
 fn a_quaternion_of_another_length_distorts_by_four_times_as_much() {
     let mut random = Random::new(300);
@@ -284,7 +283,7 @@ fn a_quaternion_of_another_length_distorts_by_four_times_as_much() {
             .for_each(|entry| *entry *= 1.0 + off);
         let [is, was] = [longer, q].map(|q| generic::forward_kinematics(&chain, &root, &q));
         let [is, was] = [is, was].map(|pose| {
-            // Seen from the placement, so that R is the quaternion's own.
+            // Relative to the placement, so that R is that of the quaternion.
             *(chain.joints[0].placement.inverse() * pose).rotation()
         });
         let more = 2.0 * off + off * off;
@@ -301,7 +300,7 @@ fn a_quaternion_of_another_length_distorts_by_four_times_as_much() {
 }
 
 #[test]
-fn what_cannot_lead_or_be_counted_is_refused() {
+fn wrong_mimicked_joints_and_counts_are_errors() {
     use homogen::Error;
     let chain = tree(&mut Random::new(301));
     assert_eq!(chain.check(1e-9), Ok(()));
@@ -329,9 +328,9 @@ fn what_cannot_lead_or_be_counted_is_refused() {
     assert_eq!(refused, counted("coordinates", 18, Q));
     assert_eq!(
         refused.to_string(),
-        "the joints have 17 coordinates, not 18"
+        "the type of the chain has 18 coordinates, its joints have 17"
     );
-    // And it computes something all the same.
+    // The functions still return without a panic.
     let _ = generic::mass_matrix(&long, &[0.1; 18]);
     let _ = generic::mass_matrix(&short, &[0.1; Q]);
 }

@@ -1,4 +1,4 @@
-//! The slider-crank: closed form against the library, and the hard case of its dead centres.
+//! The slider-crank: closed form against the library, and its dead centres.
 
 use crate::jet::Jet;
 use crate::sample::{Random, agree, largest};
@@ -13,7 +13,7 @@ const UNEQUAL: SliderCrank = SliderCrank {
     rod: 1.125,
 };
 
-/// Crank and rod of the same length: the slider gets to the axis of the crank.
+/// Crank and rod of the same length: the slider reaches the axis of the crank.
 const EQUAL: SliderCrank = SliderCrank {
     crank: 0.5,
     rod: 0.5,
@@ -39,7 +39,7 @@ fn closed_form<T: Real>() {
 
         let driving = |given| [Some(given), None, None, None];
         let start = from_fn(|i| state.q[i] + T::constant([0.0, 0.3, -0.2, 0.1][i]));
-        let found = position(&closed, &driving(alpha), &start).expect("the crank turns round");
+        let found = position(&closed, &driving(alpha), &start).expect("the crank rotates fully");
         agree(&found.q, &state.q, 16.0, 7.0);
         let rates = velocity(&closed, &state.q, &driving(alpha_d));
         agree(&rates.values, &state.qd, 32.0, 4.0);
@@ -90,7 +90,7 @@ fn backward_error<T: Real>(a: &[[T; 4]; 6], rates: &[T; 4]) -> f64 {
 }
 
 /// Residual of the position and backward error of the rates, in units of rounding, at `offset` from
-/// the angle `alpha` at which the joint `driver` cannot drive.
+/// the dead centre `alpha` of the driving joint `driver`.
 fn near<T: Real>(mechanism: &SliderCrank, driver: usize, alpha: f64, offset: f64) -> [f64; 2] {
     let closed = mechanism.closed_chain();
     let unit = 0.5 * T::EPSILON.to_f64();
@@ -98,13 +98,13 @@ fn near<T: Real>(mechanism: &SliderCrank, driver: usize, alpha: f64, offset: f64
     let angle = T::constant(alpha) + T::constant(offset);
     let given = if driver == 0 { angle } else { q_at(angle)[3] };
     let driving = |value| from_fn(|i| (i == driver).then_some(value));
-    // The branch is that of the start, which stands a little further on.
+    // The start, a little further on, determines the branch.
     let start = q_at(T::constant(alpha + if offset < 0.0 { -0.1 } else { 0.1 }));
     let found = position(&closed, &driving(given), &start).expect("within reach");
     let residual = found.residual.to_f64() / unit;
 
     let rates = velocity(&closed, &found.q, &driving(T::constant(1.0)));
-    // Where A has lost its rank the driver cannot move at all: the rates are those of least norm.
+    // If A is singular the driving joint cannot move: the rates are those of least norm.
     assert!(largest(&rates.values).is_finite());
     let backward = if rates.is_singular() {
         0.0
@@ -130,7 +130,7 @@ fn dead_centres<T: Real>() {
         check(&UNEQUAL, 3, 0.0, offset);
         check(&UNEQUAL, 3, PI, offset);
         check(&EQUAL, 3, 0.0, offset);
-        // Driven by the crank the mechanism with l₁ = l₂ gets stuck upright.
+        // With l₁ = l₂ a driving crank is stuck upright.
         check(&EQUAL, 0, FRAC_PI_2, offset);
         check(&EQUAL, 0, -FRAC_PI_2, offset);
     }
@@ -177,11 +177,11 @@ fn rank_flag<T: Real>() {
         let outer = [zero, zero, zero, l_1 + l_2];
         let inner = [pi, -pi, zero, l_2 - l_1];
         for q in [outer, inner] {
-            // The slider cannot drive: its rate contradicts the loop, and the crank stays free.
+            // A dead centre of the slider: its rate contradicts the loop, and the crank is undetermined.
             let by_slider = rates_at(&mechanism, 3, &q);
             assert!(by_slider.is_singular(), "{by_slider:?}");
             assert!(by_slider.residual > T::constant(0.1));
-            // The crank can, and the slider stands still.
+            // The crank can drive, and the slider is at rest.
             let by_crank = rates_at(&mechanism, 0, &q);
             assert!(!by_crank.is_singular());
             assert!(by_crank.values[3].abs() <= T::constant(4.0) * T::EPSILON);
@@ -196,7 +196,7 @@ fn rank_flag<T: Real>() {
         (2, 2)
     );
     assert!(rates_at(&EQUAL, 0, &upright).is_singular());
-    // A hundredth of a radian away there is nothing to flag.
+    // At a distance of 0.01 rad nothing is flagged.
     let beside = EQUAL.state(
         T::constant(FRAC_PI_2 - 0.01),
         T::constant(0.0),
@@ -212,9 +212,9 @@ fn slider_crank_dead_is_flagged_by_rank() {
     rank_flag::<f32>();
 }
 
-/// A rod that is too short for the crank to get to this angle.
+/// A rod that is too short for the crank angle.
 #[test]
-fn what_cannot_be_reached_is_an_error() {
+fn an_unreachable_crank_angle_is_an_error() {
     let short = SliderCrank {
         crank: 1.0,
         rod: 0.5,
@@ -222,7 +222,7 @@ fn what_cannot_be_reached_is_an_error() {
     let start = short.state(0.1, 0.0, 0.0).q;
     let driving = [Some(FRAC_PI_2), None, None, None];
     let error = position(&short.closed_chain(), &driving, &start).expect_err("out of reach");
-    // Half a metre is missing, of one and a half.
+    // The gap is 0.5 m, the size of the robot 1.5 m.
     assert!(error.residual > 0.1 && error.iterations == 100, "{error}");
     let nan = position(
         &short.closed_chain(),

@@ -78,7 +78,7 @@ fn the_boom_slides_along_c1_s2() {
     assert!((length(q[0].cos() * q[0].sin()) - 1.0).abs() > 0.01);
 }
 
-/// What holds the boom at rest is the weight of all it carries, along its own direction.
+/// At rest, the force of the boom is the component of the weight that it carries along its direction.
 #[test]
 fn the_force_of_the_boom_at_rest() {
     let chain = stanford_arm::chain();
@@ -91,8 +91,8 @@ fn the_force_of_the_boom_at_rest() {
     }
 }
 
-/// The inertia goes to frame 0 with M₀,ᵢ: only then does the kinetic energy have the power of the
-/// joints for its rate.
+/// The inertia is transformed to frame 0 by M₀,ᵢ: only then is the rate of the kinetic energy the power of the
+/// joints.
 #[test]
 fn the_power_of_the_joints_is_the_rate_of_the_energy() {
     let chain = stanford_arm::chain();

@@ -29,7 +29,7 @@ fn singular(sequence: Sequence) -> [f64; 2] {
     }
 }
 
-/// Angles all over, and at and near the singularity.
+/// Regular angles, and angles at and near the singularity.
 fn samples<T: Real>(sequence: Sequence, seed: u64) -> Vec<[T; 3]> {
     let mut random = Random::new(seed);
     let mut list = vec![[T::constant(0.0); 3]];
@@ -74,8 +74,8 @@ fn rotation_is_the_product_of_three<T: Real>() {
     }
 }
 
-/// Turns about x, y and z as they are written out, also about an axis through any point.
-fn turns_about_the_axes_of_the_frame<T: Real>() {
+/// Rotations about x, y and z by explicit matrices, also about an axis through any point.
+fn rotations_about_the_axes_of_the_frame<T: Real>() {
     let mut random = Random::new(127);
     for (axis, u) in identity::<T>().into_iter().enumerate() {
         for angle in crate::sample::angles::<T>() {
@@ -92,7 +92,7 @@ fn turns_about_the_axes_of_the_frame<T: Real>() {
     }
 }
 
-/// Hard case `cardan_gimbal`: the rotation comes back within 8 units, singular or not.
+/// Hard case `cardan_gimbal`: the angles reproduce the rotation within 8 units, singular or not.
 fn angles_rebuild_the_rotation<T: Real>() {
     for sequence in Sequence::ALL {
         for angles in samples::<T>(sequence, 121) {
@@ -176,7 +176,7 @@ fn rates_and_second_rates_are_derivatives<T: Real>() {
             let (sine, cosine) = angles[1].sin_cos();
             let distance = if sequence.is_euler() { sine } else { cosine }.abs();
             if distance > T::constant(1e-3) {
-                // Back, with the condition of one over the distance from the singularity.
+                // The inverse has the condition number 1/(distance from the singularity).
                 let found = rates(sequence, angles, w).expect("not singular");
                 assert_within(found, speed, T::constant(3.0) / distance, 8.0);
                 let found = second_rates(sequence, angles, speed, w_dot).expect("not singular");
@@ -197,7 +197,7 @@ fn rates_come_back_or_are_refused<T: Real>() {
             let w = omega(sequence, angles, speed);
             match rates(sequence, angles, w) {
                 Ok(found) => {
-                    // The condition is one over the distance from the singularity.
+                    // The condition number is 1/(distance from the singularity).
                     assert_within(found, speed, T::constant(2.0) / distance, 16.0);
                     let w_dot = omega_dot(sequence, angles, speed, change);
                     let found = second_rates(sequence, angles, speed, w_dot).expect("not singular");
@@ -254,7 +254,7 @@ fn typed_matrices_from_angles<T: Real>() {
 
 in_both_precisions! {
     rotation_is_the_product_of_three
-    turns_about_the_axes_of_the_frame
+    rotations_about_the_axes_of_the_frame
     angles_rebuild_the_rotation
     angles_come_back_away_from_singularities
     rates_and_second_rates_are_derivatives

@@ -1,4 +1,4 @@
-//! Numbers that are refused, with the quantity and its value; and finite numbers, which never panic.
+//! Errors of bad input, with the quantity and its value; finite numbers never panic.
 
 use crate::sample::Random;
 use homogen::frames::{Axis, pose_from_points};
@@ -23,7 +23,7 @@ fn matrices_that_are_not_rotations() {
     );
     assert_eq!(
         refused.unwrap_err().to_string(),
-        "not a rotation: it fails orthogonality by 2.5e-1"
+        "not a rotation: an entry of RᵗR differs from I by 2.5e-1; `normalize::nearest_rotation` gives the nearest one"
     );
     let mut mirror = IDENTITY;
     mirror[2][2] = -1.0;
@@ -59,11 +59,14 @@ fn axes_that_are_not_of_unit_length() {
 }
 
 #[test]
-fn masses_and_inertias_that_no_body_has() {
+fn negative_masses_and_non_physical_inertias() {
     let refused = Inertia::new([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], [0.0; 3], -2.5).check(1e-9);
     assert_eq!(refused, Err(Error::NegativeMass { value: -2.5 }));
-    assert_eq!(refused.unwrap_err().to_string(), "the mass is -2.5 kg");
-    // A moment of inertia larger than the sum of the two others.
+    assert_eq!(
+        refused.unwrap_err().to_string(),
+        "the mass is -2.5 kg, and must not be negative"
+    );
+    // A moment of inertia that is larger than the sum of the two others.
     let tensor = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.5]];
     let refused = Inertia::from_tensor_at_center_of_mass(1.0, [0.0; 3], &tensor).check(1e-9);
     assert!(matches!(
@@ -73,7 +76,7 @@ fn masses_and_inertias_that_no_body_has() {
     let message = refused.unwrap_err().to_string();
     assert_eq!(
         message,
-        "no body has this inertia: a principal second moment about the centre of mass is -2.5e-1"
+        "non-physical inertia: a principal second moment about the centre of mass is -2.5e-1"
     );
     let refused = Inertia::new([0.0; 6], [0.0, 0.5, 0.0], 0.0).check(1e-9);
     assert!(matches!(
@@ -105,7 +108,7 @@ fn numbers_that_are_not_finite() {
                 panic!("{bad} gave {error:?}");
             };
             assert_eq!(value.to_bits(), bad.to_bits());
-            assert!(error.is_some_and(|e| e.to_string().ends_with(&format!("is {bad}"))));
+            assert!(error.is_some_and(|e| e.to_string().contains(&format!(" is {bad}, and"))));
         }
     }
 }
@@ -128,7 +131,7 @@ fn the_other_messages_name_quantity_and_value() {
 }
 
 #[test]
-fn chains_that_are_no_trees() {
+fn parents_behind_their_children() {
     let z = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]);
     let place = Pose::from_translation([0.5, 0.0, 0.0]);
     let joint = |name, parent, screw, mass| {
@@ -156,7 +159,7 @@ fn chains_that_are_no_trees() {
     );
     assert_eq!(
         refused.to_string(),
-        "b stands on body 1, which does not come before it"
+        "\"b\": there is no joint 1 before it; list parents first"
     );
     let refused = chain(Some(0), z, 1.0, Some(2)).check(1e-9);
     assert_eq!(
@@ -192,7 +195,7 @@ fn wild<T: Real>(random: &mut Random) -> T {
     sizes[random.index(sizes.len())] * random.number()
 }
 
-/// Results need not make sense here; they must come back.
+/// Results may be meaningless here, but functions must return.
 fn finite_numbers_never_panic<T: Real>() {
     let mut random = Random::new(170);
     for _ in 0..2000 {

@@ -1,6 +1,6 @@
 //! § 3.1 and § 3.3: W and H as derivatives of M(t), and the composition of relative motions.
 //!
-//! M₀₂(t) = exp(L₁ φ(t)) A exp(L₂ ψ(t)) B, whose derivatives the jets carry along that φ and ψ are.
+//! M₀₂(t) = exp(L₁ φ(t)) A exp(L₂ ψ(t)) B, with automatic derivatives with respect to t.
 
 use crate::dense::{Dense, assert_same, assert_within, combine, product, size_of};
 use crate::jet::Jet;
@@ -8,7 +8,7 @@ use crate::sample::{Random, poses};
 use homogen::{Acceleration, Pose, Real, Screw, Velocity};
 use std::array::from_fn;
 
-/// A motion of two joints: φ, φ̇ and φ̈ at an instant, and ψ likewise.
+/// A motion of two joints: φ, φ̇ and φ̈ at an instant, and the same for ψ.
 struct Motion<T> {
     screws: [Screw<T>; 2],
     places: [Pose<T>; 2],
@@ -100,7 +100,7 @@ fn composed_motion<T: Real>() {
 fn composition_holds_in_any_frame<T: Real>() {
     let mut random = Random::new(42);
     for m in poses::<T>(42) {
-        // (12), (13): composed and then seen from elsewhere, or the other way round.
+        // (12), (13): composition and change of frame commute.
         let (w_a, w_b) = (random.velocity(), random.velocity());
         let (h_a, h_b) = (
             Acceleration::from_parts(random.vector(), w_a.omega(), random.vector()),

@@ -1,4 +1,4 @@
-//! To and from nalgebra.
+//! Conversions to and from nalgebra.
 
 use crate::dense::{assert_same, assert_within};
 use crate::sample::{Random, inertias, poses};

@@ -1,4 +1,4 @@
-//! The literal side of each equation: 4×4 products without any structure, and comparison in units.
+//! The dense side of each equation: 4×4 products without structure, and comparison in units of rounding.
 
 use homogen::Real;
 use std::array::from_fn;

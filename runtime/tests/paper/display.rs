@@ -1,9 +1,9 @@
-//! What every matrix looks like.
+//! `Display` of every matrix.
 
 use homogen::{Acceleration, Action, Displacement, Inertia, Momentum, Pose, Screw, Velocity};
 
 #[test]
-fn columns_stand_under_each_other() {
+fn columns_are_aligned() {
     let turn = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     let m = Pose::new(turn, [0.5, 12.25, 0.0]);
     assert_eq!(
@@ -20,7 +20,7 @@ fn columns_stand_under_each_other() {
     );
 }
 
-/// Whatever stands in the matrix is what is shown.
+/// The text has every entry of the matrix.
 #[test]
 fn every_matrix_shows_its_entries() {
     let (u, v) = ([0.25, -1.5, 3.0], [0.5, 1.0 / 3.0, -40.0]);

@@ -98,7 +98,7 @@ fn weight_is_the_action_of_gravity<T: Real>() {
         ));
         let scale = T::constant(20.0) * size_of(&j.to_matrix());
         assert_same(&j.weight(g).to_matrix(), &literal, scale, 4.0);
-        // What falls freely needs no action besides its weight.
+        // A freely falling body needs no wrench besides its weight.
         let falling = Acceleration::gravity(g).less_gravity(g);
         assert_eq!(falling, Acceleration::zero());
         let held = j.action(&Acceleration::zero().less_gravity(g)) + j.weight(g);
@@ -106,8 +106,8 @@ fn weight_is_the_action_of_gravity<T: Real>() {
     }
 }
 
-/// H_g, SPACELIB's `gtom`: g in the last column and nothing else, so that every point falls alike; a
-/// tensor like every H, which a translation leaves as it is and a rotation turns with g.
+/// H_g, SPACELIB's `gtom`: g in the last column and zeros, so that every point has the same acceleration. Like
+/// every H it is a tensor: a translation does not change it, a rotation rotates g.
 fn gravity_as_a_matrix<T: Real>() {
     let mut random = Random::new(82);
     for m in poses::<T>(82) {
@@ -191,7 +191,7 @@ fn potential_energy_is_minus_the_trace<T: Real>() {
         ));
         let scale = T::constant(10.0) * size_of(&j.to_matrix());
         assert_within([j.potential_energy(g)], [literal], scale, 4.0);
-        // Falling by d loses what the weight does on the way.
+        // A fall by d loses the work of the weight.
         let d = random.vector();
         let moved = homogen::Pose::from_translation(d).change_frame(&j);
         let lost = j.potential_energy(g) - moved.potential_energy(g);

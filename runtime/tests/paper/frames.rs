@@ -28,7 +28,7 @@ fn frames_from_vectors<T: Real>() {
                 let axes = transpose(&r);
                 let (a, b) = (axes[first.index()], axes[second.index()]);
                 assert_eq!(Some(a), unit(v));
-                // The second axis is in the half-plane of w, the third one across both vectors.
+                // The second axis is in the half-plane of w, the third one perpendicular to both vectors.
                 assert!(dot(b, w) > T::constant(0.0));
                 let third = axes[3 - first.index() - second.index()];
                 assert_within(

@@ -1,5 +1,5 @@
-//! Part II, the recursions over a chain: against closed forms, against each other, and against
-//! derivatives that positions and energies carry along.
+//! Part II, the recursions over a chain: against closed forms, against each other, and against automatic
+//! derivatives of positions and energies.
 #![cfg(feature = "nalgebra")]
 
 use crate::dense::{assert_same, assert_within, combine, product, size};
@@ -7,16 +7,16 @@ use crate::jet::Jet;
 use crate::sample::Random;
 use homogen::open_chain::{inertias, motions, poses};
 use homogen::robot::{
-    Acceleration as _, Bias as _, BodyJacobian as _, ForwardKinematics as _,
-    GeometricJacobian as _, Gravity as _, InverseDynamics as _, MassMatrix as _,
-    SpatialJacobian as _, Velocity as _,
+    Bias as _, BodyJacobian as _, ForwardKinematics as _, GeometricJacobian as _, Gravity as _,
+    InverseDynamics as _, MassMatrix as _, SpatialJacobian as _, TipAcceleration as _,
+    TipVelocity as _,
 };
 use homogen::{Chain, Frame, Inertia, Jacobian, Joint, Pose, Real, Screw, generic};
 use nalgebra::RealField;
 
 const N: usize = 6;
 
-/// A tree: a trunk of three joints, two branches on it; revolute, prismatic and screw pairs.
+/// A tree: a trunk of three joints with two branches; revolute, prismatic and screw pairs.
 fn tree(random: &mut Random) -> Chain<N, 2> {
     let parents = [None, Some(0), Some(1), Some(1), Some(3), Some(0)];
     let joints = std::array::from_fn(|i| {
@@ -94,7 +94,7 @@ fn kinetic_energy_is_that_of_the_mass_matrix<T: Real + RealField + Copy>() {
     }
 }
 
-/// The potential energy of all bodies, by its derivatives along each coordinate.
+/// Gravity is the derivative of the potential energy of all bodies by each coordinate.
 #[test]
 fn gravity_is_the_gradient_of_potential_energy() {
     let mut random = Random::new(213);

@@ -45,7 +45,7 @@ fn lines_approach_each_other<T: Real>() {
         if sine < T::constant(0.1) {
             continue;
         }
-        // Two lines built around their common perpendicular.
+        // Two lines with a given common perpendicular.
         let normal = unit(cross(u, v)).expect("not parallel");
         let (foot, gap) = (random.vector(), random.positive::<T>());
         let other = add(foot, scale(gap, normal));

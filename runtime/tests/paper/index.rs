@@ -1,9 +1,8 @@
-//! The page `checklist.md` of the documentation: each row is held by tests that call what it names.
+//! The page `checklist.md` of the documentation: every row has tests that use its items.
 //!
-//! In: the page and the sources of this crate, of its tests and of the programs that use it. Out:
-//! nothing where every row names items that exist, and tests that run and in which, or in what they
-//! call in their own module, each item is used. Whether a test proves what it says it cannot tell: that
-//! is shown by breaking items on purpose, in the list of mutations.
+//! In: the page, and the sources of this crate, of its tests and of the programs that use it. The tests fail
+//! unless every item of a row exists, every test of a row runs, and each item is used in a test of the row, or in
+//! functions of the same module that the test calls. The list of mutations shows that the tests notice mistakes.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 const PAGE: &str = include_str!("../../src/checklist.md");
 
-/// The cells of each row of each table, header and rule left out.
+/// The cells of each row of each table, without headers.
 fn rows() -> Vec<Vec<&'static str>> {
     PAGE.lines()
         .filter(|line| line.starts_with("| "))
@@ -25,7 +24,7 @@ fn rows() -> Vec<Vec<&'static str>> {
         .collect()
 }
 
-/// What stands in backquotes and looks like a path.
+/// Paths in backquotes.
 fn names(cell: &str) -> Vec<&str> {
     cell.split('`')
         .skip(1)
@@ -34,7 +33,7 @@ fn names(cell: &str) -> Vec<&str> {
         .collect()
 }
 
-/// What a row names here, and what proves it.
+/// The items and the tests of a row.
 fn items_and_tests(row: &[&'static str]) -> (Vec<&'static str>, Vec<&'static str>) {
     let [.., items, tests] = row else {
         panic!("a row of {} cells: {row:?}", row.len());
@@ -44,7 +43,7 @@ fn items_and_tests(row: &[&'static str]) -> (Vec<&'static str>, Vec<&'static str
 
 /// A file of Rust.
 struct Source {
-    /// Its name without what follows the point.
+    /// Its name without the extension.
     module: String,
     text: String,
 }
@@ -71,7 +70,7 @@ fn sources(folders: &[&str]) -> Vec<Source> {
     sources
 }
 
-/// Where the tests of a name are, which begins with that of a package unless it is this one.
+/// The folders of a test, by the package at the start of its name, and the rest of the name.
 fn place_of(test: &str) -> (&'static [&'static str], &str) {
     match test.split_once("::") {
         Some(("examples", rest)) => (&["../examples/src/bin", "../examples/tests"], rest),
@@ -85,7 +84,7 @@ fn find(test: &str) -> (Source, &str) {
     let (folders, rest) = place_of(test);
     let (module, function) = rest.split_once("::").expect("module::function");
     let sources = sources(folders);
-    // A file that no `main` names is not compiled; programs are files of their own.
+    // A file without `mod` in a `main.rs` is not compiled; programs are files of their own.
     let mut roots = sources.iter().filter(|source| source.module == "main");
     let is_compiled = test.starts_with("examples::")
         || roots.any(|root| declares(&root.text, &["mod"], &format!("{module};")));
@@ -97,7 +96,7 @@ fn find(test: &str) -> (Source, &str) {
     )
 }
 
-/// Where a word stands in a text, neither as part of a longer one.
+/// The positions of a whole word in a text.
 fn words<'t>(text: &'t str, word: &'t str) -> impl Iterator<Item = usize> + 't {
     let joins = |c: char| c.is_alphanumeric() || c == '_';
     text.match_indices(word)
@@ -116,7 +115,7 @@ fn declares(text: &str, kinds: &[&str], name: &str) -> bool {
 }
 
 impl Source {
-    /// The lines of a function, comments left out: as rustfmt has it, to the brace below its head.
+    /// The lines of a function without comments, down to the closing brace at the indentation of its head.
     fn body(&self, function: &str) -> Option<String> {
         let is_head = |line: &&str| {
             let head = line.trim_start().trim_start_matches("pub ");
@@ -133,7 +132,7 @@ impl Source {
         Some(code.collect::<Vec<_>>().join("\n"))
     }
 
-    /// The functions that are declared here.
+    /// The functions that the file declares.
     fn functions(&self) -> BTreeSet<&str> {
         let heads = self.text.split("fn ").skip(1);
         let name = |head: &'_ str| {
@@ -146,7 +145,7 @@ impl Source {
             .collect()
     }
 
-    /// All that runs where a function does, as far as it stands in this file.
+    /// The code of a function and of the functions of this file that it calls, directly or not.
     fn reach(&self, function: &str) -> Option<String> {
         let mut all = self.body(function)?;
         let mut reached = BTreeSet::from([function]);
@@ -163,7 +162,7 @@ impl Source {
         }
     }
 
-    /// Whether code calls a function of a program, whose tests stand at its end.
+    /// True if code calls a function of a program, outside the tests at its end.
     fn runs_the_program(&self, code: &str) -> bool {
         let program = Self {
             module: self.module.clone(),
@@ -178,7 +177,7 @@ impl Source {
         functions.any(|name| calls(code, name) || code.contains(&format!(".{name}(")))
     }
 
-    /// Whether cargo runs a test of that name.
+    /// True if cargo runs a test of this name.
     fn runs(&self, function: &str) -> bool {
         let listed = self.text.split("in_both_precisions! {").nth(1);
         let listed = listed.is_some_and(|list| list.split_whitespace().any(|w| w == function));
@@ -190,7 +189,7 @@ impl Source {
     }
 }
 
-/// Whether a text calls a function, or names it as a value behind a path.
+/// True if a text calls a function, or has it as a value behind a path.
 fn calls(text: &str, name: &str) -> bool {
     words(text, name).any(|at| {
         let behind = &text[at + name.len()..];
@@ -198,8 +197,8 @@ fn calls(text: &str, name: &str) -> bool {
     })
 }
 
-/// Whether code uses an item: a type by its name, a function or method by a call. What the module calls by
-/// the same name itself has to be told apart by a path.
+/// True if code uses an item: a type by its name, a function or method by a call. If the module has a function of
+/// the same name itself, the call must have a path.
 fn uses(source: &Source, code: &str, item: &str) -> bool {
     let name = item.rsplit("::").next().unwrap_or(item);
     if name.starts_with(char::is_uppercase) {
@@ -213,7 +212,7 @@ fn uses(source: &Source, code: &str, item: &str) -> bool {
     calls(code, name)
 }
 
-/// Whether a module names an item of another file as one of its own.
+/// True if a module re-exports an item of another file.
 fn passes_on(text: &str, item: &str) -> bool {
     let mut lists = text.split("pub use ").skip(1);
     lists.any(|rest| {
@@ -295,7 +294,7 @@ fn every_test_runs_and_uses_what_its_row_names() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The other way round: a property that nobody finds from the table is as good as lost.
+/// Conversely, every test is in the table, so that each property can be found.
 #[test]
 fn every_test_is_in_the_table() {
     let named: BTreeSet<String> = rows()
@@ -317,7 +316,7 @@ fn every_test_is_in_the_table() {
     }
 }
 
-/// Each historical name of the checklist's groups is found on the page.
+/// Each historical name of SPACELIB is on the page.
 #[test]
 fn every_historical_name_is_mapped() {
     let names = "dhtom DHtoMstd extract mtoscrew screwtom rotat* traslat* gtom Gtomegapto makeL makeL2 WtoL Wtovel \

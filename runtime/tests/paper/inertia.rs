@@ -109,7 +109,7 @@ fn real_bodies_are_physical<T: Real>() {
     let tolerance = T::constant(32.0) * T::EPSILON;
     for (j, m) in inertias::<T>(55).into_iter().zip(poses::<T>(55)) {
         assert_eq!(j.check(tolerance), Ok(()));
-        // A change of frame does not alter that, and moves no principal moment.
+        // A change of frame changes neither that nor the principal moments.
         let moved = m.change_frame(&j);
         let scale = size_of(&moved.to_matrix()).max(size_of(&j.to_matrix()));
         assert_eq!(moved.check(tolerance), Ok(()), "{j:?}");
@@ -118,7 +118,7 @@ fn real_bodies_are_physical<T: Real>() {
     }
 }
 
-fn impossible_bodies_are_named_with_the_amount<T: Real>() {
+fn non_physical_inertias_are_errors_with_the_amount<T: Real>() {
     let mut random = Random::new(56);
     let tolerance = T::constant(32.0) * T::EPSILON;
     for _ in 0..50 {
@@ -159,6 +159,6 @@ in_both_precisions! {
     dynamic_matrices_change_frame
     joined_bodies_add
     real_bodies_are_physical
-    impossible_bodies_are_named_with_the_amount
+    non_physical_inertias_are_errors_with_the_amount
     principal_axes_make_inertia_diagonal
 }

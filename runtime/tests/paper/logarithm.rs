@@ -5,7 +5,7 @@ use crate::sample::{Random, angles, displacements, units, velocities};
 use homogen::vector::{add, dot, matrix_product, norm, scale, sub, unit};
 use homogen::{Displacement, Real, Screw, Velocity, rotation};
 
-/// ‖a − b‖, or ‖a + b‖ where that is less: axes are known up to their sign at π.
+/// ‖a − b‖, or ‖a + b‖ if that is less: at π the sign of an axis is undetermined.
 fn apart<T: Real>(a: [T; 3], b: [T; 3]) -> T {
     let (minus, plus) = (norm(sub(a, b)), norm(add(a, b)));
     if minus < plus { minus } else { plus }
@@ -30,7 +30,7 @@ fn logarithm_undoes_exponential<T: Real>() {
             let (found, angle) = l.exp(phi).log();
             assert_within([angle], [phi], phi, 16.0);
             assert_within(found.u(), u, T::constant(1.0), 16.0);
-            // The place of the axis is known to u / φ.
+            // The position of the axis is determined to u / φ.
             assert_within(found.b(), l.b(), T::constant(4.0) / phi.min_one(), 16.0);
         }
     }
@@ -53,7 +53,7 @@ impl<T: Real> MinOne for T {
 
 /// Hard case `log_tiny`, and every other angle up to π.
 ///
-/// 4 units are those of the way back; R itself, computed in the same type, may bring as many.
+/// 4 units are those of the logarithm; R, computed in the same type, may have as many.
 fn axis_and_angle_at_every_angle<T: Real>() {
     let units_allowed = T::constant(8.0) * unit_roundoff();
     for u in units::<T>(102) {
@@ -73,7 +73,7 @@ fn axis_and_angle_at_every_angle<T: Real>() {
     }
 }
 
-/// The way back alone: R computed in f64 and rounded to f32 brings half a unit an entry.
+/// The logarithm alone: R computed in f64 and rounded to f32 has an error of half a unit an entry.
 #[test]
 fn axis_and_angle_of_rounded_rotations() {
     for u in units::<f64>(111) {
@@ -98,7 +98,7 @@ fn rounded(x: f64) -> f32 {
 }
 
 /// Hard case `log_near_pi`: axis to 4 units up to its sign, in all octants.
-fn axis_near_half_a_turn<T: Real>() {
+fn axis_near_180_degrees<T: Real>() {
     let pi = std::f64::consts::PI;
     for u in units::<T>(103) {
         for less in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15, 0.0] {
@@ -112,7 +112,7 @@ fn axis_near_half_a_turn<T: Real>() {
             assert_within([angle], [phi], phi, 4.0);
             assert_within([norm(axis)], [T::constant(1.0)], T::constant(1.0), 4.0);
         }
-        // The half turn itself, R = 2 u uᵗ − I, exactly symmetric.
+        // 180°: R = 2 u uᵗ − I, exactly symmetric.
         let r = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 T::constant(2.0) * u[i] * u[j] - T::constant(if i == j { 1.0 } else { 0.0 })
@@ -133,15 +133,15 @@ fn by_arc_cosine<T: Real>(r: &[[T; 3]; 3]) -> ([T; 3], T) {
     (differences.map(|d| half * d / sine), sine.atan2(cosine))
 }
 
-/// The axis from the diagonal, uₓ² = (Rₓₓ − cos φ)/(1 − cos φ), as where |sin φ| < 0.1; signs left out.
+/// The axis from the diagonal, uₓ² = (Rₓₓ − cos φ)/(1 − cos φ), as used for |sin φ| < 0.1; without signs.
 fn by_diagonal<T: Real>(r: &[[T; 3]; 3]) -> [T; 3] {
     let one = T::constant(1.0);
     let cosine = T::constant(0.5) * (r[0][0] + r[1][1] + r[2][2] - one);
     std::array::from_fn(|i| ((r[i][i] - cosine) / (one - cosine)).abs().sqrt())
 }
 
-/// The formulas in use since the eighties lose the axis or the angle where ours keep both.
-fn historical_formulas_fail_where_ours_holds<T: Real>() {
+/// Common formulas lose the axis or the angle where those of this crate are accurate.
+fn common_formulas_lose_digits<T: Real>() {
     let u = unit([1.0, 2.0, 2.0].map(T::constant)).expect("not zero");
     let limit = T::constant(4.0) * unit_roundoff::<T>();
     let lost = |error: T| !error.is_finite() || error > T::constant(0.01);
@@ -216,7 +216,7 @@ fn logarithm_without_rotation<T: Real>() {
             assert_within([phi], [length], length, 8.0);
         }
     }
-    // So slow a turn that the axis lies beyond the largest number.
+    // A rotation so small that the position of the axis overflows.
     let tiny = T::MIN_POSITIVE;
     let q = Displacement::new(
         rotation::from_axis_angle([T::constant(0.0), T::constant(0.0), T::constant(1.0)], tiny),
@@ -310,8 +310,8 @@ in_both_precisions! {
     exponential_undoes_logarithm
     logarithm_undoes_exponential
     axis_and_angle_at_every_angle
-    axis_near_half_a_turn
-    historical_formulas_fail_where_ours_holds
+    axis_near_180_degrees
+    common_formulas_lose_digits
     logarithm_of_a_drifted_rotation
     screw_axis_far_away
     logarithm_without_rotation

@@ -1,7 +1,7 @@
 //! The paper, row by row: every equation as a property over random and degenerate inputs.
 //!
-//! Tolerances are counted in units of rounding of the type under test. The table in
-//! `src/checklist.md` names the tests in here; `index` walks it.
+//! Tolerances are in units of rounding of the type under test. The table in `src/checklist.md` lists these
+//! tests; `index` checks it.
 #![cfg(any(feature = "std", feature = "libm"))]
 
 /// Runs a test that is generic over the scalar in f32 and in f64.

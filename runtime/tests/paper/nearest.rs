@@ -1,4 +1,4 @@
-//! Distances against what does not repeat their formulas: exact cases, and the least over parameters.
+//! Distances by independent means: exact cases, and minima over parameters.
 
 use crate::dense::{assert_within, size};
 use crate::sample::Random;
@@ -6,7 +6,7 @@ use homogen::Real;
 use homogen::geometry::{Line, Plane, distance, intermediate, middle};
 use homogen::vector::{add, cross, norm, scale, sub};
 
-/// Whole numbers x, y, z whose squares add up to that of the last.
+/// Integers x, y, z, r with x² + y² + z² = r².
 const QUADRUPLES: [[f64; 4]; 8] = [
     [0.0, 3.0, 4.0, 5.0],
     [0.0, 0.0, 7.0, 7.0],
@@ -18,14 +18,14 @@ const QUADRUPLES: [[f64; 4]; 8] = [
     [3.0, 4.0, 12.0, 13.0],
 ];
 
-/// Three axes at right angles, of whole numbers and of one length, which is the last number.
+/// Three perpendicular axes of integers with the same length, which is the last number.
 const FRAMES: [([[f64; 3]; 3], f64); 3] = [
     ([[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [2.0, -2.0, 1.0]], 3.0),
     ([[2.0, 3.0, 6.0], [3.0, -6.0, 2.0], [6.0, 2.0, -3.0]], 7.0),
     ([[1.0, 4.0, 8.0], [4.0, 7.0, -4.0], [8.0, -4.0, 1.0]], 9.0),
 ];
 
-/// Eighths of whole numbers, which are exact.
+/// Multiples of 1/8, which are exact.
 fn eighths<T: Real>(random: &mut Random) -> [T; 3] {
     std::array::from_fn(|_| {
         let eighth = u32::try_from(random.index(129)).expect("small");
@@ -44,7 +44,7 @@ fn distances_of_points_in_whole_numbers<T: Real>() {
                 let exact = grown * T::constant(length);
                 assert_within([distance(a, b), distance(b, a)], [exact; 2], exact, 2.0);
                 assert_eq!(sub(b, a), scale(grown, step.map(T::constant)));
-                // A quarter and half of the way, exactly.
+                // The points at a quarter and at half of the distance are exact.
                 let part = |k: f64| add(a, scale(grown, step.map(|x| T::constant(k * x))));
                 assert_eq!(intermediate(a, b, T::constant(0.25)), part(0.25));
                 assert_eq!(middle(a, b), part(0.5));
@@ -91,8 +91,8 @@ fn distances_from_lines_and_planes_in_whole_numbers<T: Real>() {
     }
 }
 
-/// The least square of the distance over two parameters: one after the other to the bottom of the
-/// parabola through three values, until nothing is to be gained.
+/// The minimum of the squared distance over two parameters, by coordinate descent: each step goes to the
+/// minimum of the parabola through three values.
 fn least<T: Real>(square: impl Fn([T; 2]) -> T) -> T {
     let mut at = [T::constant(0.0); 2];
     let (one, two) = (T::constant(1.0), T::constant(2.0));
@@ -122,7 +122,7 @@ fn distances_are_the_least_over_parameters<T: Real>() {
     for _ in 0..100 {
         let (p, start, other) = (random.vector::<T>(), random.vector(), random.vector());
         let (u, v) = (random.unit(), random.unit());
-        // Else the descent along the axes takes too long.
+        // Coordinate descent is slow for nearly parallel lines.
         if norm(cross(u, v)) < T::constant(0.5) {
             continue;
         }
@@ -130,7 +130,7 @@ fn distances_are_the_least_over_parameters<T: Real>() {
         let at = |start: [T; 3], s: T, u: [T; 3]| add(start, scale(s, u));
         let size = T::constant(64.0);
         let line = Line::from_point_and_direction(start, u).expect("a direction");
-        // Over one parameter: the other changes nothing but adds a parabola of its own.
+        // Over one parameter: the other adds an independent parabola.
         let of_line = least(|[s, t]| square(at(start, s, u), p) + t * t);
         let found = line.distance(p);
         assert_within([found * found], [of_line], size, 4.0);

@@ -9,7 +9,7 @@ fn numbers<T: Real>((a, b): ([T; 3], [T; 3])) -> [T; 6] {
     [p, q, r, x, y, z]
 }
 
-/// Which of the twelve are given: of each pair one, or six drawn at random.
+/// True for each given number of the twelve: one of each pair, or six at random.
 fn masks(random: &mut Random) -> Vec<[bool; 12]> {
     let mut list: Vec<[bool; 12]> = (0..64)
         .map(|bits| std::array::from_fn(|k| (bits >> (k % 6) & 1 == 1) == (k < 6)))
@@ -40,7 +40,7 @@ fn six_of_twelve<T: Real>() {
         match newton_euler::momentum(&j, kinematic, dynamic) {
             Ok((found, momentum)) => {
                 solved += 1;
-                // Whatever the condition, both sides fit each other and what was given.
+                // For any condition number, both sides are consistent and contain the given numbers.
                 let back = j.momentum(&found);
                 let size = size_of(&found.to_matrix()).max(T::constant(1.0));
                 let scale = T::constant(4.0) * size * size_of(&j.to_matrix()).max(T::constant(1.0));
@@ -54,7 +54,7 @@ fn six_of_twelve<T: Real>() {
                     assert!(!mask[i + 6] || fy[i] == y[i]);
                 }
             }
-            // Six numbers drawn at random need not determine the others.
+            // Six random numbers need not determine the others.
             Err(Error::Degenerate { .. }) => assert!(mask[..6] != [true; 6]),
             Err(other) => panic!("{other}"),
         }
@@ -76,7 +76,7 @@ fn one_of_each_pair_is_well_posed<T: Real>() {
         let dynamic = std::array::from_fn(|i| mask[i + 6].then_some(y[i]));
         let (found, action) =
             newton_euler::action(&j, kinematic, dynamic).expect("a body with inertia");
-        // The condition of a random body of six particles stays far below this.
+        // The condition number of a random body of six particles is far below this.
         assert_within(
             numbers((found.omega(), found.v())),
             x,
@@ -91,7 +91,7 @@ fn free_motion_of_a_moving_body<T: Real>() {
     let mut random = Random::new(162);
     for _ in 0..50 {
         let (j, w) = (random.inertia::<T>(), random.velocity::<T>());
-        // Direct dynamics: all of Φ given, all of Ẇ sought; and back.
+        // Direct dynamics: Φ is given and Ẇ unknown; then the inverse.
         let phi = numbers((random.vector::<T>(), random.vector()));
         let (h, action) =
             newton_euler::action_in_motion(&j, &w, [None; 6], phi.map(Some)).expect("inertia");
@@ -129,7 +129,7 @@ fn systems_that_determine_nothing_are_refused<T: Real>() {
     let zero = T::constant(0.0);
     let rod = Inertia::of_particle(T::constant(1.0), [T::constant(1.0), zero, zero])
         + Inertia::of_particle(T::constant(1.0), [T::constant(-1.0), zero, zero]);
-    // A rod takes no torque about itself, and a body without mass no force.
+    // A rod has no inertia about its axis, and a body without mass has none at all.
     let refused = newton_euler::action(&rod, [None; 6], [Some(T::constant(1.0)); 6]);
     assert!(
         matches!(refused, Err(Error::Degenerate { .. })),
@@ -147,7 +147,7 @@ fn systems_that_determine_nothing_are_refused<T: Real>() {
     ));
     let nan = newton_euler::momentum(&rod, [Some(T::constant(f64::NAN)); 6], [None; 6]);
     assert!(matches!(nan, Err(Error::NotFinite { .. })));
-    // Sought the other way, the same rod is no difficulty: every motion has its momentum.
+    // The inverse problem of the same rod is regular: every motion has a momentum.
     let moved = newton_euler::momentum(&rod, [Some(T::constant(1.0)); 6], [None; 6]);
     assert_eq!(moved.map(|(_, gamma)| gamma.gamma()[0]), Ok(zero));
 }

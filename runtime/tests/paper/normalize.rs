@@ -23,8 +23,8 @@ fn rotations_are_their_own_nearest<T: Real>() {
     }
 }
 
-/// tr(RᵗX) is largest for the nearest rotation, whose RᵗX is symmetric, and no rotation near it or far
-/// from it does better.
+/// tr(RᵗX) is largest for the nearest rotation, for which RᵗX is symmetric; no other rotation has a larger
+/// one.
 fn no_rotation_is_nearer<T: Real>() {
     let mut random = Random::new(151);
     for drift in [1e-6, 1e-3, 0.1, 1.0, 3.0] {

@@ -6,7 +6,7 @@ use homogen::{Acceleration, Action, Inertia, Momentum, Point, Pose, Real, Veloci
 
 const PARTICLES: usize = 2000;
 
-/// A body of many particles, moving.
+/// A moving body of many particles.
 struct Cloud<T> {
     particles: Vec<(T, [T; 3])>,
     w: Velocity<T>,
@@ -31,7 +31,7 @@ impl<T: Real> Cloud<T> {
         })
     }
 
-    /// Σ (X Pᵗ − P Xᵗ) dm, or Σ P Pᵗ dm for no X.
+    /// Σ (X Pᵗ − P Xᵗ) dm, or Σ P Pᵗ dm without X.
     fn integral(&self, x: impl Fn([T; 3]) -> Option<[T; 4]>) -> Dense<T> {
         let mut sum = [[T::constant(0.0); 4]; 4];
         for (m, p) in &self.particles {
@@ -49,8 +49,7 @@ impl<T: Real> Cloud<T> {
     }
 }
 
-/// The bound of a sum of so many terms in any order is their number in units; its usual size, the
-/// root of that.
+/// Tolerance of a sum in units of rounding: its bound is the number of terms, its usual error the root of that.
 const UNITS: f64 = 200.0;
 
 fn inertia_is_the_sum_over_particles<T: Real>() {

@@ -1,4 +1,4 @@
-//! Inputs: random ones from a fixed seed, and the degenerate ones that random never hits.
+//! Inputs: random ones from a fixed seed, and degenerate ones.
 //!
 //! Random numbers have 24 bits, so that they are the same number in f32 and in f64.
 
@@ -6,7 +6,7 @@ use homogen::{Displacement, Inertia, Pose, Real, Screw, Velocity, rotation, vect
 use std::array::from_fn;
 use std::vec::Vec;
 
-/// Random numbers, and what is made of them.
+/// Random numbers, vectors and matrices.
 pub struct Random(homogen_random::Random);
 
 impl Random {
@@ -116,7 +116,7 @@ pub fn angles<T: Real>() -> Vec<T> {
         .collect()
 }
 
-/// Poses: the identity, pure translations, quarter and half turns, far and near, and random.
+/// Poses: the identity, pure translations, rotations by 90° and 180°, far and near, and random.
 pub fn poses<T: Real>(seed: u64) -> Vec<Pose<T>> {
     let mut random = Random::new(seed);
     let mut list = vec![Pose::identity(), Pose::from_translation(random.vector())];
@@ -140,7 +140,7 @@ pub fn poses<T: Real>(seed: u64) -> Vec<Pose<T>> {
     list
 }
 
-/// Displacements: all screws by all angles.
+/// Displacements along all screws by all angles.
 pub fn displacements<T: Real>(seed: u64) -> Vec<Displacement<T>> {
     poses(seed)
         .into_iter()

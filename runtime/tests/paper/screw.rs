@@ -33,7 +33,7 @@ fn coordinates_are_axis_point_and_pitch<T: Real>() {
         let (point, pitch) = (random.vector(), random.number());
         let l = Screw::helical(u, point, pitch);
         assert_within([l.pitch()], [pitch], T::constant(2.0), 8.0);
-        // The nearest point of the axis: what is left of the given one across the axis.
+        // The nearest point of the axis: the part of the given point perpendicular to the axis.
         let along = homogen::vector::dot(u, point);
         let nearest = sub(point, scale(along, u));
         assert_within(l.axis_point(), nearest, T::constant(2.0), 16.0);
@@ -43,7 +43,7 @@ fn coordinates_are_axis_point_and_pitch<T: Real>() {
             scale(pitch, u),
         );
         assert_within(l.b(), b, T::constant(2.0), 4.0);
-        // (u̲, −u̲ p_ax) of a hinge there, which leaves its axis where it is, and (0, u) of a slide.
+        // (u̲, −u̲ p_ax) of a hinge there, which does not move its axis, and (0, u) of a prismatic pair.
         let hinge = Screw::revolute(u, point);
         assert_eq!(hinge.u(), u);
         let on_axis = add(point, scale(pitch, u));
@@ -134,7 +134,7 @@ fn motions_along_one_screw_add<T: Real>() {
     }
 }
 
-/// The same screw, for numbers that carry derivatives.
+/// The same screw for automatic derivatives.
 fn still<T: Real>(l: &Screw<T>) -> Screw<Jet<T>> {
     Screw::new(l.u().map(Jet::still), l.b().map(Jet::still))
 }
@@ -164,7 +164,7 @@ fn derivative_of_a_finite_motion<T: Real>() {
 fn derivatives_of_pose_and_inertia_along_a_screw<T: Real>() {
     let mut random = Random::new(99);
     for l in screws::<T>(99) {
-        // Part II: ∂M/∂q = L M and ∂J/∂q = L J + J Lᵗ, for what the joint carries.
+        // Part II: ∂M/∂q = L M and ∂J/∂q = L J + J Lᵗ for a body that the joint carries.
         let (m, j) = (random.pose::<T>(), random.inertia::<T>());
         let step = still(&l)
             .exp(Jet::moving(T::constant(0.0)))
@@ -234,7 +234,7 @@ fn pseudo_scalar_product_is_power_at_unit_rate<T: Real>() {
             .change_frame(&l)
             .pseudo_scalar_product(&m.change_frame(&phi));
         assert_within([seen], [power], T::constant(16.0), 16.0);
-        // A force at a point does the work of its component along the point's path.
+        // The work of a force at a point is that of its component along the point's path.
         let (force, point) = (random.vector::<T>(), random.vector());
         let work = homogen::vector::dot(force, (l * Point(point)).0);
         let found = l.pseudo_scalar_product(&Action::of_force(force, point));
@@ -267,8 +267,8 @@ fn columns_of_a_jacobian<T: Real>() {
 
 /// Hard case `exp_tiny`: every entry of R − I and of t to 4 units of its own size.
 ///
-/// The diagonal of R − I is lost in R by its very form; the other entries are compared with the first
-/// terms of the series, which are exact to rounding for such φ.
+/// R cannot represent the diagonal of R − I. The other entries are compared with the first terms of the
+/// series, which are exact to rounding for such φ.
 fn exponential_of_tiny_angles<T: Real>() {
     let u = homogen::vector::unit([2.0, -3.0, 6.0].map(T::constant)).expect("not zero");
     let point = [0.5, 1.5, -0.25].map(T::constant);
@@ -305,7 +305,7 @@ fn exponential_of_tiny_angles<T: Real>() {
 
 /// Hard case `versine_small`: 1 − cos φ to 4 units, where cos φ rounds to 1.
 fn versine_of_small_angles<T: Real>() {
-    // Of a turn about z the entry −y of t for a pole displaced along x: b = (0, −1, 0), t_x = versine.
+    // A rotation about z with the pole displaced along x: b = (0, −1, 0), t_x = versine.
     let l = Screw::revolute(
         [0.0, 0.0, 1.0].map(T::constant),
         [1.0, 0.0, 0.0].map(T::constant),

@@ -1,4 +1,4 @@
-//! The feature `serde`: what is written reads back, bit for bit.
+//! The feature `serde`: written matrices are read back bit for bit.
 
 use crate::sample::Random;
 use homogen::{

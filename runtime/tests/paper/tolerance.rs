@@ -6,7 +6,7 @@ use homogen::{
     Acceleration, Action, Direction, Displacement, Inertia, Momentum, Point, Pose, Screw, Velocity,
 };
 
-/// Whether the comparisons tell `x` from `y`, which differs in one stored number by 1e-6.
+/// True if the comparisons distinguish `x` from `y`, which differs in one stored number by 1e-6.
 macro_rules! told_apart {
     ($x:expr, $y:expr) => {
         let (x, y) = ($x, $y);

@@ -1,7 +1,7 @@
-//! Pure translations, against what every point of the body does.
+//! Pure translations, against the motion of every point of the body.
 //!
-//! § 2.2 to § 3.2 where nothing turns, and the pole of what does: the smallest cases of every matrix,
-//! in which a sign cannot hide.
+//! § 2.2 to § 3.2 without rotation, and the pole of rotations: the smallest cases of every matrix, which
+//! show wrong signs.
 
 use crate::dense::{assert_same, assert_within};
 use crate::jet::Jet;
@@ -37,7 +37,7 @@ fn points_move_by_the_vector<T: Real>() {
     }
 }
 
-/// Q = exp(L s) of a prismatic pair: every point goes s u, whatever the frame; and back to L and s.
+/// Q = exp(L s) of a prismatic pair: every point moves by s u in any frame; the logarithm gives L and s.
 fn displacements_shift_every_point<T: Real>() {
     let mut random = Random::new(222);
     for u in units::<T>(222) {
@@ -49,12 +49,12 @@ fn displacements_shift_every_point<T: Real>() {
             assert_eq!(*q.rotation(), identity());
             assert_within((q * Point(p)).0, add(p, shift), size, 4.0);
             assert_eq!((q * Direction(p)).0, p);
-            // Q₍ₖ₎ shifts by the same vector, seen in frame (k).
+            // Q₍ₖ₎ translates by the same vector in frame (k).
             let m_k_0 = random.pose::<T>();
             let seen = m_k_0.change_frame(&q);
             let expected = add(p, product(m_k_0.rotation(), shift));
             assert_within((seen * Point(p)).0, expected, size, 16.0);
-            // Of two translated frames, Q takes the points of one to those of the other.
+            // Between two translated frames, Q maps the points of one to those of the other.
             let (a, b) = (random.vector(), random.vector());
             let [m_0_1, m_0_2] = [a, b].map(Pose::from_translation);
             let between = Displacement::between(&m_0_1, &m_0_2);
@@ -66,8 +66,8 @@ fn displacements_shift_every_point<T: Real>() {
     }
 }
 
-/// W = (0, v; 0, 0) and H = (0, a; 0, 0): all points alike, by jets of the sliding point itself.
-fn all_points_of_a_sliding_body_move_alike<T: Real>() {
+/// W = (0, v; 0, 0) and H = (0, a; 0, 0): all points have the same motion, by automatic derivatives of a point.
+fn all_points_of_a_translating_body_have_the_same_motion<T: Real>() {
     let mut random = Random::new(223);
     for u in units::<T>(223) {
         let [s, rate, second]: [T; 3] = random.vector();
@@ -89,20 +89,20 @@ fn all_points_of_a_sliding_body_move_alike<T: Real>() {
     }
 }
 
-/// Seen from a frame that is only shifted by t: directions as before, and the pole elsewhere.
+/// In a frame translated by t: the same directions, and another pole.
 fn shifted_frames_move_the_pole_alone<T: Real>() {
     let mut random = Random::new(224);
     for t in shifts::<T>(224) {
         let m = Pose::from_translation(t);
         let (omega, v, p) = (random.vector(), random.vector(), random.vector::<T>());
         let size = T::constant(8.0);
-        // A body that slides has the same W and H everywhere.
+        // A translating body has the same W and H at every pole.
         let zero = [T::constant(0.0); 3];
         let sliding = Velocity::new(zero, v);
         assert_eq!(m.change_frame(&sliding), sliding);
         let sliding = Acceleration::from_parts(zero, zero, v);
         assert_eq!(m.change_frame(&sliding), sliding);
-        // One that turns has the velocity and acceleration of another point for its pole.
+        // For a rotating body, v₀ and a₀ are those of another point.
         let w = Velocity::new(omega, v);
         let seen = m.change_frame(&w);
         assert_eq!(seen.omega(), omega);
@@ -111,7 +111,7 @@ fn shifted_frames_move_the_pole_alone<T: Real>() {
         let pole = add(cross(p, negate(t)), cross(omega, cross(omega, negate(t))));
         let seen = m.change_frame(&h);
         assert_within(seen.a(), add(v, pole), size, 8.0);
-        // A force keeps its line: the same force at the shifted point; a particle likewise.
+        // The same force at the translated point, and the same for a particle.
         let moved = m.change_frame(&Action::of_force(v, p));
         let expected = Action::of_force(v, add(p, t));
         assert_same(&moved.to_matrix(), &expected.to_matrix(), size, 8.0);
@@ -124,6 +124,6 @@ fn shifted_frames_move_the_pole_alone<T: Real>() {
 in_both_precisions! {
     points_move_by_the_vector
     displacements_shift_every_point
-    all_points_of_a_sliding_body_move_alike
+    all_points_of_a_translating_body_have_the_same_motion
     shifted_frames_move_the_pole_alone
 }

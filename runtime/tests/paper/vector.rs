@@ -82,7 +82,7 @@ fn vectors_change_frame_by_rotation<T: Real>() {
             T::constant(2.0),
             16.0,
         );
-        // The same of typed vectors, which have no place.
+        // The same for `Direction`, which a translation does not change.
         let seen = Pose::new(r, t) * Direction(v);
         assert_within(seen.0, axial(&literal), T::constant(2.0), 16.0);
     }

@@ -1,8 +1,8 @@
-//! A number that knows how large it could be if nothing cancelled.
+//! A scalar that also carries the size that its terms have without cancellation.
 //!
-//! In: the operations of a program, of a generated function or of the library. Out: beside each value
-//! S, the same operations on absolute values: what the roundings of a sum are proportional to, even
-//! where the sum is nearly zero. Values are as exact as the one who measures needs them.
+//! In: the operations of a generated function or of the library. Out: each value and S, the result of
+//! the same operations on absolute values. Rounding errors of a sum are proportional to S, even where
+//! the sum is nearly zero. The caller chooses the type of the values.
 
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -11,18 +11,18 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use homogen::Scalar;
 use homogen_codegen::expression::Arithmetic;
 
-/// Whom sizes are measured for.
+/// The setting of a measurement: the type of values, and the smallest size.
 pub trait Measure: Copy + Debug {
-    /// What values are computed in.
+    /// The type in which values are computed.
     type Value: Arithmetic + Copy + Debug;
-    /// No size is smaller.
+    /// The smallest size.
     const FLOOR: f64;
 
-    /// The number nearest to a value.
+    /// The nearest `f64`.
     fn nearest(value: Self::Value) -> f64;
 }
 
-/// For every type, as long as nothing underflows. For sizes alone, values of `f64` are enough.
+/// Values in `f64`, enough where only sizes are needed. Any type may be measured as long as nothing underflows.
 impl Measure for f64 {
     type Value = Self;
     const FLOOR: f64 = 0.0;
@@ -37,8 +37,8 @@ impl Measure for f64 {
 pub struct Magnitude<M: Measure> {
     value: M::Value,
     size: f64,
-    /// Whether it is an argument or a literal, and so not off by anything.
-    given: bool,
+    /// True for arguments and literals, which have no error.
+    is_exact: bool,
     of: PhantomData<M>,
 }
 
@@ -47,7 +47,7 @@ impl<M: Measure> Magnitude<M> {
     #[must_use]
     pub fn given(value: f64) -> Self {
         Self {
-            given: true,
+            is_exact: true,
             ..Self::new(M::Value::literal(value), value.abs())
         }
     }
@@ -56,7 +56,7 @@ impl<M: Measure> Magnitude<M> {
         Self {
             value,
             size: size.max(M::FLOOR),
-            given: false,
+            is_exact: false,
             of: PhantomData,
         }
     }
@@ -98,7 +98,7 @@ impl<M: Measure> Mul for Magnitude<M> {
     }
 }
 
-/// |a| / |b| with what b is: its own size without cancellation would only make the quotient small.
+/// |a| / |b|, with the value of b: its size without cancellation would make the quotient too small.
 impl<M: Measure> Div for Magnitude<M> {
     type Output = Self;
 
@@ -129,20 +129,20 @@ impl<M: Measure> Arithmetic for Magnitude<M> {
         Self::new(root, self.size / M::nearest(root))
     }
 
-    /// Exactly that of what was computed.
+    /// The sign of the computed value, without error.
     fn sign(self) -> Self {
         let sign = M::nearest(self.value.sign());
         Self::new(M::Value::literal(sign), sign.abs())
     }
 
-    /// |sin x| and |cos x| of an angle that is given. One that was computed is off by u S, and
-    /// turns its sine by |cos x| times that.
+    /// Sizes of the sine and cosine. An exact angle gives |sin x| and |cos x|; a computed one has an error of u S,
+    /// which changes its sine by |cos x| times that.
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
-        let turn = if self.given { 0.0 } else { self.size };
+        let error = if self.is_exact { 0.0 } else { self.size };
         let of = |value: M::Value, slope: M::Value| {
             let [size, slope] = [value, slope].map(|x| M::nearest(x).abs());
-            Self::new(value, size + slope * turn)
+            Self::new(value, size + slope * error)
         };
         (of(sine, cosine), of(cosine, sine))
     }
@@ -161,7 +161,7 @@ impl<M: Measure> Scalar for Magnitude<M> {
         Arithmetic::sqrt(self)
     }
 
-    fn sgn(self) -> Self {
+    fn sign(self) -> Self {
         Arithmetic::sign(self)
     }
 
@@ -176,7 +176,7 @@ mod tests {
 
     use super::{Magnitude, Measure};
 
-    /// Whoever loses what is smaller than 1e-9.
+    /// A type that loses everything below 1e-9.
     #[derive(Clone, Copy, Debug)]
     struct Coarse;
 
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cancels_keeps_its_size() {
+    fn a_cancelled_difference_keeps_its_size() {
         let difference = (given(3.0) - given(3.0)) * given(-2.0);
         assert_eq!((difference.value, difference.size()), (0.0, 12.0));
         assert_eq!((given(6.0) / (given(3.0) - given(1.0))).size(), 3.0);
@@ -202,14 +202,14 @@ mod tests {
     }
 
     #[test]
-    fn a_summed_angle_is_off_by_what_its_sum_is() {
+    fn the_sine_of_a_computed_angle_has_the_size_of_the_angle() {
         let big = given(1e6);
         assert!((big - given(1e6)).sin_cos().0.size() >= 2e6);
         assert!(big.sin_cos().0.size() <= 1.0);
     }
 
     #[test]
-    fn nothing_is_smaller_than_what_underflow_loses() {
+    fn no_size_is_below_the_floor() {
         assert_eq!(Magnitude::<Coarse>::given(0.0).size(), 1e-9);
         let tiny = Magnitude::<Coarse>::given(1e-30);
         assert_eq!((tiny * tiny).size(), 1e-9);

@@ -1,7 +1,7 @@
-//! What compiles the files of a batch, and runs what they carry.
+//! Compiles and runs the files of a batch with the compilers of each language.
 //!
-//! In: a [`Batch`] that is written. Out: every complaint of a compiler, and every test that fails, as text. All
-//! robots stand in one program of each language: so each is linked with each.
+//! In: a [`Batch`] that is written. Out: the messages of compilers and of failing tests, as text. All robots are in
+//! one program of each language, so that each is linked with each.
 
 use std::fmt::Write;
 use std::fs;
@@ -12,10 +12,10 @@ use homogen_codegen::print::c::{own, prefix};
 
 use crate::files::Batch;
 
-/// A complaint, and where it comes from.
+/// The output of a compiler or test that failed.
 pub type Complaint = String;
 
-/// Headers that are read before those of the robots, and define what they can.
+/// Headers that are included before those of the robots, for the macros that they define.
 const HEADERS: [&str; 12] = [
     "complex.h",
     "errno.h",
@@ -51,19 +51,19 @@ const CPP: [&str; 6] = [
     "-O0",
 ];
 
-/// Whether a program is at hand.
+/// True if a program can be run.
 #[must_use]
 pub fn is_here(program: &str) -> bool {
     let version = Command::new(program).arg("--version").output();
     version.is_ok_and(|output| output.status.success())
 }
 
-/// The files in Rust in one crate, with their tests; functions for C beside them.
+/// Compiles the Rust files in one crate and runs their tests; the `extern "C"` files are modules beside them.
 ///
 /// # Errors
-/// What the compiler or a test says.
+/// The output of the compiler, or of the test that failed.
 pub fn rust(batch: &Batch, edition: &str) -> Result<(), Complaint> {
-    let mut main = "// Names that users choose are not ours to criticise.\n\
+    let mut main = "// Users choose the names.\n\
          #![deny(warnings)]\n#![allow(non_camel_case_types, non_snake_case, uncommon_codepoints)]\n\
          #![allow(confusable_idents, mixed_script_confusables, dead_code)]\n"
         .to_owned();
@@ -91,10 +91,10 @@ pub fn rust(batch: &Batch, edition: &str) -> Result<(), Complaint> {
     succeed(Command::new(program).arg("--quiet"))
 }
 
-/// The files in C, each by itself, in one program that runs all tests, beside headers that define much.
+/// Compiles the C files, each by itself, and links them into one program that includes many headers and runs all tests.
 ///
 /// # Errors
-/// What the compiler says, or how many numbers are wrong.
+/// The output of the compiler, or the robots whose tests fail.
 pub fn c(batch: &Batch, compiler: &str) -> Result<Vec<PathBuf>, Complaint> {
     let mut objects = Vec::new();
     for (number, _) in &batch.robots {
@@ -108,7 +108,7 @@ pub fn c(batch: &Batch, compiler: &str) -> Result<Vec<PathBuf>, Complaint> {
     let main = batch.folder.join("main.c");
     write(&main, &program(batch));
     let mut command = Command::new(compiler);
-    // Macros of POSIX as well as those of the standard.
+    // Macros of POSIX too.
     command
         .args(C)
         .args(["-D_GNU_SOURCE", "-DHOMOGEN_SELF_TEST"])
@@ -119,10 +119,10 @@ pub fn c(batch: &Batch, compiler: &str) -> Result<Vec<PathBuf>, Complaint> {
     Ok(objects)
 }
 
-/// A program in C++ that reads all headers, with objects of C.
+/// Compiles a C++ program that includes all headers, and links it with the objects of C.
 ///
 /// # Errors
-/// What the compiler says, or how many numbers are wrong.
+/// The output of the compiler, or the robots whose tests fail.
 pub fn cpp(batch: &Batch, compiler: &str, objects: &[PathBuf]) -> Result<(), Complaint> {
     let main = batch.folder.join("main.cpp");
     write(&main, &program(batch));
@@ -133,11 +133,11 @@ pub fn cpp(batch: &Batch, compiler: &str, objects: &[PathBuf]) -> Result<(), Com
     succeed(&mut Command::new(program))
 }
 
-/// The program that runs all tests, in C and C++ alike.
+/// The program that runs all tests, the same in C and C++.
 fn program(batch: &Batch) -> String {
     let mut text = String::new();
     for header in HEADERS {
-        // C++ has a complex.h of its own, which is none of C.
+        // The complex.h of C++ is not that of C.
         let _ = match header {
             "complex.h" => writeln!(text, "#ifndef __cplusplus\n#include <complex.h>\n#endif"),
             header => writeln!(text, "#include <{header}>"),
@@ -160,10 +160,10 @@ fn program(batch: &Batch) -> String {
     text + "    return wrong != 0;\n}\n"
 }
 
-/// The texts of packages for Python: whether Python reads them.
+/// Parses the Python files of all packages.
 ///
 /// # Errors
-/// What it says.
+/// The output of Python.
 pub fn python_texts(packages: &[PathBuf]) -> Result<(), Complaint> {
     const READ: &str = "\
 import ast, keyword, pathlib, sys
@@ -186,10 +186,10 @@ for folder in map(pathlib.Path, sys.stdin.read().splitlines()):
     succeed(Command::new("python3").arg(script).stdin(input))
 }
 
-/// The packages as extensions in Rust, in one workspace: their crates are checked, not linked.
+/// Checks the Rust crates of the packages in one workspace, without linking.
 ///
 /// # Errors
-/// What cargo says.
+/// The output of cargo.
 pub fn python_crates(packages: &[PathBuf]) -> Result<(), Complaint> {
     let Some(folder) = packages.first().and_then(|package| package.parent()) else {
         return Ok(());
@@ -197,7 +197,7 @@ pub fn python_crates(packages: &[PathBuf]) -> Result<(), Complaint> {
     for package in packages {
         let manifest = package.join("Cargo.toml");
         let text = fs::read_to_string(&manifest).map_err(|reason| reason.to_string())?;
-        // Each is a workspace of its own where it is alone.
+        // A package alone is a workspace of its own.
         let (text, _) = text.rsplit_once("[workspace]").unwrap_or((&text, ""));
         let text: String = text.lines().fold(String::new(), |mut text, line| {
             let profile = line == "[profile.release]" || line == "strip = true";
@@ -215,7 +215,7 @@ pub fn python_crates(packages: &[PathBuf]) -> Result<(), Complaint> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command.args(["check", "--workspace", "--quiet"]);
-    // What they need is built once for all batches.
+    // Dependencies are built once for all batches.
     let batches = folder.ancestors().nth(2).unwrap_or(folder);
     command.env("CARGO_TARGET_DIR", batches.join("checked"));
     succeed(
@@ -229,17 +229,17 @@ fn write(file: &Path, text: &str) {
     fs::write(file, text).expect("a file in a folder of our own");
 }
 
-/// Runs to a good end.
+/// Runs a command; an exit status other than 0 is an error.
 fn succeed(command: &mut Command) -> Result<(), Complaint> {
     let output = command.output();
     let output = output.map_err(|reason| format!("{command:?}: {reason}"))?;
     if output.status.success() {
         return Ok(());
     }
-    let said =
-        [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned());
-    let said = said.concat();
-    let head: String = said
+    let texts =
+        [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    let text = texts.concat();
+    let head: String = text
         .lines()
         .take(60)
         .fold(String::new(), |head, line| head + line + "\n");

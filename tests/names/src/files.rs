@@ -1,7 +1,7 @@
-//! The files of robots in a folder.
+//! The generated files of a batch of robots.
 //!
-//! In: robots, each with a number. Out: what the command line writes of each in Rust, in C and for Python, under the
-//! number; robots that would be called alike in C have no place in one program.
+//! In: robots, each with a number. Out: the files that the command line writes of each in Rust, in C and for Python,
+//! named by the number. Robots with the same prefix in C cannot be in one program; only the first is kept.
 
 use std::collections::BTreeSet;
 use std::ffi::OsString;
@@ -14,24 +14,24 @@ use homogen_codegen::print::python;
 
 use crate::robot::Robot;
 
-/// Robots of one program.
+/// Robots that are compiled into one program.
 pub struct Batch {
-    /// Where their files are.
+    /// The folder of their files.
     pub folder: PathBuf,
-    /// The robots, by number.
+    /// The robots, each with its number, which is its seed.
     pub robots: Vec<(u64, Robot)>,
-    /// The first number behind them.
+    /// One past the last number.
     pub end: u64,
 }
 
-/// A robot that could not be written, and what was said.
+/// A robot that was rejected, and the error message.
 pub type Refused = (u64, String);
 
 impl Batch {
-    /// So many robots whose numbers begin with one: what would be called in C as another is left out.
+    /// The first `count` robots with numbers from `first` on, without those whose prefix in C is taken.
     ///
     /// # Panics
-    /// Where the folder cannot be written.
+    /// If the folder cannot be written.
     #[must_use]
     pub fn of(first: u64, count: usize, folder: &Path) -> Self {
         let _ = fs::remove_dir_all(folder);
@@ -47,7 +47,7 @@ impl Batch {
         }
     }
 
-    /// Writes all files in Rust and C, and tells which could not be written: these robots are left out from then on.
+    /// Writes all files in Rust and C. Returns the rejected robots and removes them from the batch.
     pub fn write(&mut self) -> Vec<Refused> {
         let mut refused = Vec::new();
         for (number, robot) in &self.robots {
@@ -61,9 +61,9 @@ impl Batch {
                 let output = self.folder.join(file);
                 let output = format!("--output={}", output.display());
                 let options = robot.options.iter().chain(&more).cloned();
-                let said = generate("generate", robot, options.chain([output]));
-                if let Err(said) = said {
-                    refused.push((*number, said));
+                let result = generate("generate", robot, options.chain([output]));
+                if let Err(message) = result {
+                    refused.push((*number, message));
                     break;
                 }
             }
@@ -73,10 +73,10 @@ impl Batch {
         refused
     }
 
-    /// Writes packages for Python, each a member of one workspace, and tells which could not be written.
+    /// Writes packages for Python, each a member of one workspace. Returns the rejected robots and the packages.
     ///
     /// # Panics
-    /// Where the folder cannot be written.
+    /// If the folder cannot be written.
     #[must_use]
     pub fn write_python(&self) -> (Vec<Refused>, Vec<PathBuf>) {
         let (mut refused, mut packages) = (Vec::new(), Vec::new());
@@ -94,7 +94,7 @@ impl Batch {
             let options = robot.options.iter().cloned();
             match generate("python", robot, options.chain([output])) {
                 Ok(()) => packages.push(folder),
-                Err(said) => refused.push((*number, said)),
+                Err(message) => refused.push((*number, message)),
             }
         }
         (refused, packages)

@@ -1,7 +1,7 @@
-//! Robots of any names, generated, compiled and linked in every language.
+//! Robots with arbitrary names: their files are generated, compiled and linked in every language.
 //!
-//! In: seeds. Out: what the command line writes of robots whose names are words of languages, of headers and of our
-//! own files, in other alphabets or no words at all; and what compilers and the tests in these files say to it.
+//! In: seeds. Out: messages of compilers and of the files' own tests. The names are keywords, macros and types of
+//! headers, identifiers of generated files, words in other alphabets, and strings that are no identifiers.
 
 pub mod compilers;
 pub mod files;

@@ -1,10 +1,10 @@
-//! Three hundred robots of any names.
+//! Three hundred robots with arbitrary names.
 //!
 //! `cargo run --release -p homogen-names -- [--seed N] [--robots N] [--python N] [--folder PATH]`
 //!
-//! In: a seed; how many robots (300), and of how many the packages for Python are checked by cargo (0), which takes
-//! the network and some seconds each. Out: how many files were compiled by which compilers, every complaint, and a
-//! status that says whether there was one. Compilers that are missing are told.
+//! In: a seed; the number of robots (300); the number of Python packages that cargo checks (0), which takes the
+//! network and some seconds each. Out: the number of robots, each failure, the compilers that are missing, and an exit
+//! status of failure if anything failed.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use homogen_names::compilers::{c, cpp, is_here, python_crates, python_texts, rust};
 use homogen_names::files::Batch;
 
-/// How many robots stand in one program.
+/// Robots in one program.
 const TOGETHER: usize = 50;
 
 struct Wanted {
@@ -32,7 +32,7 @@ impl Wanted {
         };
         while let Some(word) = words.next() {
             let mut next = || words.next().ok_or_else(|| format!("{word} needs a value"));
-            let refused = |text: &String| format!("{text} is no number");
+            let refused = |text: &String| format!("{text} is not a number");
             let count = |text: String| text.parse().map_err(|_| refused(&text));
             match word.as_str() {
                 "--seed" => {
@@ -51,7 +51,7 @@ impl Wanted {
 
 fn main() -> ExitCode {
     match Wanted::read(std::env::args().skip(1)) {
-        Ok(wanted) => told(&wanted),
+        Ok(wanted) => run(&wanted),
         Err(message) => {
             eprintln!("error: {message}");
             ExitCode::FAILURE
@@ -59,7 +59,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn told(wanted: &Wanted) -> ExitCode {
+fn run(wanted: &Wanted) -> ExitCode {
     let mut complaints = Vec::new();
     let mut packages_left = wanted.python;
     let (mut robots, mut packages) = (0, 0);
@@ -71,8 +71,9 @@ fn told(wanted: &Wanted) -> ExitCode {
         robots += count;
         from = batch.end;
         let refused = batch.write().into_iter();
-        complaints
-            .extend(refused.map(|(number, said)| format!("robot {number} is refused: {said}")));
+        complaints.extend(
+            refused.map(|(number, message)| format!("robot {number} is refused: {message}")),
+        );
         for edition in ["2021", "2024"] {
             complaints.extend(rust(&batch, edition).err());
         }
@@ -91,8 +92,9 @@ fn told(wanted: &Wanted) -> ExitCode {
         }
         let (refused, written) = batch.write_python();
         let refused = refused.into_iter();
-        complaints
-            .extend(refused.map(|(number, said)| format!("robot {number} in Python: {said}")));
+        complaints.extend(
+            refused.map(|(number, message)| format!("robot {number} in Python: {message}")),
+        );
         complaints.extend(python_texts(&written).err());
         let checked = &written[..written.len().min(packages_left)];
         packages_left -= checked.len();

@@ -1,11 +1,11 @@
-//! Names that people give to robots, links, joints, frames, loops and fields.
+//! Random names for robots, links, joints, frames, loops and fields.
 //!
-//! In: a random number. Out: words of the field, words that Rust, C, C++ and Python keep for themselves, macros of
-//! their headers, names of our own files, other alphabets, digits and signs first; and all of these put together.
+//! In: a random number. Out: words of the field, keywords of Rust, C, C++ and Python, macros of their headers,
+//! identifiers of generated files, other alphabets, names that begin with digits or signs, and combinations of these.
 
 use homogen_random::Random;
 
-/// Words that people use, and how they write them.
+/// Common names, in the spellings that people use.
 const PLAIN: [&str; 28] = [
     "robot",
     "Robot",
@@ -37,7 +37,7 @@ const PLAIN: [&str; 28] = [
     "hip.pitch",
 ];
 
-/// Words of languages, of any edition and standard.
+/// Keywords of any edition or standard.
 const KEYWORDS: [&str; 66] = [
     "fn",
     "gen",
@@ -223,7 +223,7 @@ const OWN: [&str; 64] = [
     "out",
 ];
 
-/// Other alphabets, signs and digits first, and names that differ in letters which many identifiers lack.
+/// Other alphabets, leading signs and digits, and names that differ only in letters that many identifiers cannot have.
 const STRANGE: [&str; 34] = [
     "2nd",
     "6dof",
@@ -261,7 +261,7 @@ const STRANGE: [&str; 34] = [
     "🤖",
 ];
 
-/// A name.
+/// A random name.
 pub fn name(random: &mut Random) -> String {
     let of = |random: &mut Random| -> String {
         let list: &[&str] = match random.below(5) {
@@ -294,7 +294,7 @@ pub fn name(random: &mut Random) -> String {
     }
 }
 
-/// A name that the options of the command line take for a field or a struct.
+/// A random name that the command line accepts for a field or a struct.
 pub fn identifier(random: &mut Random) -> String {
     loop {
         let name = name(random);
@@ -304,7 +304,7 @@ pub fn identifier(random: &mut Random) -> String {
         if name == "_" || !normal || !name.chars().all(is_word) || !name.starts_with(begins) {
             continue;
         }
-        // Words that every edition reserves are written raw, and four of them are no names at all.
+        // Words that any edition reserves are written raw; these four cannot be.
         if ["self", "Self", "super", "crate"].contains(&&*name) {
             continue;
         }
@@ -316,7 +316,7 @@ pub fn identifier(random: &mut Random) -> String {
     }
 }
 
-/// Whether all editions of Rust reserve a word.
+/// True if an edition of Rust reserves the word.
 fn is_reserved(name: &str) -> bool {
     const RESERVED: [&str; 21] = [
         "fn", "try", "async", "await", "dyn", "type", "match", "yield", "abstract", "macro",

@@ -1,7 +1,7 @@
-//! Random robots whose names are anything.
+//! Random robots with arbitrary names.
 //!
-//! In: a seed. Out: the text of a file, and the options of the command line that name its parts. Few joints and few
-//! functions: what is looked at are the names, and that files pass the tests that they carry.
+//! In: a seed. Out: the text of a file, and the options of the command line that name its parts. Joints and functions
+//! are few: these tests are about names, and about the tests that files contain.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -10,18 +10,18 @@ use homogen_random::Random;
 
 use crate::pool::{identifier, name};
 
-/// A robot and what is asked of it.
+/// A robot and the options of its request.
 #[derive(Clone, Debug)]
 pub struct Robot {
-    /// What it is called, by its file or by an option.
+    /// Its name, from the file or from an option.
     pub name: String,
-    /// The file.
+    /// The text of the file.
     pub urdf: String,
-    /// The options, but for what is written and where. Python has no `--prepare`.
+    /// The options, without the language and the output. Python has no `--prepare`.
     pub options: Vec<String>,
 }
 
-/// Functions that are asked for, few at a time.
+/// Functions to choose from.
 const FUNCTIONS: [&str; 20] = [
     "forward_kinematics",
     "body_jacobian",
@@ -45,10 +45,10 @@ const FUNCTIONS: [&str; 20] = [
     "center_of_mass_velocity",
 ];
 
-/// Those of robots with loops.
+/// Functions of robots with loops.
 const OF_LOOPS: [&str; 3] = ["constraint", "constraint_jacobian", "constraint_bias"];
 
-/// What moves joints; those with axes have one.
+/// Types of joints, and whether each has an `<axis>`.
 const KINDS: [(&str, bool); 9] = [
     ("revolute", true),
     ("continuous", true),
@@ -89,7 +89,7 @@ impl Robot {
             self.option("name", &name);
         }
         let last = links.len() - 1;
-        // Names with commas are several to these options.
+        // A comma separates names in these options.
         let tip = &links[if has_loop { last - 1 } else { last }];
         self.option("tip", tip);
         if random.chance(3) && !links[1].contains(',') {
@@ -114,7 +114,7 @@ impl Robot {
         let scalar = *random.choose(&["f32", "f64"]);
         self.option("scalar", scalar);
         let has_fields = self.fields(random, &links[1]);
-        // Whether a robot can have these is another question.
+        // Such robots may be unable to have these functions.
         functions.retain(|function| match *function {
             "base_regressor" => !has_fields,
             "mass_matrix_inverse" | "forward_dynamics" => scalar == "f64",
@@ -125,7 +125,7 @@ impl Robot {
         self.option("functions", &functions.join(","));
     }
 
-    /// Whether any field was asked for.
+    /// Adds options for fields. Returns true if there are any.
     fn fields(&mut self, random: &mut Random, link: &str) -> bool {
         let mut fields = BTreeSet::new();
         let mut has_gravity = false;
@@ -142,7 +142,7 @@ impl Robot {
                 has_gravity |= target == "gravity";
             }
         }
-        // Of gravity every robot's torques have a part that depends on it alone.
+        // The gravity torques of every robot have a part that depends on gravity alone.
         if has_gravity && random.chance(2) {
             self.options.push("--prepare".to_owned());
         }
@@ -154,7 +154,7 @@ impl Robot {
     }
 }
 
-/// So many names, none twice.
+/// `count` different names.
 fn distinct(random: &mut Random, count: usize) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     while names.len() < count {
@@ -183,18 +183,18 @@ fn urdf(
         );
     }
     for (k, joint) in joints.iter().enumerate() {
-        // Of a loop the third joint stands beside the first.
+        // In a loop, the third joint is a sibling of the first.
         let parent = if has_loop && k == 2 { 0 } else { k };
         let (kind, motion) = if has_loop {
             ("continuous", "<axis xyz=\"0 0 1\"/>".to_owned())
         } else {
             moving(random)
         };
-        let turn = if has_loop { "0 0 0" } else { "0.1 0.2 0.3" };
+        let rpy = if has_loop { "0 0 0" } else { "0.1 0.2 0.3" };
         let _ = writeln!(
             text,
             "  <joint name=\"{}\" type=\"{kind}\"><parent link=\"{}\"/><child link=\"{}\"/>\
-             <origin xyz=\"0.2 0 0\" rpy=\"{turn}\"/>{motion}</joint>",
+             <origin xyz=\"0.2 0 0\" rpy=\"{rpy}\"/>{motion}</joint>",
             escaped(joint),
             escaped(&links[parent]),
             escaped(&links[k + 1])
@@ -203,7 +203,7 @@ fn urdf(
     text + "</robot>\n"
 }
 
-/// What moves a joint, and what is said of that.
+/// The type of a joint, and its elements `<axis>` and `<limit>`.
 fn moving(random: &mut Random) -> (&'static str, String) {
     let (kind, has_axis) = *random.choose(&KINDS);
     let axis = random.choose(&["1 0 0", "0 1 0", "0.6 0 0.8"]);
@@ -222,7 +222,7 @@ fn moving(random: &mut Random) -> (&'static str, String) {
     (kind, motion)
 }
 
-/// A text between quotes in XML.
+/// A text, escaped for an attribute in XML.
 fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for letter in text.chars() {

@@ -1,4 +1,4 @@
-//! A few robots of any names: their files compile and link with each other, and pass the tests that they carry.
+//! Twelve robots with arbitrary names: their files compile, link with each other, and pass their own tests.
 //! `cargo run --release -p homogen-names` takes 300.
 
 use std::path::Path;
@@ -7,7 +7,7 @@ use homogen_names::compilers::{c, cpp, is_here, python_texts, rust};
 use homogen_names::files::Batch;
 
 #[test]
-fn twelve_robots_in_every_language() {
+fn twelve_robots_compile_and_pass_their_tests_in_every_language() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("few");
     let mut batch = Batch::of(0, 12, &folder);
     assert_eq!(batch.write(), []);

@@ -1,8 +1,8 @@
-//! Uses homogen where there is no standard library.
+//! Builds homogen without the standard library.
 //!
-//! In: homogen with `libm` and nothing else. Out: a library that builds, and only then. It defines
-//! its own panic handler, so a standard library that crept in through any dependency would be an
-//! error ("found duplicate lang item `panic_impl`") on every target, the host included.
+//! In: homogen with the feature `libm` alone. Out: a library, if and only if that works. It defines its own panic
+//! handler, so the standard library, included by any dependency, is an error ("found duplicate lang item
+//! `panic_impl`") on every target, the host included.
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -16,7 +16,7 @@ fn panic(_: &PanicInfo<'_>) -> ! {
     loop {}
 }
 
-/// The joints' screws of an arm of two links of 0.4 m and 0.3 m, both axes along z, at q = 0.
+/// Joint screws of an arm with two links of 0.4 m and 0.3 m, both axes along z, at q = 0.
 fn screws<T: Real>() -> [Screw<T>; 2] {
     let (zero, one) = (T::constant(0.0), T::constant(1.0));
     let axis = [zero, zero, one];
@@ -26,7 +26,7 @@ fn screws<T: Real>() -> [Screw<T>; 2] {
     ]
 }
 
-/// The pose of the arm's tip at the angles `q` [rad].
+/// Pose of the end effector at the angles `q` [rad].
 fn tip<T: Real>(q: &[T; 2]) -> Pose<T> {
     let [shoulder, elbow] = screws::<T>();
     let zero = T::constant(0.0);
@@ -34,14 +34,14 @@ fn tip<T: Real>(q: &[T; 2]) -> Pose<T> {
     shoulder.exp(q[0]) * elbow.exp(q[1]) * at_rest
 }
 
-/// The direction in which the tip of the arm is seen from its base [rad], in single precision.
+/// Direction of the end effector from the base [rad], in single precision.
 #[must_use]
 pub fn bearing(q: &[f32; 2]) -> f32 {
     let Point([x, y, _]) = tip(q) * Point::origin();
     y.atan2(x)
 }
 
-/// The kinetic energy [J] of a rod of 1 kg on the arm's second link, seen at q = 0.
+/// Kinetic energy [J] of a rod of 1 kg on the arm's second link, at q = 0.
 #[must_use]
 pub fn kinetic_energy(qd: &[f64; 2]) -> f64 {
     let tensor = [[0.001, 0.0, 0.0], [0.0, 0.01, 0.0], [0.0, 0.0, 0.01]];

@@ -1,9 +1,9 @@
 //! Random numbers that are the same on every machine, for all tests and examples.
 //!
 //! In: a seed. Out: the sequence of SplitMix64 (Steele, Lea and Flood 2014), as bits, choices and
-//! numbers. It depends on nothing, so that whatever is tested may use it.
+//! numbers. It has no dependencies, so that the tests of every crate can use it.
 
-/// A generator of random numbers.
+/// A random number generator.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
@@ -23,10 +23,10 @@ impl Random {
         bits ^ (bits >> 31)
     }
 
-    /// A whole number below `end`, which is positive and small beside 2⁶⁴.
+    /// An integer in [0, `end`); nearly uniform, since `end` is small compared with 2⁶⁴.
     ///
     /// # Panics
-    /// Where `end` is 0.
+    /// If `end` is 0.
     pub fn below(&mut self, end: usize) -> usize {
         let end = u64::try_from(end).expect("64 bits are enough");
         usize::try_from(self.bits() % end).expect("it is less than `end`")
@@ -43,12 +43,12 @@ impl Random {
         f64::from(u32::from_be_bytes([0, a, b, c])) / f64::from(1_u32 << 23) - 1.0
     }
 
-    /// A number in (−1, 1) that is never zero, an odd multiple of 2⁻²⁴.
+    /// A number in (−1, 1), an odd multiple of 2⁻²⁴, so never zero.
     pub fn odd(&mut self) -> f64 {
         self.unit() + 1.0 / f64::from(1_u32 << 24)
     }
 
-    /// A number about 0 with a standard deviation of 1, nearly normal: half of the sum of twelve in (−1, 1).
+    /// A nearly normal number with mean 0 and standard deviation 1: half the sum of twelve numbers in (−1, 1).
     pub fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.odd()).sum::<f64>() / 2.0
     }
@@ -59,10 +59,10 @@ impl Random {
         f32::from(u16::from_be_bytes([a, b])) / 32768.0 - 1.0
     }
 
-    /// One of some things.
+    /// A random element of a slice.
     ///
     /// # Panics
-    /// Where there are none.
+    /// If the slice is empty.
     pub fn choose<'a, X>(&mut self, from: &'a [X]) -> &'a X {
         &from[self.below(from.len())]
     }

@@ -1,9 +1,9 @@
-//! What the compiler shows for a mistake: one error each, under the word that caused it, and nothing
-//! else, though every file goes on to call the functions it asked for.
+//! Compile-fail tests: each mistake gives one error, under the word that caused it, though the file goes on to call
+//! the functions that it requests.
 //!
-//! In: a file a mistake in `rejected/`, with what is shown beside it and the descriptions it names. Each is
-//! given to the compiler alone, with the crate `homogen` as it was built for this test.
-//! `INSTA_UPDATE=always` writes what is shown anew.
+//! In: `rejected/*.rs`, one mistake each, with the expected messages in `*.stderr`, and the descriptions that they
+//! name. Each is compiled alone, with the crate `homogen` as it was built for this test. `INSTA_UPDATE=always` rewrites
+//! the expected messages.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -12,10 +12,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;
 use std::{env, fs, thread};
 
-/// The folder that paths of files are shown from.
+/// The folder that paths in messages are relative to.
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// The files in a folder that end so, in the order of their names.
+/// Files of a folder with this extension, sorted by name.
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder is there");
     let paths = entries.map(|entry| entry.expect("it can be read").path());
@@ -25,19 +25,19 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// The files in `rejected/` that end so.
+/// Files in `rejected/` with this extension.
 fn rejected(ending: &str) -> Vec<PathBuf> {
     files(&Path::new(ROOT).join("tests/rejected"), ending)
 }
 
-/// The crate `homogen`, as a mistake is compiled with it.
+/// A compiled library of the crate `homogen`.
 struct Homogen(PathBuf);
 
 impl Homogen {
-    /// That which was built for this test.
+    /// The library that was built for this test.
     ///
-    /// Cargo keeps those of other features in the same folder. What it takes for fresh is of the sources as
-    /// they are, and so is all that was built later: the latest will do, if it has what the mistakes use.
+    /// Cargo keeps builds with other features in the same folder. Every build that is up to date has the current
+    /// sources; the latest one that has the features of `probe.rs` is used.
     fn of_this_test() -> Self {
         let built = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified());
         let mut found = files(&dependencies(), "rlib");
@@ -62,13 +62,13 @@ impl Homogen {
             .expect("this test depends on it")
     }
 
-    /// The compiler, told all but what else to do with a file.
+    /// The compiler with all arguments but the crate's type.
     fn compiler(&self, file: &Path) -> Command {
         let mut compiler = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
         let name = file.file_stem().expect("a file has a name");
         compiler
             .current_dir(ROOT)
-            // Where paths in macros begin.
+            // Paths in macros are relative to this folder.
             .env("CARGO_MANIFEST_DIR", Path::new(ROOT).join("tests"))
             .args([
                 "--edition=2024",
@@ -87,7 +87,7 @@ impl Homogen {
         compiler
     }
 
-    /// What is shown of a file, less the sum at its end.
+    /// Messages for a file, without the summary at their end.
     fn shown(&self, file: &Path) -> String {
         let file = file.strip_prefix(ROOT).expect("it is of this crate");
         let output = self.compiler(file).output();
@@ -102,22 +102,22 @@ impl Homogen {
     }
 }
 
-/// The folder of what this test was linked with.
+/// The folder of this test's dependencies.
 fn dependencies() -> PathBuf {
     let program = env::current_exe().expect("it runs");
     program.parent().expect("it is in a folder").to_path_buf()
 }
 
-/// What is wrong with what is shown of a file, if anything is.
+/// A report if the messages for a file differ from the expected ones.
 fn difference(homogen: &Homogen, file: &Path) -> Option<String> {
-    let beside = file.with_extension("stderr");
-    let expected = fs::read_to_string(&beside).unwrap_or_default();
+    let stderr_file = file.with_extension("stderr");
+    let expected = fs::read_to_string(&stderr_file).unwrap_or_default();
     let found = homogen.shown(file);
     if found == expected {
         return None;
     }
     if env::var_os("INSTA_UPDATE").is_some_and(|update| update == "always") {
-        fs::write(&beside, found).expect("a file");
+        fs::write(&stderr_file, found).expect("a file");
         return None;
     }
     let name = file.display();
@@ -127,12 +127,12 @@ fn difference(homogen: &Homogen, file: &Path) -> Option<String> {
 }
 
 #[test]
-fn mistakes_are_shown_where_they_are() {
+fn each_mistake_is_reported_where_it_is() {
     let homogen = Homogen::of_this_test();
     let files = rejected("rs");
     assert!(!files.is_empty());
     let next = AtomicUsize::new(0);
-    // Compilers run side by side, each with one file at a time.
+    // As many compilers as cores, each with one file at a time.
     let work = || {
         let mut wrong = Vec::new();
         while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
@@ -151,7 +151,7 @@ fn mistakes_are_shown_where_they_are() {
 }
 
 #[test]
-fn no_mistake_drags_others_behind_it() {
+fn each_mistake_gives_only_our_errors() {
     let shown = rejected("stderr");
     assert_eq!(shown.len(), rejected("rs").len());
     for file in shown {
@@ -163,14 +163,14 @@ fn no_mistake_drags_others_behind_it() {
     }
 }
 
-/// The compiler words the rest of the error, differently in each version.
+/// The compiler words the rest of the error, which differs between its versions.
 #[test]
-fn a_function_that_was_not_generated_is_asked_for_by_name() {
+fn the_message_for_a_missing_function_names_it() {
     let file = Path::new(ROOT).join("tests/missing/function_not_generated.rs");
     let shown = Homogen::of_this_test().shown(&file);
     for part in [
         "error[E0277]: the robot `Arm` lacks a function that is needed here\n",
-        "to `generate(…)` of the robot: `generate(mass_matrix)` for `MassMatrix`\n",
+        "= note: add `bias` to `generate(…)` of the robot\n",
     ] {
         assert!(shown.contains(part), "{shown}");
     }

@@ -1,15 +1,14 @@
-//! Fires at the readers, and says what came of it.
+//! Fuzzing: feeds damaged descriptions to the readers and reports the outcomes.
 //!
-//! `cargo run -p homogen-tests --bin fire -- [--long] [--seed N] [--from N] [--only N]`; not in release,
-//! where a sum that overflows goes on.
+//! `cargo run -p homogen-tests --bin fire -- [--long] [--seed N] [--from N] [--only N]`, not in release, since only
+//! debug builds detect integer overflow.
 //!
-//! In: a seed and how many inputs (10,000, or 100,000 in the long form). Out: how many were refused,
-//! understood and expanded, the longest time and the most memory that one took, and every input that
-//! the engine took amiss, with its number; a failure where there is one. `--only N` prints one input
-//! before it is taken.
+//! In: a seed; 10,000 inputs, or 100,000 with `--long`. Out: how many were refused, understood and expanded, the
+//! longest time, the largest memory, and every input with a fault (a panic, or too much time or memory) with its
+//! number; exit status of failure if there is one. `--only N` prints one input before it is read.
 //!
-//! Time is that of the processor and memory is the highest that the process stood, both as Linux
-//! tells them; elsewhere time is that of the clock, and memory is not measured.
+//! Linux reports the time on the processor and the peak of memory. On other systems the time is that of the clock,
+//! and memory is not measured.
 
 use std::fs;
 use std::panic;
@@ -19,11 +18,11 @@ use std::time::Instant;
 
 use homogen_tests::fire::{Input, Outcome, attempt, input};
 
-/// The most seconds and bytes for one input.
+/// Limits for one input, in seconds and bytes.
 const SECONDS: f64 = 2.0;
 const BYTES: u64 = 200 << 20;
 
-/// The stack of the thread that reads: less than any program's first thread has.
+/// Stack of the thread that reads: smaller than the default of a main thread.
 const STACK: usize = 1 << 20;
 
 struct Arguments {
@@ -68,7 +67,7 @@ fn main() -> ExitCode {
         }
     };
     if arguments.only.is_none() {
-        // A panic is told with the input that caused it.
+        // A panic is printed with the input that caused it.
         panic::set_hook(Box::new(|_| {}));
     }
     let thread = thread::Builder::new().stack_size(STACK);
@@ -79,7 +78,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Whether nothing was taken amiss.
+/// True if no input had a fault.
 fn fire(arguments: &Arguments) -> bool {
     let mut outcomes = [0_u32; 3];
     let mut faults = 0_u32;
@@ -139,7 +138,7 @@ fn show(input: &Input) {
     );
 }
 
-/// The time that this thread has had the processor, where that can be known.
+/// Measures the thread's time on the processor, or else the time of the clock.
 struct Clock {
     wall: Instant,
     processor: Option<u64>,
@@ -161,19 +160,19 @@ impl Clock {
     }
 }
 
-/// Nanoseconds on the processor.
+/// Nanoseconds that this thread has spent on the processor; `None` where that is unknown.
 fn processor_time() -> Option<u64> {
     let text = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     text.split(' ').next()?.parse().ok()
 }
 
-/// The bytes that the process has in memory, or had at most since it was last asked to forget; 0 where
-/// that cannot be known.
-fn memory(forget: bool) -> u64 {
-    if forget && fs::write("/proc/self/clear_refs", "5").is_err() {
+/// Memory of the process in bytes: the present one if `reset`, which also resets the peak; otherwise the peak since
+/// then. 0 where that is unknown.
+fn memory(reset: bool) -> u64 {
+    if reset && fs::write("/proc/self/clear_refs", "5").is_err() {
         return 0;
     }
-    let key = if forget { "VmRSS:" } else { "VmHWM:" };
+    let key = if reset { "VmRSS:" } else { "VmHWM:" };
     let text = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = text.lines().find_map(|line| line.strip_prefix(key));
     let kilobytes = line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok());

@@ -1,9 +1,9 @@
-//! A thousand random mechanisms in random orientations.
+//! A thousand random robots with closed loops, in random orientations.
 //!
 //! `cargo run --release -p homogen-tests --bin mechanisms [-- --seed N] [--mechanisms N] [--only N]`
 //!
-//! In: a seed. Out: the largest error of each function, how many mechanisms of each kind are right, singular or
-//! refused, every failure with the text of the mechanism, and a status that says whether there was one.
+//! In: a seed. Out: the largest error of each function; how many robots of each kind are right, singular or refused;
+//! every failure with the text of its robot; exit status of failure if there is one.
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -24,7 +24,7 @@ fn main() -> ExitCode {
 struct Wanted {
     seed: u64,
     mechanisms: usize,
-    /// The index of a mechanism that is to be examined alone.
+    /// The index of a robot that is to be examined alone.
     only: Option<usize>,
 }
 
@@ -76,10 +76,10 @@ fn run(wanted: &Wanted) -> ExitCode {
             }
             Ok(Outcome::Singular) => counts[1] += 1,
             Ok(Outcome::Refused) => counts[2] += 1,
-            Err(told) => {
+            Err(message) => {
                 counts[3] += 1;
                 failures += 1;
-                println!("{index}: {told}");
+                println!("{index}: {message}");
             }
         }
     }

@@ -1,12 +1,11 @@
-//! Tens of thousands of random trees.
+//! Twenty thousand random robots.
 //!
 //! `cargo run --release -p homogen-tests --bin trees -- --long [--seed N] [--robots N] [--plain]`, or `-- --robot N`
-//! for the one whose seed a failure names; `-- --ranks --robots 2000` for base parameters alone, of longer robots in
-//! units of length of 1e-6 to 1e3 m, against ranks of regressors in 256 bits
+//! for the robot whose seed a failure names; `-- --ranks --robots 2000` compares base parameters alone, of longer
+//! robots in units of length from 1e-6 to 1e3 m, with ranks of regressors in 256 bits.
 //!
-//! In: a seed; without `--long` a few hundred robots; with `--plain` those without residues alone. Out: the worst
-//! error of each function, every failure in the smallest robot that shows it, and a status that says whether there
-//! was one.
+//! In: a seed; 300 robots without `--long`; with `--plain` only robots without residues. Out: the worst error of each
+//! function, every failure in the smallest robot that shows it; exit status of failure if there is one.
 
 use std::collections::BTreeMap;
 use std::panic;
@@ -21,7 +20,7 @@ use homogen_tests::trees::{numbered, of_seed, try_ranks, try_seed};
 
 fn main() -> ExitCode {
     match Wanted::read(std::env::args().skip(1)) {
-        Ok(wanted) => told(&wanted),
+        Ok(wanted) => run(&wanted),
         Err(message) => {
             eprintln!("error: {message}");
             ExitCode::FAILURE
@@ -32,9 +31,9 @@ fn main() -> ExitCode {
 struct Wanted {
     seed: u64,
     robots: u64,
-    /// Whether residues are left out.
+    /// True if robots with residues are left out.
     plain: bool,
-    /// Whether ranks of regressors are all that is looked at.
+    /// True if only ranks of regressors are compared.
     ranks: bool,
     /// The seed of a robot that is to be examined alone.
     robot: Option<u64>,
@@ -81,22 +80,23 @@ impl Wanted {
     }
 }
 
-/// Panics are failures like others, and are told with the robot; one that nobody expects ends the run, in words.
-fn told(wanted: &Wanted) -> ExitCode {
+/// Runs the tests of robots, which report panics of the engine as failures; any other panic ends the run with its
+/// message.
+fn run(wanted: &Wanted) -> ExitCode {
     let last = Arc::new(Mutex::new(String::new()));
-    let heard = Arc::clone(&last);
+    let panic_message = Arc::clone(&last);
     panic::set_hook(Box::new(move |panic| {
-        *heard.lock().unwrap_or_else(PoisonError::into_inner) = panic.to_string();
+        *panic_message.lock().unwrap_or_else(PoisonError::into_inner) = panic.to_string();
     }));
-    let run = if wanted.ranks { rank } else { examine };
-    panic::catch_unwind(|| run(wanted)).unwrap_or_else(|_| {
+    let test = if wanted.ranks { rank } else { examine };
+    panic::catch_unwind(|| test(wanted)).unwrap_or_else(|_| {
         let last = last.lock().unwrap_or_else(PoisonError::into_inner);
-        eprintln!("error: the judge itself fails: {last}");
+        eprintln!("error: a panic outside of the engine: {last}");
         ExitCode::FAILURE
     })
 }
 
-/// The most joints of a robot of which ranks are looked at.
+/// The most joints of a robot whose ranks are computed.
 const LONGEST: usize = 60;
 
 /// Compares base parameters with ranks of regressors.
@@ -113,16 +113,16 @@ fn rank(wanted: &Wanted) -> ExitCode {
             Ok(Ranked::Right(_)) => right += 1,
             Ok(Ranked::RightTo106Bits(_)) => {
                 beyond += 1;
-                println!("more beyond 106 bits: seed {seed}");
+                println!("rank larger in 256 bits than in 106: seed {seed}");
             }
             Ok(Ranked::Refused) => {
                 refused += 1;
                 println!("refused by name: seed {seed}");
             }
             Ok(Ranked::Unknown) => unknown += 1,
-            Err(told) => {
+            Err(message) => {
                 failures += 1;
-                println!("{told}\n");
+                println!("{message}\n");
             }
         }
         let count = right + beyond + refused + unknown + failures;
@@ -131,8 +131,8 @@ fn rank(wanted: &Wanted) -> ExitCode {
         }
     }
     println!(
-        "{right} ranks of regressors, {beyond} but for what 106 bits do not tell, {refused} refused by name, {unknown} that \
-         256 bits do not tell, {failures} failures"
+        "{right} ranks of regressors, {beyond} to 106 bits, {refused} refused by name, {unknown} undecided in 256 bits, \
+         {failures} failures"
     );
     if failures == 0 {
         ExitCode::SUCCESS
@@ -166,9 +166,9 @@ fn examine(wanted: &Wanted) -> ExitCode {
                     *count += u32::from(has(&robot));
                 }
             }
-            Err(told) => {
+            Err(message) => {
                 failures += 1;
-                println!("{told}\n");
+                println!("{message}\n");
             }
         }
         if done % 1000 == 0 {

@@ -1,8 +1,7 @@
-//! Changes that break readers.
+//! Random damage to a text.
 //!
-//! In: a text, chance. Out: bytes: the text with one to twelve changes of its values, its blocks or its
-//! characters, now and then in another encoding. It knows nothing of robots beyond the words of
-//! [`splinters`](super::splinters).
+//! In: a text, a random source. Out: bytes: the text after one to twelve changes of its values, blocks or characters,
+//! sometimes in another encoding. [`splinters`](super::splinters) has the words that it inserts.
 
 use std::ops::Range;
 
@@ -11,7 +10,7 @@ use super::splinters::{BORNE, INLINE, NUMBERS, TABLE, URDF, VECTORS, WORDS};
 use super::texts::{blocks, values};
 use crate::states::Random;
 
-/// Beyond this length a text does not grow.
+/// Length beyond which a text does not grow.
 const LONGEST: usize = 4 << 20;
 
 /// The bytes of the text after some changes.
@@ -72,7 +71,7 @@ fn change(language: Language, text: &mut String, random: &mut Random) {
     }
 }
 
-/// Something else in the place of a value; where numbers are, other numbers more often than not.
+/// A replacement for a value; a number is replaced by another number more often than not.
 fn value(old: &str, random: &mut Random) -> String {
     let words: Vec<&str> = old.split(' ').collect();
     if words.iter().all(|word| word.parse::<f64>().is_ok()) && !random.chance(3) {
@@ -95,7 +94,7 @@ fn value(old: &str, random: &mut Random) -> String {
     }
 }
 
-/// The words with another in the place of one.
+/// The words, with a random one replaced.
 fn exchanged(words: &[&str], other: &str, random: &mut Random) -> String {
     let changed = random.below(words.len());
     let words = words.iter().enumerate();
@@ -113,7 +112,7 @@ fn swap(text: &mut String, ranges: &[Range<usize>], random: &mut Random) {
     }
 }
 
-/// Puts a block inside many others.
+/// Nests a block inside many others.
 fn wrap(language: Language, text: &mut String, random: &mut Random) {
     let depth = [1, 10, 100, 5000][random.below(4)];
     let at = pick(&blocks(language, text), random);
@@ -157,7 +156,7 @@ fn one_character(text: &mut String, random: &mut Random) {
     }
 }
 
-/// The text in another encoding, or with bytes that are none.
+/// The text in another encoding, or with bytes that are not UTF-8.
 fn encoded(text: &str, random: &mut Random) -> Vec<u8> {
     let wide = |order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect::<Vec<_>>();
     match random.below(8) {

@@ -1,6 +1,6 @@
-//! The texts that come under fire.
+//! Descriptions before they are damaged.
 //!
-//! In: chance. Out: a robot that ships, a table, a robot in place, or a long one, as it was written.
+//! In: a random source. Out: a robot that ships, a table, an inline description, or a long robot.
 
 use super::Language;
 use crate::states::Random;
@@ -16,7 +16,7 @@ const URDF: [&str; 8] = [
     REAL,
 ];
 
-/// As exporters write: residues, prefixes, meshes, transmissions, plugins, comments.
+/// In the style of exporters: residues, prefixes, meshes, transmissions, plugins, comments.
 const REAL: &str = r#"<?xml version="1.0" encoding="utf-8"?>
 <!-- This URDF was automatically created by SolidWorks to URDF Exporter! -->
 <robot name="exported" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -72,7 +72,7 @@ j3 revolute -0.39 -3*pi/4 0 1e-3 -
 ",
 ];
 
-const IN_PLACE: [&str; 3] = [
+const INLINE: [&str; 3] = [
     r#"
 /// A SCARA.
 #[derive(Debug)]
@@ -107,17 +107,17 @@ denavit_hartenberg(standard) {
 ",
 ];
 
-/// A text, one of each language more often than a long one.
+/// A random description; rarely a long one.
 pub(super) fn choose(random: &mut Random) -> (Language, String) {
     match random.below(100) {
         0 => (Language::Urdf, snake(1 + random.below(6000))),
         1..50 => (Language::Urdf, (*random.choose(&URDF)).to_owned()),
         50..75 => (Language::Table, (*random.choose(&TABLES)).to_owned()),
-        _ => (Language::Inline, (*random.choose(&IN_PLACE)).to_owned()),
+        _ => (Language::Inline, (*random.choose(&INLINE)).to_owned()),
     }
 }
 
-/// A robot of that many joints in a row.
+/// A serial robot with so many joints.
 fn snake(joints: usize) -> String {
     let joint = |k: usize| {
         let parent = k - 1;

@@ -1,8 +1,8 @@
-//! What breaks readers, piece by piece.
+//! Pieces of text that are likely to break readers.
 //!
-//! Words and numbers that take the place of others, and texts that are put between others, by language.
+//! Numbers, vectors and words replace others; the texts of each language are inserted.
 
-/// Numbers, and what somebody took for numbers.
+/// Numbers, and texts that look like numbers.
 #[rustfmt::skip]
 pub(super) const NUMBERS: [&str; 64] = [
     "", "0", "1e50", "-1e50", "1e49", "1e20", "1e-50", "-1e-30", "-0", "-0.0", "+0", "1", "-1", "2",
@@ -15,7 +15,7 @@ pub(super) const NUMBERS: [&str; 64] = [
     "1 000", "1d-3",
 ];
 
-/// Numbers that readers take, and that computing has to bear.
+/// Numbers that readers accept, so that the stages behind them meet them.
 #[rustfmt::skip]
 pub(super) const BORNE: [&str; 24] = [
     "0", "-0", "0.0", "1", "-1", "2", "1e-17", "-1.6653e-16", "1.1102e-16", "1e-9", "-3e-7",
@@ -24,7 +24,7 @@ pub(super) const BORNE: [&str; 24] = [
     "00000.5",
 ];
 
-/// Vectors, and what somebody took for vectors.
+/// Vectors, and texts that look like vectors.
 #[rustfmt::skip]
 pub(super) const VECTORS: [&str; 18] = [
     "0 0 0", "0 0 2", "0 0", "0 0 0 0", "1 0 0 0 0 0 0", "1e300 1e300 1e300",
@@ -32,7 +32,7 @@ pub(super) const VECTORS: [&str; 18] = [
     "1e-320 0 0", "1.5708 0 1.5708", "1e6 1e-6 0", "\t1\n0\r0 ", "0,0,1", "[0, 0, 1]",
 ];
 
-/// Words that mean something somewhere, and names that are hard to bear.
+/// Words with a meaning somewhere, and difficult names.
 #[rustfmt::skip]
 pub(super) const WORDS: [&str; 58] = [
     "base", "tip", "tool", "link1", "joint1", "revolute", "continuous", "prismatic", "fixed",
@@ -43,7 +43,7 @@ pub(super) const WORDS: [&str; 58] = [
     "\u{202e}", "\u{0}", "\u{1b}[2J", "\u{feff}", "${x}",
 ];
 
-/// What may be put into a URDF file.
+/// Texts to insert into a URDF file.
 #[rustfmt::skip]
 pub(super) const URDF: [&str; 26] = [
     "<link name=\"x\"/>", "<joint name=\"x\" type=\"fixed\"/>", "<origin xyz=\"1 2 3\"/>",
@@ -58,7 +58,7 @@ pub(super) const URDF: [&str; 26] = [
     "<xacro:macro name=\"m\" xmlns:xacro=\"http://ros.org/wiki/xacro\"/>", "xmlns=\"u\"",
 ];
 
-/// What may be put into a table.
+/// Texts to insert into a table.
 #[rustfmt::skip]
 pub(super) const TABLE: [&str; 12] = [
     "\nconvention standard\n", "\nconvention modified\n", "\njoint kind a alpha d theta\n",
@@ -66,7 +66,7 @@ pub(super) const TABLE: [&str; 12] = [
     "\u{2003}", " - - - - - - - - - - - - - - - - - - - - - - - -",
 ];
 
-/// What may be put into a robot in place.
+/// Texts to insert into an inline description.
 #[rustfmt::skip]
 pub(super) const INLINE: [&str; 24] = [
     "link x;", "joint x: fixed;", "joint x: revolute(z) { from: base, to: base }", "{", "}", "(",

@@ -1,14 +1,13 @@
-//! What a text is made of.
+//! Places of values and blocks in a text.
 //!
-//! In: a text, whole or broken. Out: where its values stand (names, numbers, words) and its blocks
-//! (elements and attributes, lines, what stands in brackets). It never complains: of a broken text it
-//! finds what is still there.
+//! In: a text, whole or damaged. Out: ranges of its values (names, numbers, words) and of its blocks (elements and
+//! attributes, lines, brackets). A damaged text gives those that are still there.
 
 use std::ops::Range;
 
 use super::Language;
 
-/// Where the values stand, without quotes.
+/// Ranges of the values, without quotes.
 pub(super) fn values(language: Language, text: &str) -> Vec<Range<usize>> {
     match language {
         Language::Urdf => between_quotes(text),
@@ -21,13 +20,13 @@ pub(super) fn values(language: Language, text: &str) -> Vec<Range<usize>> {
     }
 }
 
-/// Where the blocks stand; one may hold others.
+/// Ranges of the blocks, which may be nested.
 pub(super) fn blocks(language: Language, text: &str) -> Vec<Range<usize>> {
     let mut blocks = lines(text);
     match language {
         Language::Urdf => {
             blocks.extend(elements(text));
-            // With the blank, the name and the equals sign before the quote.
+            // The attribute with the space before it, its name and its quotes.
             blocks.extend(between_quotes(text).into_iter().filter_map(|value| {
                 let start = text[..value.start].rfind(' ')?;
                 (value.end < text.len()).then_some(start..value.end + 1)
@@ -49,7 +48,7 @@ fn lines(text: &str) -> Vec<Range<usize>> {
     ranges.collect()
 }
 
-/// The longest stretches of characters of a kind.
+/// The longest runs of characters that satisfy a condition.
 fn runs(text: &str, is: impl Fn(char) -> bool) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     let mut start = None;
@@ -71,7 +70,7 @@ fn between_quotes(text: &str) -> Vec<Range<usize>> {
         .collect()
 }
 
-/// From each tag that opens to the one that closes it.
+/// Elements, from the opening to the closing tag.
 fn elements(text: &str) -> Vec<Range<usize>> {
     let mut open = Vec::new();
     let mut found = Vec::new();
@@ -90,7 +89,7 @@ fn elements(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// What stands in brackets of any kind, with them.
+/// Bracketed groups of any kind, with their brackets.
 fn groups(text: &str) -> Vec<Range<usize>> {
     let mut open = Vec::new();
     let mut found = Vec::new();

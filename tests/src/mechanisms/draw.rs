@@ -1,7 +1,7 @@
-//! Mechanisms as they are drawn: points and axes of joints in a closed configuration.
+//! Random robots with closed loops: points and axes of joints in a closed configuration.
 //!
-//! In: random numbers. Out: a [`Mechanism`] whose loops are closed where all coordinates are zero, in frame 0, planar
-//! ones in the plane z = 0. It never rounds: what is written of it is for [`text`](mod@super::text).
+//! In: random numbers. Out: a [`Mechanism`] in frame 0 whose loops are closed where all coordinates are zero; planar
+//! ones are in the plane z = 0. [`text`](mod@super::text) rounds the numbers when it writes them.
 
 use std::array::from_fn;
 use std::f64::consts::TAU;
@@ -9,33 +9,33 @@ use std::f64::consts::TAU;
 use super::space::{Vector, across, cross, dot, length, minus, plus, scaled, turned, unit};
 use crate::states::Random;
 
-/// The mechanisms that are drawn.
+/// The kinds of robots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// Four revolute joints in a plane.
     FourBar,
-    /// The same, closed by a spherical joint, of whose residuals one depends on the others.
+    /// The same, closed by a spherical joint, which makes one residual depend on the others.
     FourBarWithBall,
     /// A crank, a rod and a slider.
     SliderCrank,
     /// Five revolute joints in a plane.
     FiveBar,
-    /// A four-bar of equal opposite bars, with a third rocker that holds what is held.
+    /// A four-bar linkage of equal opposite bars, with a third, redundant rocker.
     Parallelogram,
-    /// Four revolute joints whose axes meet.
+    /// Four revolute joints whose axes meet in a point.
     SphericalFourBar,
-    /// Four skew revolute joints that move for their proportions alone.
+    /// Four skew revolute joints, movable only for special proportions.
     Bennett,
     /// Six legs of universal, prismatic and spherical joints.
     Stewart,
-    /// Three arms whose forearms are links.
+    /// Three arms with forearms that are links.
     Delta,
-    /// Three arms whose forearms are rods without mass.
+    /// Three arms with forearms that are massless rods.
     DeltaOfRods,
 }
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Self; 10] = [
         Self::FourBar,
         Self::FourBarWithBall,
@@ -49,7 +49,7 @@ impl Kind {
         Self::DeltaOfRods,
     ];
 
-    /// Whether residuals depend on others where the loops are closed, and no residual alone is zero.
+    /// True if some residuals depend on others where the loops are closed, though none of them is always zero.
     #[must_use]
     pub const fn is_redundant(self) -> bool {
         matches!(
@@ -59,14 +59,14 @@ impl Kind {
     }
 }
 
-/// What a joint allows, with its axes in frame 0.
+/// The motion that a joint allows, with its axes in frame 0.
 #[derive(Clone, Debug)]
 pub enum Motion {
     /// Rotation.
     Revolute(Vector),
     /// Translation \[m\].
     Prismatic(Vector),
-    /// Rotation about one axis, and about a second one that it turns.
+    /// Rotation about a fixed axis, and about a second one that the first rotates.
     Universal(Vector, Vector),
     /// Translation along x, y and z.
     Translation,
@@ -74,50 +74,50 @@ pub enum Motion {
     Spherical,
 }
 
-/// A joint and the link that it carries, which is called as it is.
+/// A joint and the link that it carries, which has the joint's name.
 #[derive(Clone, Debug)]
 pub struct Joint {
     /// Its name.
     pub name: String,
-    /// The link it hangs on; none for the base.
+    /// The joint of the parent link; `None` for the base.
     pub parent: Option<usize>,
-    /// What it allows.
+    /// The motion that it allows.
     pub motion: Motion,
-    /// A point of its axes \[m\].
+    /// A point on its axes \[m\].
     pub point: Vector,
     /// The mass of its link \[kg\].
     pub mass: f64,
-    /// The centre of that mass \[m\].
+    /// The centre of mass of its link \[m\].
     pub center: Vector,
-    /// Directions in which the link's mass is spread, each with its share of the square of a length \[kg m²\].
+    /// Three vectors v whose dyads v vᵗ add up to the second moments of the link about its centre of mass \[√kg m\].
     pub spread: [Vector; 3],
-    /// Whether something drives it.
-    pub is_driven: bool,
+    /// True if it has an actuator.
+    pub is_actuated: bool,
 }
 
-/// What closes a loop.
+/// The constraint of a loop.
 #[derive(Clone, Copy, Debug)]
 pub enum Closure {
-    /// A pin about an axis.
+    /// A pin joint about an axis.
     Revolute(Vector),
-    /// A ball.
+    /// A ball joint.
     Spherical,
-    /// A rod from the first link's point to that of the second.
+    /// A rod from the first link's point to the second link's, which this is \[m\].
     Rod(Vector),
 }
 
-/// A loop.
+/// A closed loop.
 #[derive(Clone, Debug)]
 pub struct Loop {
-    /// What closes it.
+    /// Its constraint.
     pub closure: Closure,
-    /// The joints that carry the links.
+    /// The joints of the two links that it connects.
     pub links: [usize; 2],
-    /// Where \[m\].
+    /// The point where it connects them \[m\].
     pub point: Vector,
 }
 
-/// A mechanism.
+/// A robot with closed loops.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     /// Its kind.
@@ -132,7 +132,7 @@ pub struct Mechanism {
 
 const Z: Vector = [0.0, 0.0, 1.0];
 
-/// A mechanism of a kind.
+/// A random robot of a kind.
 pub fn draw(kind: Kind, random: &mut Random) -> Mechanism {
     let mut mechanism = Mechanism {
         kind,
@@ -170,7 +170,7 @@ impl Mechanism {
             mass,
             center: plus(point, from_fn(|_| 0.1 * random.unit())),
             spread: from_fn(|_| from_fn(|_| 0.05 * random.normal() * mass.sqrt())),
-            is_driven: false,
+            is_actuated: false,
         });
         self.joints.len() - 1
     }
@@ -183,7 +183,7 @@ impl Mechanism {
         });
     }
 
-    /// A revolute joint about z, somewhere on its axis.
+    /// A revolute joint about z, with its point somewhere on the axis.
     fn hinge(
         &mut self,
         place: (&str, Option<usize>),
@@ -199,7 +199,7 @@ impl Mechanism {
         let crank = self.hinge(("a", None), a, random);
         let coupler = self.hinge(("b", Some(crank)), b, random);
         let rocker = self.hinge(("c", None), d, random);
-        self.joints[crank].is_driven = true;
+        self.joints[crank].is_actuated = true;
         let closure = match self.kind {
             Kind::FourBarWithBall => Closure::Spherical,
             _ => Closure::Revolute(Z),
@@ -218,7 +218,7 @@ impl Mechanism {
         let along = unit([c[1] - d[1], d[0] - c[0], 0.0]);
         let at = [d[0], d[1], 0.1 * random.unit()];
         let slider = self.joint(("c", None), Motion::Prismatic(along), at, random);
-        self.joints[if random.chance(2) { crank } else { slider }].is_driven = true;
+        self.joints[if random.chance(2) { crank } else { slider }].is_actuated = true;
         self.pin(
             [rod, slider],
             Closure::Revolute(Z),
@@ -233,8 +233,8 @@ impl Mechanism {
         let two = self.hinge(("b", Some(one)), b, random);
         let three = self.hinge(("c", None), e, random);
         let four = self.hinge(("d", Some(three)), d, random);
-        for driven in [one, three] {
-            self.joints[driven].is_driven = true;
+        for actuated in [one, three] {
+            self.joints[actuated].is_actuated = true;
         }
         self.pin(
             [two, four],
@@ -250,7 +250,7 @@ impl Mechanism {
         let over = |[x, y]: [f64; 2]| [x + bar[0], y + bar[1]];
         let crank = self.hinge(("a", None), a, random);
         let coupler = self.hinge(("b", Some(crank)), b, random);
-        self.joints[crank].is_driven = true;
+        self.joints[crank].is_actuated = true;
         for (name, foot) in [("c", d), ("d", e)] {
             let rocker = self.hinge((name, None), foot, random);
             let [x, y] = over(foot);
@@ -272,18 +272,18 @@ impl Mechanism {
         let crank = hinge(("a", None), a, points[0]);
         let coupler = hinge(("b", Some(crank)), b, points[1]);
         let rocker = hinge(("c", None), d, points[2]);
-        self.joints[crank].is_driven = true;
+        self.joints[crank].is_actuated = true;
         self.pin([coupler, rocker], Closure::Revolute(c), points[3]);
     }
 
-    /// Bars of lengths a, b, a, b and twists α, β, α, β with a sin β = b sin α.
+    /// Bennett's linkage: bars of lengths a, b, a, b and twists α, β, α, β with a sin β = b sin α.
     fn bennett(&mut self, random: &mut Random) {
         let [alpha, beta] = [0.7 + 0.2 * random.unit(), 1.3 + 0.1 * random.unit()];
         let a = 0.25 + 0.05 * random.unit();
         let b = a * beta.sin() / alpha.sin();
         let first = 1.2 + 0.4 * random.unit();
         let ratio = (0.5 * (beta + alpha)).sin() / (0.5 * (beta - alpha)).sin();
-        // Of the two proportions, the one whose loop closes.
+        // The proportion whose loop closes.
         let second = [ratio, ratio.recip(), -ratio, -ratio.recip()]
             .map(|ratio| 2.0 * ratio.atan2((0.5 * first).tan()));
         let bars = [(alpha, a), (beta, b), (alpha, a), (beta, b)];
@@ -304,7 +304,7 @@ impl Mechanism {
         let crank = hinge(("a", None), 0);
         let coupler = hinge(("b", Some(crank)), 1);
         let rocker = hinge(("c", None), 3);
-        self.joints[crank].is_driven = true;
+        self.joints[crank].is_actuated = true;
         let (point, axis) = frames[2];
         self.pin([coupler, rocker], Closure::Revolute(axis), point);
     }
@@ -320,7 +320,7 @@ impl Mechanism {
             })
         };
         let (feet, mut balls) = (ring(0.5, 0.0, 0.0), ring(0.3, 0.6, TAU / 6.0));
-        // Legs cross from pair to pair.
+        // The legs connect different pairs.
         balls.rotate_right(1);
         let mut platform = None;
         for (k, (foot, ball)) in feet.into_iter().zip(balls).enumerate() {
@@ -331,7 +331,7 @@ impl Mechanism {
             let middle = plus(foot, scaled(minus(ball, foot), 0.5));
             let place = (&*format!("p{k}"), Some(lower));
             let upper = self.joint(place, Motion::Prismatic(along), middle, random);
-            self.joints[upper].is_driven = true;
+            self.joints[upper].is_actuated = true;
             match platform {
                 None => {
                     let place = ("platform", Some(upper));
@@ -358,7 +358,7 @@ impl Mechanism {
                 shoulder,
                 random,
             );
-            self.joints[arm].is_driven = true;
+            self.joints[arm].is_actuated = true;
             arms.push((arm, out, around, elbow));
         }
         let forearms: Vec<usize> = match self.kind {
@@ -385,7 +385,7 @@ impl Mechanism {
         }
     }
 
-    /// The coordinates of a point that the first link of a rod ends at.
+    /// The points on both links at which a loop connects them.
     #[must_use]
     pub fn ends(closed: &Loop) -> [Vector; 2] {
         match closed.closure {
@@ -394,7 +394,7 @@ impl Mechanism {
         }
     }
 
-    /// J of a link about its centre of mass, as rows in frame 0 [kg m²].
+    /// Inertia tensor of a link about its centre of mass, as rows in frame 0 [kg m²].
     #[must_use]
     pub fn inertia(joint: &Joint) -> [Vector; 3] {
         let squares: f64 = joint.spread.iter().map(|axis| dot(*axis, *axis)).sum();
@@ -408,21 +408,21 @@ impl Mechanism {
     }
 }
 
-/// The origins and z axes of frames of Denavit and Hartenberg, the first at rest.
+/// Origins and z axes of five Denavit–Hartenberg frames, the first of which is frame 0.
 fn denavit_hartenberg(angles: [f64; 4], bars: [(f64, f64); 4]) -> [(Vector, Vector); 5] {
     let (mut origin, mut axes) = ([0.0; 3], super::space::IDENTITY);
     let mut frames = [(origin, Z); 5];
     for (k, (angle, (twist, bar))) in angles.into_iter().zip(bars).enumerate() {
         let ((s, c), (st, ct)) = (angle.sin_cos(), twist.sin_cos());
-        let turn = [[c, -s * ct, s * st], [s, c * ct, -c * st], [0.0, st, ct]];
+        let rotation = [[c, -s * ct, s * st], [s, c * ct, -c * st], [0.0, st, ct]];
         origin = plus(origin, turned(&axes, [bar * c, bar * s, 0.0]));
-        axes = super::space::product(&axes, &turn);
+        axes = super::space::product(&axes, &rotation);
         frames[k + 1] = (origin, turned(&axes, Z));
     }
     frames
 }
 
-/// Four points in a plane, a ground of three bars that are far from one line.
+/// Four points in a plane; neighbouring bars between them are not nearly parallel.
 fn polygon(random: &mut Random) -> [[f64; 2]; 4] {
     loop {
         let mut around = |x: f64, y: f64| [x + 0.08 * random.odd(), y + 0.08 * random.odd()];

@@ -1,14 +1,12 @@
-//! A mechanism, as it is mounted and written, held against two independent solutions.
+//! Comparison of a generated robot with closed loops with two independent solutions.
 //!
-//! In: a [`Mechanism`] and a [`Mounting`]. Out: what became of it, or what is wrong. The solutions: the equations of
-//! the text in 256 bits, and those of the mechanism as it was drawn, straight and exact, whose joints move as those of
-//! the mounted one do.
+//! In: a [`Mechanism`] and a [`Mounting`]. Out: the outcome, or an error. The solutions are those of the equations of
+//! the text in 256 bits, and of the robot as drawn, unmounted and unrounded, whose joints move alike.
 
 use std::collections::BTreeMap;
 
 use homogen_codegen::closure::Row;
 use homogen_codegen::description::Description;
-use homogen_codegen::error::Errors;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real, chain};
@@ -22,33 +20,33 @@ use crate::big::Big;
 use crate::oracle::robot::Robot;
 use crate::states::Random;
 
-/// With fewer digits a mechanism may be refused, by name.
+/// The number of digits up to which a robot may be refused, by name.
 const FEW: usize = 5;
 
-/// Digits that leave nothing to rounding.
+/// The number of digits from which roundings of the text do not matter.
 const ALL: usize = 15;
 
-/// The part of a residual that makes a state singular, where no more is left of it beside others.
+/// Relative pivot of a residual below which a state is singular.
 const SINGULAR: f64 = 1e-5;
 
-/// The largest errors, by what is compared.
+/// The largest errors, by the compared quantity.
 pub type Worst = BTreeMap<&'static str, f64>;
 
-/// What became of a mechanism.
+/// The outcome without a failure.
 #[derive(Debug)]
 pub enum Outcome {
-    /// It was refused, and may be.
+    /// Refused, as robots with few digits may be.
     Refused,
-    /// It was reported as singular, or all states were.
+    /// Reported as singular, or singular in all states.
     Singular,
-    /// It moves as it should.
+    /// Its motion is right.
     Right(Worst),
 }
 
-/// Generates a mechanism in a type of number and compares it.
+/// Generates a robot in a scalar type and compares it with both solutions.
 ///
 /// # Errors
-/// What is wrong.
+/// The failure.
 pub fn judge(
     mechanism: &Mechanism,
     mounting: &Mounting,
@@ -56,10 +54,10 @@ pub fn judge(
     random: &mut Random,
 ) -> Result<Outcome, String> {
     let (description, request) =
-        read(&text(mechanism, mounting)).map_err(|errors| told(&errors))?;
+        read(&text(mechanism, mounting)).map_err(|errors| errors.to_string())?;
     let programs = match Programs::of(&description, &request, scalar) {
         Ok(programs) => programs,
-        Err(errors) => return refused(&told(&errors), mounting),
+        Err(errors) => return refused(&errors.to_string(), mounting),
     };
     let warned = programs.chain.report.warnings.iter().any(|warning| {
         ["nearly depend", "nothing can move"]
@@ -71,8 +69,8 @@ pub fn judge(
     }
     let robot = Robot::of(&description, &request);
     let rows = Rows::of(&programs, &description, &request)?;
-    let straight =
-        read(&text(mechanism, &Mounting::straight(mechanism))).map_err(|errors| told(&errors))?;
+    let straight = read(&text(mechanism, &Mounting::straight(mechanism)))
+        .map_err(|errors| errors.to_string())?;
     let straight = Robot::of(&straight.0, &straight.1);
     let mut judge = Judge {
         programs: &programs,
@@ -84,7 +82,7 @@ pub fn judge(
     };
     let mut compared = 0;
     for size in [0.3, 0.2, 0.1, 0.05, 0.01] {
-        // A mechanism whose residuals depend on others closes as far as its digits.
+        // With redundant residuals, few digits close the loops only approximately.
         let most = if mounting.digits >= ALL && scalar != Real::F32 {
             1e-12
         } else {
@@ -114,21 +112,17 @@ pub fn judge(
     }
 }
 
-fn told(errors: &Errors) -> String {
-    errors.to_string()
-}
-
-fn refused(told: &str, mounting: &Mounting) -> Result<Outcome, String> {
+fn refused(message: &str, mounting: &Mounting) -> Result<Outcome, String> {
     let by_name = ["blocks the joints", "cannot close"];
-    let is_by_name = by_name.iter().any(|words| told.contains(words));
+    let is_by_name = by_name.iter().any(|words| message.contains(words));
     if is_by_name && mounting.digits <= FEW {
         Ok(Outcome::Refused)
     } else {
-        Err(format!("refused: {told}"))
+        Err(format!("refused: {message}"))
     }
 }
 
-/// The nearest state of single precision.
+/// The state rounded to single precision.
 fn rounded(state: &Arguments) -> Arguments {
     Arguments::of(|variable| {
         let entries = state[variable].iter();
@@ -136,7 +130,7 @@ fn rounded(state: &Arguments) -> Arguments {
     })
 }
 
-/// Which residuals are generated, and which are left out.
+/// Indices of the residuals that are generated, and of those that are left out.
 struct Rows {
     kept: Vec<usize>,
     left_out: Vec<usize>,
@@ -148,7 +142,7 @@ impl Rows {
         description: &Description,
         request: &Request,
     ) -> Result<Self, String> {
-        let all = chain::build(description, request).map_err(|errors| told(&errors))?;
+        let all = chain::build(description, request).map_err(|errors| errors.to_string())?;
         let names = |chain: &chain::Chain| -> Vec<(String, Row)> {
             let loops = chain.loops.iter();
             let rows = loops
@@ -176,13 +170,13 @@ struct Judge<'p> {
     rows: Rows,
     digits: usize,
     scalar: Real,
-    /// Whether it was reported that residuals nearly depend on others.
+    /// True if a warning said that residuals nearly depend on others.
     is_reported: bool,
     worst: Worst,
 }
 
 impl Judge<'_> {
-    /// What an error may be, in double precision and in single.
+    /// The limit of an error, in double and in single precision.
     fn allowed(&self, double: f64, single: f64) -> f64 {
         if self.scalar == Real::F32 {
             single
@@ -198,12 +192,12 @@ impl Judge<'_> {
             Ok(())
         } else {
             Err(format!(
-                "{what}: {error:.1e} of the largest entry, and at most {most:.1e} may be"
+                "{what}: {error:.1e} of the largest entry; the limit is {most:.1e}"
             ))
         }
     }
 
-    /// Residuals, their Jacobian and their bias; and those that are left out.
+    /// Compares residuals, their Jacobian and their bias, also of the residuals that are left out.
     fn kinematics(&mut self, all: &Equations, state: &Arguments) -> Result<(), String> {
         let kept =
             |of: &[Big]| -> Vec<f64> { self.rows.kept.iter().map(|&k| of[k].to_f64()).collect() };
@@ -236,7 +230,7 @@ impl Judge<'_> {
         Ok(())
     }
 
-    /// Accelerations, multipliers and torques of driven joints; whether the state is regular.
+    /// Compares accelerations, multipliers and torques of actuated joints. Returns true if the state is regular.
     fn dynamics(
         &mut self,
         all: &Equations,
@@ -252,15 +246,15 @@ impl Judge<'_> {
         }
         let (qdd, multipliers) = found.split_at(n);
         let held = all.of(&self.rows.kept);
-        let left = held.left_over(qdd, multipliers, &state[Variable::Tau]);
-        self.note("M q̈ + h − τ − Jᵗ λ", left, self.allowed(1e-10, 1e-3))?;
+        let residual = held.torque_residual(qdd, multipliers, &state[Variable::Tau]);
+        self.note("M q̈ + h − τ − Jᵗ λ", residual, self.allowed(1e-10, 1e-3))?;
         let (expected, pivots) = held.accelerations(&state[Variable::Tau]);
         if self.is_reported || !self.is_regular(pivots) {
             return Ok(false);
         }
         let loss = pivots.least.recip();
         let error = share(qdd, &expected);
-        // What depends on others but for digits is left out in part.
+        // Residuals that depend on others up to the text's digits are left out in part.
         let in_part = self.in_part(&held, pivots);
         let name = if in_part > 0.0 {
             "q̈ of the text, with few digits"
@@ -277,17 +271,17 @@ impl Judge<'_> {
             };
             self.note(name, share(qdd, &expected), 10.0 * rounding * loss)?;
         }
-        self.driven(&held, state)?;
+        self.actuated(&held, state)?;
         Ok(true)
     }
 
-    /// Torques of driven joints make the motion that they are of.
-    fn driven(&mut self, held: &Equations, state: &Arguments) -> Result<(), String> {
+    /// Compares the accelerations that actuator torques cause with those that they were computed for.
+    fn actuated(&mut self, held: &Equations, state: &Arguments) -> Result<(), String> {
         let (qdd, of_motion) = held.accelerations(&state[Variable::Tau]);
         let chain = &self.programs.chain;
         let velocities = chain.actuated.numbered();
         let passive: Vec<usize> = velocities
-            .filter(|(_, driven)| !**driven)
+            .filter(|(_, actuated)| !**actuated)
             .map(|(k, _)| homogen_codegen::list::Id::index(k))
             .collect();
         let pivots = held.pivots_of(&passive);
@@ -309,7 +303,7 @@ impl Judge<'_> {
         self.note("q̈ of actuated τ", share(&qdd, &again), most + in_part)
     }
 
-    /// What may be off where residuals depend on others but for digits.
+    /// An additional limit where residuals depend on others up to the text's digits.
     fn in_part(&self, held: &Equations, pivots: Pivots) -> f64 {
         if self.digits < ALL && pivots.rank < held.jacobian.len() {
             1e-3
@@ -329,7 +323,7 @@ impl Judge<'_> {
 }
 
 impl Equations {
-    /// Those of some residuals.
+    /// The equations with these residuals alone.
     #[must_use]
     pub fn of(&self, places: &[usize]) -> Self {
         Self {
@@ -344,10 +338,10 @@ impl Equations {
         }
     }
 
-    /// What is left of M q̈ + h − τ − Jᵗ λ, beside the largest term.
-    fn left_over(&self, qdd: &[f64], multipliers: &[f64], tau: &[f64]) -> f64 {
+    /// The largest entry of M q̈ + h − τ − Jᵗ λ, relative to the largest term.
+    fn torque_residual(&self, qdd: &[f64], multipliers: &[f64], tau: &[f64]) -> f64 {
         let qdd: Vec<Big> = qdd.iter().map(|&entry| Big::new(entry)).collect();
-        let (mut left, mut largest) = (0.0_f64, 0.0_f64);
+        let (mut residual, mut largest) = (0.0_f64, 0.0_f64);
         for (k, row) in self.mass_matrix.iter().enumerate() {
             let mut sum = dot(row, &qdd) + &self.bias[k] - Big::new(tau[k]);
             let mut terms = vec![self.bias[k].to_f64(), tau[k]];
@@ -357,16 +351,16 @@ impl Equations {
                 terms.push(term.to_f64());
                 sum = sum - term;
             }
-            left = left.max(sum.to_f64().abs());
+            residual = residual.max(sum.to_f64().abs());
             largest = terms
                 .into_iter()
                 .fold(largest, |most, term| most.max(term.abs()));
         }
-        left / largest
+        residual / largest
     }
 }
 
-/// The largest difference beside the largest entry.
+/// The largest difference, relative to the largest entry.
 fn share(found: &[f64], expected: &[Big]) -> f64 {
     let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();
     let largest = expected
@@ -376,7 +370,7 @@ fn share(found: &[f64], expected: &[Big]) -> f64 {
 }
 
 fn difference(found: &[f64], expected: &[f64]) -> f64 {
-    assert_eq!(found.len(), expected.len(), "as many results");
+    assert_eq!(found.len(), expected.len(), "number of results");
     let pairs = found.iter().zip(expected);
     pairs.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
 }

@@ -1,7 +1,7 @@
-//! The generated functions of a mechanism, and states in which its loops are closed.
+//! Generated functions of a robot with closed loops, and states in which the loops are closed.
 //!
-//! In: a description. Out: what its programs return; coordinates near some others that close the loops, and rates that
-//! keep them closed, by those programs in `f64`. What is closed is for the judge to look at.
+//! In: a description. Out: results of its programs; coordinates that close the loops and rates that keep them closed,
+//! found by those programs in `f64`. The judge verifies them.
 
 use homogen_codegen::chain::{Chain, Position};
 use homogen_codegen::description::Description;
@@ -29,9 +29,9 @@ pub const FUNCTIONS: [Function; 5] = [
     Function::ActuatedInverseDynamics,
 ];
 
-/// A mechanism as it was generated in a type of number.
+/// A robot as generated in a scalar type.
 pub struct Programs {
-    /// What the generator made of it.
+    /// The chain after reductions.
     pub chain: Chain,
     module: Module,
     scalar: Real,
@@ -41,7 +41,7 @@ impl Programs {
     /// Generates the functions of loops.
     ///
     /// # Errors
-    /// What the generator complains of.
+    /// Errors of the generator.
     pub fn of(description: &Description, request: &Request, scalar: Real) -> Result<Self, Errors> {
         let request = Request {
             scalar,
@@ -55,10 +55,10 @@ impl Programs {
         })
     }
 
-    /// What a function returns, computed in the type of number.
+    /// The result of a function, computed in the scalar type.
     ///
     /// # Panics
-    /// For another function.
+    /// For a function that was not generated.
     #[must_use]
     pub fn run(&self, function: Function, arguments: &Arguments) -> Vec<f64> {
         let mut generated = self.module.functions.iter();
@@ -79,8 +79,8 @@ impl Programs {
         self.chain.spaces().len(Space::Velocities)
     }
 
-    /// A state near the one in which the mechanism was drawn, with closed loops; none where there is none to so many
-    /// digits.
+    /// A random state near the configuration of the drawing, with closed loops; `None` if no residual below `most` is
+    /// found. Newton steps with Levenberg–Marquardt damping.
     pub fn closed(&self, size: f64, most: f64, random: &mut Random) -> Option<Arguments> {
         let n = self.velocities();
         let mut list = |size: f64| -> Vec<f64> { (0..n).map(|_| size * random.odd()).collect() };
@@ -124,7 +124,7 @@ impl Programs {
         is_closed.then_some(arguments)
     }
 
-    /// The configuration in which a mechanism is drawn.
+    /// The configuration of the drawing.
     fn neutral(&self) -> Vec<f64> {
         let spaces = self.chain.spaces();
         let mut q = vec![0.0; spaces.len(Space::Coordinates)];
@@ -134,7 +134,7 @@ impl Programs {
         q
     }
 
-    /// The step against some residuals, of least squares.
+    /// The damped least-squares step that reduces the residuals.
     fn step(&self, arguments: &Arguments, residuals: &[f64], damping: f64) -> Vec<f64> {
         let n = self.velocities();
         let jacobian = self.run(Function::ConstraintJacobian, arguments);
@@ -157,7 +157,7 @@ impl Programs {
         solved(matrix, right.collect())
     }
 
-    /// Where velocities lead in a unit of time, to first order.
+    /// Configuration after a unit of time, to first order.
     fn moved(&self, q: &[f64], velocities: &[f64]) -> Vec<f64> {
         let mut moved = q.to_vec();
         for joint in &self.chain.joints {
@@ -189,7 +189,7 @@ impl Programs {
     }
 }
 
-/// x of A x = y, where A is positive definite.
+/// The solution x of A x = y for a positive definite A.
 fn solved(mut a: Vec<Vec<f64>>, mut y: Vec<f64>) -> Vec<f64> {
     let count = y.len();
     for k in 0..count {

@@ -1,4 +1,4 @@
-//! Vectors and rotations of `f64`, as far as mechanisms are drawn with them.
+//! Vectors and rotations in `f64` for drawing robots.
 
 use std::array::from_fn;
 
@@ -55,18 +55,18 @@ pub fn unit(a: Vector) -> Vector {
     scaled(a, length(a).recip())
 }
 
-/// A unit vector at a right angle to a direction.
+/// A unit vector perpendicular to a direction.
 #[must_use]
 pub fn across(direction: Vector) -> Vector {
     let [x, y, z] = direction.map(f64::abs);
-    let far = if x <= y && x <= z {
+    let other = if x <= y && x <= z {
         [1.0, 0.0, 0.0]
     } else if y <= z {
         [0.0, 1.0, 0.0]
     } else {
         [0.0, 0.0, 1.0]
     };
-    unit(cross(direction, far))
+    unit(cross(direction, other))
 }
 
 /// R v.
@@ -99,7 +99,7 @@ pub fn roll_pitch_yaw(rotation: &Rotation) -> Vector {
     ]
 }
 
-/// Any rotation.
+/// A random rotation.
 pub fn any_rotation(random: &mut Random) -> Rotation {
     let direction = unit(from_fn(|_| random.normal()));
     let other = unit(cross(direction, unit(from_fn(|_| random.normal()))));

@@ -1,7 +1,7 @@
-//! A mechanism as it is mounted and written.
+//! A robot with closed loops, mounted in frame 0 and written as text.
 //!
-//! In: a [`Mechanism`], a [`Mounting`]. Out: the text of `chain!`, with numbers of so many digits, and what the reader
-//! makes of it. Every link has its own frame, turned against those of the others.
+//! In: a [`Mechanism`], a [`Mounting`]. Out: the text for `chain!` with the given number of digits, and the
+//! description that the reader makes of it. Every link has its own frame, rotated against the others.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -17,21 +17,21 @@ use super::space::{
 };
 use crate::states::Random;
 
-/// How a mechanism stands in frame 0, and how it is written.
+/// The pose of a robot in frame 0, and the form of its text.
 #[derive(Clone, Debug)]
 pub struct Mounting {
-    /// Its rotation.
+    /// The robot's rotation.
     pub rotation: Rotation,
-    /// Its place \[m\].
+    /// The robot's position \[m\].
     pub place: Vector,
-    /// The rotation of each link's frame in the mechanism.
+    /// The rotation of each link's frame relative to the robot.
     pub frames: Vec<Rotation>,
-    /// How many digits numbers have.
+    /// Decimal digits of numbers.
     pub digits: usize,
 }
 
 impl Mounting {
-    /// As it was drawn, with all digits.
+    /// As drawn, with all digits.
     #[must_use]
     pub fn straight(mechanism: &Mechanism) -> Self {
         Self {
@@ -42,7 +42,7 @@ impl Mounting {
         }
     }
 
-    /// Somehow.
+    /// A random pose and random frames.
     pub fn any(mechanism: &Mechanism, digits: usize, random: &mut Random) -> Self {
         // A rotation that a few decimals write exactly.
         const SHORT: Rotation = [[0.48, -0.8, 0.36], [0.64, 0.6, 0.48], [-0.6, 0.0, 0.8]];
@@ -52,7 +52,7 @@ impl Mounting {
         };
         let are_turned = !random.chance(3);
         let frames = mechanism.joints.iter().map(|joint| match joint.motion {
-            // Their coordinates are of their frames.
+            // Coordinates of these joints refer to the link's frame.
             Motion::Translation | Motion::Spherical => IDENTITY,
             _ if are_turned => any_rotation(random),
             _ => IDENTITY,
@@ -65,7 +65,7 @@ impl Mounting {
         }
     }
 
-    /// Numbers of so many digits, between commas.
+    /// Numbers with the given digits, separated by commas.
     fn numbers(&self, numbers: &[f64]) -> String {
         let words = numbers.iter().map(|&number| {
             let number = if number.abs() < 1e-15 { 0.0 } else { number };
@@ -81,7 +81,7 @@ impl Mounting {
     }
 }
 
-/// The text behind `chain!`.
+/// The text for `chain!`.
 #[must_use]
 pub fn text(mechanism: &Mechanism, mounting: &Mounting) -> String {
     let list = |numbers: &[f64]| mounting.numbers(numbers);
@@ -91,26 +91,30 @@ pub fn text(mechanism: &Mechanism, mounting: &Mounting) -> String {
         frames,
         ..
     } = mounting;
-    // In frame 0, and the rotation of a link's frame there.
-    let stands = |point: Vector| plus(turned(rotation, point), *place);
+    // A point in frame 0, and the rotation of a link's frame there.
+    let mounted = |point: Vector| plus(turned(rotation, point), *place);
     let axes = |link: Option<usize>| link.map_or(IDENTITY, |link| product(rotation, &frames[link]));
     let origin =
-        |link: Option<usize>| link.map_or([0.0; 3], |link| stands(mechanism.joints[link].point));
+        |link: Option<usize>| link.map_or([0.0; 3], |link| mounted(mechanism.joints[link].point));
     let within = |link: Option<usize>, direction: Vector| {
         turned(&back(&axes(link)), turned(rotation, direction))
     };
     let at = |link: Option<usize>, point: Vector| {
-        turned(&back(&axes(link)), minus(stands(point), origin(link)))
+        turned(&back(&axes(link)), minus(mounted(point), origin(link)))
     };
     let mut text = format!(
         "struct Mechanism {{ gravity: [{}]",
         list(&turned(rotation, mechanism.gravity))
     );
-    let driven = mechanism.joints.iter().filter(|joint| joint.is_driven);
-    let driven: Vec<String> = driven
+    let actuated = mechanism.joints.iter().filter(|joint| joint.is_actuated);
+    let actuated: Vec<String> = actuated
         .map(|joint| format!("{}_joint", joint.name))
         .collect();
-    let _ = write!(text, ", actuated({}) }}\nlink ground;\n", driven.join(", "));
+    let _ = write!(
+        text,
+        ", actuated({}) }}\nlink ground;\n",
+        actuated.join(", ")
+    );
     for (k, joint) in mechanism.joints.iter().enumerate() {
         let along = |axis: Vector| format!("[{}]", list(&within(Some(k), axis)));
         let motion = match &joint.motion {
@@ -127,11 +131,16 @@ pub fn text(mechanism: &Mechanism, mounting: &Mounting) -> String {
             .map_or("ground", |parent| &mechanism.joints[parent].name);
         let relative = product(&back(&axes(joint.parent)), &axes(Some(k)));
         let inertia = Mechanism::inertia(joint);
-        // R J Rᵗ of the rows and the columns.
+        // R I Rᵗ.
         let frame = back(&frames[k]);
-        let turn = product(&product(&frame, &inertia), &back(&frame));
+        let tensor = product(&product(&frame, &inertia), &back(&frame));
         let six = [
-            turn[0][0], turn[0][1], turn[0][2], turn[1][1], turn[1][2], turn[2][2],
+            tensor[0][0],
+            tensor[0][1],
+            tensor[0][2],
+            tensor[1][1],
+            tensor[1][2],
+            tensor[2][2],
         ];
         let _ = writeln!(
             text,
@@ -166,13 +175,13 @@ pub fn text(mechanism: &Mechanism, mounting: &Mounting) -> String {
     text
 }
 
-/// What the reader makes of a text.
+/// Reads a text of `chain!`.
 ///
 /// # Errors
-/// What it complains of.
+/// Errors of the reader.
 ///
 /// # Panics
-/// Where the text is not even tokens.
+/// If the text cannot be split into tokens.
 pub fn read(text: &str) -> Result<(Description, Request), Errors> {
     let mut errors = Errors::new();
     let tokens = text.parse().expect("the text is tokens");

@@ -1,8 +1,8 @@
-//! Accelerations under loops, by their definition and in 256 bits: J q̈ + γ = 0, and M q̈ + h − τ does no work in any
-//! motion that the loops leave.
+//! Accelerations under loop constraints, by their definition, in 256 bits: J q̈ + γ = 0, and M q̈ + h − τ does no work
+//! in any motion that the loops allow.
 //!
-//! In: a robot in dense matrices of frame 0, the residuals that count, a state. Out: q̈, and how far residuals are from
-//! depending on others. The rank is decided here, by the largest pivot first.
+//! In: a robot in dense matrices of frame 0, the residuals to use, a state. Out: q̈, and the pivots of the residuals.
+//! The rank is found by elimination with the largest relative pivot first.
 
 use homogen_codegen::Function;
 
@@ -11,13 +11,13 @@ use crate::big::Big;
 use crate::oracle::frame_0;
 use crate::oracle::robot::Robot;
 
-/// The part of a residual's own size that is left where it depends on others.
+/// Relative pivot below which a residual depends on others.
 const DEPENDENT: f64 = 1e-7;
 
-/// What nothing changes here, beside the largest of all residuals.
-const NOTHING: f64 = 1e-3;
+/// Size below which a residual's own diagonal entry is negligible, relative to the largest.
+const NEGLIGIBLE: f64 = 1e-3;
 
-/// The equations of a state.
+/// The equations of motion and of the loops at a state.
 pub struct Equations {
     /// M, row by row.
     pub mass_matrix: Vec<Vec<Big>>,
@@ -31,19 +31,19 @@ pub struct Equations {
     pub jacobian_bias: Vec<Big>,
 }
 
-/// What remains of residuals beside others.
+/// Pivots of the residuals, relative to their diagonal entries.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivots {
-    /// The number of residuals that do not depend on others.
+    /// The number of independent residuals.
     pub rank: usize,
-    /// The least of those that do not.
+    /// The smallest pivot of the independent ones.
     pub least: f64,
-    /// The largest of those that do; zero where none does.
+    /// The largest pivot of the dependent ones; 0 if there are none.
     pub left: f64,
 }
 
 impl Equations {
-    /// Of all residuals that are described.
+    /// The equations with all residuals of the description.
     #[must_use]
     pub fn at(robot: &Robot, arguments: &Arguments) -> Self {
         let of = |function| frame_0::evaluate(robot, function, 0, arguments);
@@ -58,7 +58,7 @@ impl Equations {
         }
     }
 
-    /// q̈ of some torques, and the pivots of J M⁻¹ Jᵗ.
+    /// q̈ at these torques, and the pivots of J M⁻¹ Jᵗ.
     #[must_use]
     pub fn accelerations(&self, tau: &[f64]) -> (Vec<Big>, Pivots) {
         let forces = tau
@@ -81,7 +81,7 @@ impl Equations {
         (found, pivots)
     }
 
-    /// The pivots of J Jᵗ of some velocities.
+    /// The pivots of J Jᵗ, with the columns of these velocities alone.
     #[must_use]
     pub fn pivots_of(&self, velocities: &[usize]) -> Pivots {
         let only = |row: &Vec<Big>| {
@@ -105,14 +105,14 @@ fn products(rows: &[Vec<Big>], others: &[Vec<Big>]) -> Vec<Vec<Big>> {
     rows.iter().map(row).collect()
 }
 
-/// λ of S λ = y, with the largest pivot beside its own diagonal entry first; zero where that is left of nothing.
+/// λ of S λ = y, by elimination with the largest relative pivot first; 0 for dependent residuals.
 fn eliminated(mut s: Vec<Vec<Big>>, mut y: Vec<Big>) -> (Vec<Big>, Pivots) {
     let count = y.len();
     let own: Vec<f64> = (0..count).map(|k| s[k][k].to_f64()).collect();
-    // A residual that nothing changes here depends on others, whatever it is beside itself.
-    let nothing = NOTHING * own.iter().copied().fold(0.0, f64::max);
+    // A negligible residual depends on others, however large its relative pivot.
+    let negligible = NEGLIGIBLE * own.iter().copied().fold(0.0, f64::max);
     let share = |s: &[Vec<Big>], k: usize| {
-        let whole = own[k].max(nothing);
+        let whole = own[k].max(negligible);
         if whole > 0.0 {
             s[k][k].to_f64() / whole
         } else {

@@ -1,7 +1,7 @@
-//! What drives a velocity beside the bodies, at 256 bits.
+//! Actuator and joint losses on a velocity (armature, damping, Coulomb friction), in 256 bits.
 //!
-//! In: what a request and a description say of a joint. Out: armature, damping and friction, and what they
-//! take at a rate. It knows no body.
+//! In: the settings of a joint in a request and in a description. Out: armature, damping and friction, and their torque
+//! at a rate.
 
 use homogen_codegen::description::Joint;
 use homogen_codegen::expression::Arithmetic;
@@ -11,20 +11,20 @@ use homogen_codegen::request::Request;
 use super::motion::Motion;
 use crate::big::Big;
 
-/// The drive of a joint on one of the velocities.
+/// Armature, damping and friction of a joint, on one of the velocities.
 #[derive(Clone, Debug)]
-pub struct Drive {
-    /// The place of the velocity.
+pub struct Actuator {
+    /// The index of the velocity.
     pub velocity: usize,
-    /// What the joint's own rate is times it.
+    /// Rate of the joint / velocity.
     factor: Big,
     armature: Big,
     damping: Big,
     friction: Big,
 }
 
-impl Drive {
-    /// Armature, damping and friction of a joint whose own rate is so many times that of a velocity.
+impl Actuator {
+    /// From armature, damping and friction of a joint whose rate is `factor` times a velocity.
     #[must_use]
     pub fn new(velocity: usize, factor: Big, [armature, damping, friction]: [Big; 3]) -> Self {
         Self {
@@ -36,7 +36,7 @@ impl Drive {
         }
     }
 
-    /// Those of a part of a joint, which is that of the given number.
+    /// Those of one motion of a joint; `part` is the number of its first velocity within the joint.
     pub fn of<'d>(
         request: &'d Request,
         joint: &'d Joint,
@@ -49,11 +49,11 @@ impl Drive {
         };
         let screws = motion.screws().into_iter().enumerate();
         screws.map(move |(k, (velocity, _))| {
-            let said = |of: Part| said(request, joint, of, part + k);
+            let number = |of: Part| setting(request, joint, of, part + k);
             let or_zero = |number: Option<Big>| number.unwrap_or_else(Big::zero);
-            let ratio = said(Part::Ratio).unwrap_or_else(Big::one);
-            // A rotor turns so many times as fast, and with as many times the torque.
-            let mut rotor = or_zero(said(Part::Rotor)) * &ratio * &ratio;
+            let ratio = number(Part::Ratio).unwrap_or_else(Big::one);
+            // A gear multiplies the rotor's speed and its torque, so its inertia by the square of the ratio.
+            let mut rotor = or_zero(number(Part::Rotor)) * &ratio * &ratio;
             for motor in request.further_motors(&joint.name.text, &joint.drive) {
                 let ratio = motor
                     .ratio
@@ -66,73 +66,73 @@ impl Drive {
             Self {
                 velocity,
                 factor: factor.clone(),
-                armature: or_zero(said(Part::Armature)) + rotor,
-                damping: or_zero(said(Part::Damping)),
-                friction: or_zero(said(Part::Friction)),
+                armature: or_zero(number(Part::Armature)) + rotor,
+                damping: or_zero(number(Part::Damping)),
+                friction: or_zero(number(Part::Friction)),
             }
         })
     }
 
-    /// What it takes of the velocity's torque: armature q̈ + damping q̇ + friction sign q̇.
+    /// Torque on the velocity: armature q̈ + damping q̇ + friction sign q̇.
     #[must_use]
-    pub fn takes(&self, qd: &[Big], qdd: &[Big]) -> Big {
-        let [.., rubs] = self.columns(qd, qdd);
-        self.takes_smoothly(qd, qdd) + &self.friction * rubs
+    pub fn torque(&self, qd: &[Big], qdd: &[Big]) -> Big {
+        let [.., sign] = self.columns(qd, qdd);
+        self.smooth_torque(qd, qdd) + &self.friction * sign
     }
 
-    /// What an armature, a damping and a friction of 1 would take.
+    /// The torques of an armature, a damping and a friction of 1.
     #[must_use]
     pub fn columns(&self, qd: &[Big], qdd: &[Big]) -> [Big; 3] {
         let own = |rates: &[Big]| &self.factor * &rates[self.velocity];
         let rate = own(qd);
         let sign = Arithmetic::sign(rate.clone());
-        [own(qdd), rate, sign].map(|felt| &self.factor * felt)
+        [own(qdd), rate, sign].map(|joint| &self.factor * joint)
     }
 
-    /// The part of it that does not step: armature q̈ + damping q̇.
+    /// The torque without friction, which is continuous: armature q̈ + damping q̇.
     #[must_use]
-    pub fn takes_smoothly(&self, qd: &[Big], qdd: &[Big]) -> Big {
+    pub fn smooth_torque(&self, qd: &[Big], qdd: &[Big]) -> Big {
         let own = |rates: &[Big]| &self.factor * &rates[self.velocity];
         let force = &self.armature * own(qdd) + &self.damping * own(qd);
         &self.factor * force
     }
 
-    /// The damping as the velocity feels it.
+    /// The damping, reflected to the velocity.
     #[must_use]
     pub fn damping(&self) -> Big {
         &self.factor * &self.factor * &self.damping
     }
 
-    /// The sum of the sizes of what it takes.
+    /// The sum of the absolute values of the torque's terms.
     #[must_use]
     pub fn size(&self, qd: f64, qdd: f64) -> f64 {
         let factor = self.factor.abs().to_f64();
-        let rubs = if qd == 0.0 {
+        let friction = if qd == 0.0 {
             0.0
         } else {
             self.friction.to_f64()
         };
         let (inertia, damping) = (self.armature().to_f64(), self.damping().to_f64());
-        inertia * qdd.abs() + damping * qd.abs() + factor * rubs
+        inertia * qdd.abs() + damping * qd.abs() + factor * friction
     }
 
-    /// The armature as the velocity feels it.
+    /// The armature, reflected to the velocity.
     #[must_use]
     pub fn armature(&self) -> Big {
         &self.factor * &self.factor * &self.armature
     }
 }
 
-/// What is to be modelled of a part, for one of the joint's velocities.
-fn said(request: &Request, joint: &Joint, part: Part, velocity: usize) -> Option<Big> {
-    let mut asked = request.drives.iter();
-    let asked = asked.find(|(name, of, _)| *of == part && name.text == joint.name.text);
+/// The number of a part that is modelled, for one of the joint's velocities.
+fn setting(request: &Request, joint: &Joint, part: Part, velocity: usize) -> Option<Big> {
+    let mut settings = request.drives.iter();
+    let setting = settings.find(|(name, of, _)| *of == part && name.text == joint.name.text);
     let modelled = if part.resists() {
         request.models_friction()
     } else {
         request.models_armature()
     };
-    let numbers = match asked {
+    let numbers = match setting {
         Some((_, _, numbers)) => numbers.as_slice(),
         None if modelled => joint.drive.of(part),
         None => &[],

@@ -1,8 +1,7 @@
-//! Every function as Part II of the paper writes it: dense 4×4 matrices in frame 0, at 256 bits.
+//! True values by the definitions of Part II of the paper: dense 4×4 matrices in frame 0, in 256 bits.
 //!
-//! In: a robot in matrices and the arguments, whose quaternions are taken with length 1. Out: what the
-//! function should return. No matrix is taken apart and no zero is known: this is the definition, and
-//! therefore slow (about 1 ms a joint).
+//! In: a robot in matrices and the arguments, whose quaternions are normalised. Out: the function's true value. No
+//! structure of a matrix is used, so it is slow (about 1 ms per joint).
 
 mod closure;
 mod derivatives;
@@ -28,21 +27,21 @@ use jacobian::{jacobian, jacobian_rate};
 pub use momentum::mass;
 use momentum::{about_mass_center, by_mass, mass_center, moments, moved, unit_motions};
 use motion::{Motion, Positions};
-use regressor::{regressor, with_columns_of_drives};
+use regressor::{regressor, with_columns_of_actuators};
 pub use sizes::torque_sizes;
-use torques::{mass_matrix, outside, torques};
+use torques::{external, mass_matrix, torques};
 
-/// Every function that is told here: of a base regressor, the selection of columns is the engine's own.
-pub fn told() -> impl Iterator<Item = Function> {
+/// Every function with a true value here: all but the base regressor, whose columns the engine selects.
+pub fn functions() -> impl Iterator<Item = Function> {
     let all = Function::ALL.into_iter();
     all.filter(|&function| function != Function::BaseRegressor)
 }
 
-/// What a function returns; of the frame of that index where it is of one.
+/// The true value of a function; `frame` is the index of its frame, for functions of a frame.
 ///
 /// # Panics
-/// Where a frame is asked for that is not there, the mass matrix is singular and asked to be inverted, or
-/// a function has no oracle.
+/// If there is no such frame, the mass matrix is singular where it is inverted, or the function has no true value
+/// here.
 #[must_use]
 #[expect(
     clippy::too_many_lines,
@@ -62,10 +61,10 @@ pub fn evaluate(
     let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);
     let bias = || torques(robot, &positions, &moving(&qd, &rest));
     let at = || robot.frames[frame];
-    let less_outside = |torques: Vec<Big>| {
-        let outside = outside(robot, &positions, &arguments[Variable::Actions]);
-        let both = torques.into_iter().zip(outside);
-        both.map(|(torque, outside)| torque - outside)
+    let less_external = |torques: Vec<Big>| {
+        let external = external(robot, &positions, &arguments[Variable::Actions]);
+        let both = torques.into_iter().zip(external);
+        both.map(|(torque, external)| torque - external)
             .collect::<Vec<Big>>()
     };
     match function {
@@ -104,30 +103,30 @@ pub fn evaluate(
             let motion = moving(&qd, &rest);
             let tip = positions.of_frame(at()).column();
             let rate = (&motion.w_of(at()) * &Matrix::translation(&tip)).column();
-            let of_pole = Matrix::screw(&[(); 3].map(|()| Big::zero()), &rate);
+            let of_origin = Matrix::screw(&[(); 3].map(|()| Big::zero()), &rate);
             let back = Matrix::translation(&tip.map(|entry| -entry));
-            jacobian_rate(robot, &positions, &motion, at(), (&back, &of_pole))
+            jacobian_rate(robot, &positions, &motion, at(), (&back, &of_origin))
         }
         Function::AccelerationBias => moving(&qd, &rest).h_of(at()).rows(),
-        Function::Velocity => {
+        Function::TipVelocity => {
             let w = moving(&qd, &rest).w_of(at());
             [w.vector(), w.column()].concat()
         }
-        Function::Acceleration => {
+        Function::TipAcceleration => {
             let motion = moving(&qd, &qdd);
             motion.h_of(at()).rows()
         }
         Function::InverseDynamics => {
             let motion = moving(&qd, &qdd);
-            less_outside(torques(robot, &positions, &motion))
+            less_external(torques(robot, &positions, &motion))
         }
         Function::Gravity => torques(robot, &positions, &moving(&rest, &rest)),
         Function::Bias => bias(),
         Function::MassMatrix => mass_matrix(robot, &positions).concat(),
         Function::ForwardDynamics => {
-            let tau = tau.into_iter().zip(less_outside(bias()));
-            let lacking = tau.map(|(tau, bias)| vec![tau - bias]).collect();
-            solve(mass_matrix(robot, &positions), lacking).concat()
+            let tau = tau.into_iter().zip(less_external(bias()));
+            let net = tau.map(|(tau, bias)| vec![tau - bias]).collect();
+            solve(mass_matrix(robot, &positions), net).concat()
         }
         Function::MassMatrixInverse => {
             let unit =
@@ -139,12 +138,12 @@ pub fn evaluate(
             let motion = moving(&qd, &rest);
             let links = motion.w.iter().zip(&positions.j);
             let energies = links.map(|(w, j)| (&(w * j) * &w.transposed()).trace());
-            let drives = robot.drives.iter();
-            let drives = drives.map(|drive| {
-                let rate = &qd[drive.velocity];
-                drive.armature() * rate * rate
+            let actuators = robot.actuators.iter();
+            let actuators = actuators.map(|actuator| {
+                let rate = &qd[actuator.velocity];
+                actuator.armature() * rate * rate
             });
-            let twice = energies.chain(drives);
+            let twice = energies.chain(actuators);
             vec![twice.fold(Big::zero(), |sum, energy| sum + energy) * Big::new(0.5)]
         }
         Function::PotentialEnergy => {
@@ -155,7 +154,7 @@ pub fn evaluate(
         Function::Regressor => {
             let motion = moving(&qd, &qdd);
             let of_links = regressor(robot, &positions, &motion);
-            with_columns_of_drives(robot, of_links, [&qd, &qdd])
+            with_columns_of_actuators(robot, of_links, [&qd, &qdd])
         }
         Function::CenterOfMass => mass_center(robot, &positions).to_vec(),
         Function::CenterOfMassVelocity => {
@@ -165,7 +164,7 @@ pub fn evaluate(
         Function::CenterOfMassJacobian => unit_motions(robot, &positions)
             .flat_map(|motion| by_mass(robot, &positions, &moments(robot, &positions, &motion.w)))
             .collect(),
-        Function::Momentum => {
+        Function::TotalMomentum => {
             let motion = moving(&qd, &rest);
             let moments = moments(robot, &positions, &motion.w);
             let gamma = &moments - &moments.transposed();
@@ -197,10 +196,10 @@ pub fn evaluate(
             let motion = [&*qd, &*qdd];
             let found =
                 derivatives::of_torques(robot, &positions, motion, &arguments[Variable::Actions])
-                    .map(|needed| {
-                        let rows = needed.chunks(rest.len().max(1));
-                        let lacking = rows.map(|row| row.iter().map(|entry| -entry).collect());
-                        solve(mass_matrix(robot, &positions), lacking.collect()).concat()
+                    .map(|partial| {
+                        let rows = partial.chunks(rest.len().max(1));
+                        let right = rows.map(|row| row.iter().map(|entry| -entry).collect());
+                        solve(mass_matrix(robot, &positions), right.collect()).concat()
                     });
             let dtau = evaluate(robot, Function::MassMatrixInverse, frame, arguments);
             [found.concat(), dtau].concat()

@@ -1,7 +1,7 @@
-//! What the generator is about to print, at 256 bits.
+//! Values of the graph that the generator would print, in 256 bits.
 //!
-//! In: a chain, a choice of frames and of form. Out: an evaluation that starts from the literals of
-//! the description: no number is rounded to the 106 bits of the generator or to `f64`.
+//! In: a chain, a layout and an algorithm. Out: an evaluation that starts from the literals of the description: no
+//! number is rounded to the 106 bits of the generator or to `f64`.
 
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
@@ -15,8 +15,8 @@ use super::state::State;
 use crate::arguments::{Arguments, at};
 use crate::big::Big;
 
-/// Functions of a chain in the frames and with the parameters of a layout, in one of the ways to
-/// compute them: the results of one after those of the other.
+/// Functions of a chain in the frames and with the parameters of a layout, by one algorithm; the results of one follow
+/// those of the other.
 #[must_use]
 pub fn expressions(
     chain: &Chain,
@@ -29,7 +29,7 @@ pub fn expressions(
     Evaluation::of(&graph, &results)
 }
 
-/// A function in the frames of the description: the plainest of the ways that give the same.
+/// A function in the frames of the description, by the plainest algorithm.
 #[must_use]
 pub fn truth(chain: &Chain, function: Function, frame: FrameId) -> Evaluation<Big> {
     expressions(chain, &[function], frame, Layout::DESCRIBED, Way::PLAIN)
@@ -41,7 +41,7 @@ pub fn evaluate(evaluation: &Evaluation<Big>, arguments: &Arguments) -> Vec<Big>
     evaluation.at(|input| Big::new(at(arguments, input)))
 }
 
-/// The values of an evaluation in a state.
+/// The values of an evaluation at a state.
 #[must_use]
 pub fn evaluate_in(evaluation: &Evaluation<Big>, state: &State) -> Vec<Big> {
     evaluation.at(|input| at(state, input))

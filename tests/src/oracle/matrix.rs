@@ -1,7 +1,7 @@
-//! Dense 4×4 matrices of 256 bits, with no operation left out.
+//! Dense 4×4 matrices of 256 bits.
 //!
-//! In: sixteen numbers. Out: sums, products, transposes and the few blocks that the paper names. It
-//! knows nothing of what a matrix means but the inverse of a position matrix.
+//! In: sixteen numbers. Out: sums, products, transposes and the blocks that the paper names. Only the inverse requires
+//! a position matrix.
 
 use core::array::from_fn;
 use core::ops::{Add, Mul, Sub};
@@ -113,7 +113,7 @@ impl Mul for &Matrix {
     type Output = Matrix;
 
     fn mul(self, other: Self) -> Matrix {
-        // Most entries of most matrices are 0, and a product of 256 bits is no small matter.
+        // Most entries are 0, and products of 256 bits are slow.
         let zero = Big::zero();
         Matrix::of(|i, j| {
             (0..4)

@@ -1,48 +1,47 @@
-//! What a joint does to the body that it carries.
+//! Motion of a body relative to its parent.
 //!
-//! In: coordinates. Out: the displacement Q of the body, and the screws L that its velocities move it
-//! along, constant in its moved frame. It knows neither who hangs on whom nor a description.
+//! In: coordinates. Out: the displacement Q of the body, and the screws L of its velocities, constant in its own frame.
 
 use super::matrix::Matrix;
 use crate::big::Big;
 
-/// What moves a body.
+/// The motion of a body relative to its parent.
 #[derive(Clone, Debug)]
 pub enum Motion {
-    /// Nothing: it stays so far along its screw.
+    /// None: a constant displacement along a screw.
     Held {
-        /// L in frame (i); null where there is no screw.
+        /// L in frame (i); zero if there is no screw.
         screw: Matrix,
-        /// How far.
+        /// The displacement \[rad or m\].
         at: Big,
     },
-    /// A coordinate, times a factor and from an offset on: of a joint that follows another, the other's.
+    /// Displacement by factor · coordinate + offset; a mimic joint has the coordinate of the mimicked joint.
     Along {
-        /// L in frame (i), for a unit of the joint's own.
+        /// L in frame (i), for a unit of the joint's own displacement.
         screw: Matrix,
-        /// The place of the coordinate.
+        /// The index of the coordinate.
         coordinate: usize,
-        /// The place of the velocity.
+        /// The index of the velocity.
         velocity: usize,
-        /// What both are multiplied by.
+        /// The factor of coordinate and velocity.
         factor: Big,
-        /// What is added to the coordinate.
+        /// The offset of the displacement.
         offset: Big,
     },
-    /// A posture, whose coordinates and velocities begin there.
-    Posture {
-        /// Which.
-        posture: Posture,
-        /// The place of its first coordinate.
+    /// A configuration space whose coordinates are not the integrals of its velocities.
+    Manifold {
+        /// The configuration space.
+        manifold: Manifold,
+        /// The index of its first coordinate.
         coordinate: usize,
-        /// The place of its first velocity.
+        /// The index of its first velocity.
         velocity: usize,
     },
 }
 
-/// What velocities in the moved frame lead to.
+/// The configuration space of a joint whose velocities are in the axes of the moved body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Posture {
+pub enum Manifold {
     /// x, y and the angle about z.
     Planar,
     /// A quaternion x, y, z, w.
@@ -52,7 +51,7 @@ pub enum Posture {
 }
 
 impl Motion {
-    /// A screw that nothing moves along: of a fixed joint.
+    /// The motion of a fixed joint.
     #[must_use]
     pub fn none() -> Self {
         Self::Held {
@@ -61,7 +60,7 @@ impl Motion {
         }
     }
 
-    /// Whether it has or takes a velocity.
+    /// True if a velocity moves it, its own or that of a mimicked joint.
     #[must_use]
     pub const fn moves(&self) -> bool {
         !matches!(self, Self::Held { .. })
@@ -79,15 +78,15 @@ impl Motion {
                 offset,
                 ..
             } => exponential(screw, &(factor * &q[*coordinate] + offset)),
-            Self::Posture {
-                posture,
+            Self::Manifold {
+                manifold,
                 coordinate,
                 ..
-            } => posture.displacement(&q[*coordinate..]),
+            } => manifold.displacement(&q[*coordinate..]),
         }
     }
 
-    /// The place of each velocity that moves the body, and L in frame (i) for a unit of it.
+    /// The index of each velocity that moves the body, and L in frame (i) for a unit of it.
     #[must_use]
     pub fn screws(&self) -> Vec<(usize, Matrix)> {
         match self {
@@ -98,26 +97,26 @@ impl Motion {
                 factor,
                 ..
             } => vec![(*velocity, screw.times(factor))],
-            Self::Posture {
-                posture, velocity, ..
+            Self::Manifold {
+                manifold, velocity, ..
             } => {
-                let screws = posture.screws();
+                let screws = manifold.screws();
                 (*velocity..).zip(screws).collect()
             }
         }
     }
 
-    /// Where its quaternion begins among the coordinates, if it has one.
+    /// The index of the first entry of its quaternion among the coordinates, if it has one.
     #[must_use]
     pub fn quaternion(&self) -> Option<usize> {
         match self {
-            Self::Posture {
-                posture: Posture::Spherical,
+            Self::Manifold {
+                manifold: Manifold::Spherical,
                 coordinate,
                 ..
             } => Some(*coordinate),
-            Self::Posture {
-                posture: Posture::Floating,
+            Self::Manifold {
+                manifold: Manifold::Floating,
                 coordinate,
                 ..
             } => Some(coordinate + 3),
@@ -126,8 +125,8 @@ impl Motion {
     }
 }
 
-impl Posture {
-    /// How many coordinates and how many velocities it has.
+impl Manifold {
+    /// The numbers of its coordinates and velocities.
     #[must_use]
     pub const fn counts(self) -> (usize, usize) {
         match self {
@@ -141,27 +140,34 @@ impl Posture {
         match self {
             Self::Planar => {
                 let shift = Matrix::translation(&[q[0].clone(), q[1].clone(), Big::zero()]);
-                &shift * &exponential(&turn(2), &q[2])
+                &shift * &exponential(&rotation_screw(2), &q[2])
             }
-            Self::Spherical => turned(q),
+            Self::Spherical => rotation(q),
             Self::Floating => {
                 let shift = Matrix::translation(&[q[0].clone(), q[1].clone(), q[2].clone()]);
-                &shift * &turned(&q[3..])
+                &shift * &rotation(&q[3..])
             }
         }
     }
 
     fn screws(self) -> Vec<Matrix> {
         match self {
-            Self::Planar => vec![slide(0), slide(1), turn(2)],
-            Self::Spherical => (0..3).map(turn).collect(),
-            Self::Floating => (0..3).map(slide).chain((0..3).map(turn)).collect(),
+            Self::Planar => vec![
+                translation_screw(0),
+                translation_screw(1),
+                rotation_screw(2),
+            ],
+            Self::Spherical => (0..3).map(rotation_screw).collect(),
+            Self::Floating => (0..3)
+                .map(translation_screw)
+                .chain((0..3).map(rotation_screw))
+                .collect(),
         }
     }
 }
 
 /// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w of length 1.
-fn turned(q: &[Big]) -> Matrix {
+fn rotation(q: &[Big]) -> Matrix {
     let nothing = [(); 3].map(|()| Big::zero());
     let two = Big::new(2.0);
     let v = Matrix::screw(&[q[0].clone(), q[1].clone(), q[2].clone()], &nothing);
@@ -171,13 +177,13 @@ fn turned(q: &[Big]) -> Matrix {
 
 /// L about a coordinate axis.
 #[must_use]
-pub fn turn(axis: usize) -> Matrix {
+pub fn rotation_screw(axis: usize) -> Matrix {
     Matrix::screw(&unit(axis), &[(); 3].map(|()| Big::zero()))
 }
 
 /// L along a coordinate axis.
 #[must_use]
-pub fn slide(axis: usize) -> Matrix {
+pub fn translation_screw(axis: usize) -> Matrix {
     Matrix::screw(&[(); 3].map(|()| Big::zero()), &unit(axis))
 }
 
@@ -195,9 +201,9 @@ pub(super) fn exponential(l: &Matrix, phi: &Big) -> Matrix {
     &(&linear + &quadratic) + &cube.times(&(phi - sine))
 }
 
-/// A turn that takes z to the normal (a, b, c) of a plane, a direction of length 1, and x to what is left of (c², a²,
-/// b²) in that plane: about an axis of the frame, x and y go to those that follow it. Nothing is left where all
-/// entries are the same, to a millionth: there x goes to what is left of (1, 0, 0).
+/// The rotation that takes z to the unit normal (a, b, c) of a plane, and x to the normalised projection of (c², a²,
+/// b²) on that plane. A normal along an axis of the frame permutes the axes cyclically. Where a, b and c are equal to
+/// 1e-6, (1, 0, 0) is projected instead, since the projection of (c², a², b²) vanishes.
 #[must_use]
 pub fn across(normal: &[Big; 3]) -> Matrix {
     let [a, b, c] = normal.each_ref().map(Big::to_f64);
@@ -212,15 +218,15 @@ pub fn across(normal: &[Big; 3]) -> Matrix {
         .iter()
         .zip(normal)
         .fold(Big::zero(), |sum, (x, n)| sum + x * n);
-    let left: [Big; 3] = core::array::from_fn(|k| &guide[k] - &normal[k] * &along);
-    let square = left.iter().fold(Big::zero(), |sum, x| sum + x * x);
+    let projection: [Big; 3] = core::array::from_fn(|k| &guide[k] - &normal[k] * &along);
+    let square = projection.iter().fold(Big::zero(), |sum, x| sum + x * x);
     let length = square.sqrt();
-    let x = left.map(|entry| entry / &length);
+    let x = projection.map(|entry| entry / &length);
     of_columns(&x, &cross(normal, &x), normal)
 }
 
-/// A turn that takes z to the axis of a loop, a direction of length 1. Along an axis of the frame, x and y go to
-/// those that follow it; else x goes to the product of the axis with that of the frame that it is farthest from.
+/// The rotation that takes z to the unit axis of a loop. An axis along one of the frame permutes the axes cyclically;
+/// otherwise x is the normalised product of the frame's axis that is farthest from the loop's axis with the latter.
 #[must_use]
 pub fn with_z(axis: &[Big; 3]) -> Matrix {
     let zero = Big::zero();

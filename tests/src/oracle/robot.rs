@@ -1,9 +1,9 @@
 //! A description as dense matrices of 256 bits, joint by joint.
 //!
-//! In: a description and a request. Out: a placement, a motion and an inertia J for every joint that
-//! hangs on the base, fixed and locked ones too: nothing is merged, turned or regrouped. It shares with
-//! the generator the reading of the text and nothing after it. Where that is to be contradicted too,
-//! [`trees::dense`](crate::trees::dense) makes the same matrices of numbers as they were drawn.
+//! In: a description and a request. Out: a placement, a motion and an inertia J for every joint below the base, fixed
+//! and locked ones included, without merging, rotated frames or regrouping. Only the reading of the text is shared with
+//! the generator; [`trees::dense`](crate::trees::dense) makes the same matrices of numbers as they were drawn, without
+//! the reading.
 
 mod joint;
 mod kept;
@@ -13,7 +13,7 @@ use homogen_codegen::closure::Closure;
 use homogen_codegen::description::Description;
 use homogen_codegen::request::Request;
 
-use super::drive::Drive;
+use super::drive::Actuator;
 use super::matrix::Matrix;
 use super::motion::Motion;
 use crate::big::Big;
@@ -23,52 +23,52 @@ use crate::big::Big;
 pub struct Robot {
     /// The joints, parents before children.
     pub bodies: Vec<Body>,
-    /// For the tip and every further frame asked for, the body whose frame it is; none for the base.
+    /// The body of the end effector's frame, then those of the further frames; `None` for the base.
     pub frames: Vec<Option<usize>>,
     /// H_g (§ 4.5).
     pub gravity: Matrix,
-    /// What holds bodies together that hang on the base anyhow.
+    /// The closed loops.
     pub loops: Vec<Loop>,
-    /// What drives joints beside bodies, of each of their velocities.
-    pub drives: Vec<Drive>,
-    /// Whether the regressor has columns of drives behind those of links.
+    /// Armature, damping and friction of each velocity of each joint.
+    pub actuators: Vec<Actuator>,
+    /// True if the regressor has columns of armature, damping and friction behind those of links.
     pub identifies_drives: bool,
-    /// The bodies that the surroundings act on, and whether their actions are in frame 0.
+    /// The bodies on which external wrenches act, and whether the wrenches are in frame 0.
     pub external: (Vec<usize>, bool),
 }
 
-/// Two frames that are held together.
+/// A closed loop between two frames.
 #[derive(Clone, Debug)]
 pub struct Loop {
-    /// By what.
+    /// Its type.
     pub closure: Closure,
-    /// A and B, each with the body that it is fixed to, none for the base, and its place there; z is the
-    /// axis of what holds them, where that has one.
+    /// The frames A and B: the body that each is fixed to, `None` for the base, and its pose there. z is the axis of
+    /// the loop, if it has one.
     pub frames: [(Option<usize>, Matrix); 2],
-    /// Of two axes the cosine of their angle as described.
+    /// The cosine of the angle between two axes, as described.
     pub cosine: Big,
 }
 
 /// A joint and the link that it carries.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The body it hangs on; none for the base.
+    /// The parent; `None` for the base.
     pub parent: Option<usize>,
-    /// M_parent,i where the joint is neutral.
+    /// M_parent,i at zero displacement.
     pub placement: Matrix,
-    /// What moves it.
+    /// Its motion relative to the parent.
     pub motion: Motion,
     /// J in frame (i).
     pub inertia: Matrix,
-    /// Whether it is a link that its joint moves, and not what moves by a part of a joint's freedoms.
+    /// True for a link that a joint moves; false for intermediate bodies of joints with several velocities.
     pub link: bool,
 }
 
 impl Robot {
-    /// The part of a description that a request wants.
+    /// The part of a description that a request selects.
     ///
     /// # Panics
-    /// Where the request names something that is not there, or has struct fields.
+    /// If the request names something that does not exist, or has struct fields.
     #[must_use]
     pub fn of(description: &Description, request: &Request) -> Self {
         assert!(request.parameters.is_empty(), "struct fields are not read");
@@ -83,45 +83,42 @@ impl Robot {
             frames: Vec::new(),
             gravity: reader.gravity(),
             loops: Vec::new(),
-            drives: Vec::new(),
+            actuators: Vec::new(),
             identifies_drives: request.models_friction() || request.models_armature(),
             external: (Vec::new(), request.external_in_frame_0),
         };
-        let links = reader.hang(base, tip, &mut robot);
-        let seat = |link: &str| {
+        let links = reader.add_bodies(base, tip, &mut robot);
+        let body_of = |link: &str| {
             let body = links.iter().position(|carried| *carried == link);
-            assert!(
-                body.is_some() || link == base,
-                "{link} does not hang on {base}"
-            );
+            assert!(body.is_some() || link == base, "{link} is not below {base}");
             body
         };
         let further = request.frames.iter().map(|frame| frame.text.as_str());
-        robot.frames = tip.into_iter().chain(further).map(seat).collect();
+        robot.frames = tip.into_iter().chain(further).map(body_of).collect();
         let loops = description.loops.iter();
         robot.loops = loops
-            .map(|described| reader.held(described, seat))
+            .map(|described| reader.closed_loop(described, body_of))
             .collect();
         let external = request.external.iter();
-        robot.external.0 = external.filter_map(|link| seat(&link.text)).collect();
+        robot.external.0 = external.filter_map(|link| body_of(&link.text)).collect();
         robot
     }
 
-    /// How many velocities there are.
+    /// The number of velocities.
     #[must_use]
     pub fn velocities(&self) -> usize {
         let moving = self.bodies.iter().flat_map(|body| body.motion.screws());
         moving.map(|(velocity, _)| velocity + 1).max().unwrap_or(0)
     }
 
-    /// Where quaternions begin among the coordinates.
+    /// The index of the first entry of each quaternion among the coordinates.
     pub fn quaternions(&self) -> impl Iterator<Item = usize> {
         self.bodies
             .iter()
             .filter_map(|body| body.motion.quaternion())
     }
 
-    /// The bodies on the way from one up to the base, itself first.
+    /// The bodies from one up to the base, itself first.
     pub fn upwards(&self, body: Option<usize>) -> impl Iterator<Item = usize> {
         std::iter::successors(body, |&body| self.bodies[body].parent)
     }

@@ -1,14 +1,14 @@
-//! Linear equations of 256 bits, by Gaussian elimination with pivoting.
+//! Linear equations in 256 bits, by Gaussian elimination with partial pivoting.
 //!
-//! In: a square matrix and right-hand sides. Out: the solutions, to about 2⁻²⁵⁶ times the condition
-//! number. It takes no advantage of symmetry or sparsity, as what it judges does.
+//! In: a square matrix and right-hand sides. Out: the solutions, to about 2⁻²⁵⁶ times the condition number. Symmetry
+//! and sparsity are not used, unlike in the code under test.
 
 use crate::big::Big;
 
-/// X of A X = B; both row by row.
+/// X of A X = B, all row by row.
 ///
 /// # Panics
-/// Where A is singular.
+/// If A is singular.
 #[must_use]
 pub fn solve(mut a: Vec<Vec<Big>>, mut b: Vec<Vec<Big>>) -> Vec<Vec<Big>> {
     let n = a.len();
@@ -56,9 +56,9 @@ mod tests {
     use super::solve;
     use crate::big::Big;
 
-    /// A Hilbert matrix, of condition 10¹³, and a zero where a pivot would be.
+    /// A Hilbert matrix, with condition number 10¹³, and a zero at the first pivot.
     #[test]
-    fn what_is_solved_solves() {
+    fn solutions_satisfy_the_equations() {
         let n = 10;
         let mut a: Vec<Vec<Big>> = (0..n)
             .map(|i| {
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     #[should_panic(expected = "singular")]
-    fn a_singular_matrix_is_refused() {
+    fn a_singular_matrix_panics() {
         let row = || vec![Big::one(), Big::new(2.0)];
         let _ = solve(vec![row(), row()], vec![vec![Big::one()]; 2]);
     }

@@ -1,18 +1,18 @@
-//! A state at 256 bits.
+//! A state in 256 bits.
 //!
-//! In: arguments, and where quaternions stand among the coordinates. Out: the same numbers, with
-//! quaternions of length 1 to the last of the 256 bits: none that `f64` holds is one, but for the trivial
-//! ones, and two truths about a robot agree at those alone.
+//! In: arguments, and the indices of quaternions among the coordinates. Out: the same numbers, with quaternions
+//! normalised in 256 bits. Quaternions in `f64` are not exactly of length 1, except for trivial ones, and reference
+//! computations that use them differently would disagree.
 
 use homogen_codegen::space::{self, Variable};
 
 use crate::arguments::Arguments;
 use crate::big::Big;
 
-/// One value of every argument.
+/// A value of every argument in 256 bits.
 pub type State = space::Arguments<Big>;
 
-/// The state that arguments stand for; a quaternion begins at each of the places given.
+/// The state of the arguments; `quaternions` has the index of the first entry of each.
 #[must_use]
 pub fn exact(arguments: &Arguments, quaternions: impl IntoIterator<Item = usize>) -> State {
     let mut state =

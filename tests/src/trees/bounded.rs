@@ -1,8 +1,7 @@
-//! Errors beside the bounds that are printed of them, by a truth that reads the file by itself.
+//! Errors compared with their printed bounds, by true values that are read from the file independently.
 //!
-//! In: a [`Prepared`] robot, a function, a type of number. Out: the greatest share of its bound that the error of a
-//! result takes in states of the range that bounds are for. What is lost while a file is read is an error here like
-//! any other.
+//! In: a [`Prepared`] robot, a function, a scalar type. Out: the largest ratio of error to bound of a result, at states
+//! in the range of the bounds. Errors of reading the file are included.
 
 use homogen_codegen::Function;
 use homogen_codegen::accuracy::{self, Accuracy, Means};
@@ -20,11 +19,11 @@ use crate::programs::program_as;
 use crate::states::Random;
 use crate::tested::Tested;
 
-/// What 256 bits may leave of nothing, in any unit.
-const DUST: f64 = 1e-50;
+/// Rounding errors of 256 bits where the true value is zero, in any unit.
+const NEGLIGIBLE: f64 = 1e-50;
 
 impl Prepared<'_> {
-    /// The worst share, and of which result it is; none where the function has no bound, or nothing to be of.
+    /// The largest ratio of error to bound, and its result; `None` if the function has no bound, or no frame.
     #[must_use]
     pub fn share_of_bound<T: Tested>(
         &self,
@@ -43,10 +42,10 @@ impl Prepared<'_> {
             scalar: T::REAL,
             ..Means::default()
         };
-        let Accuracy::Within(promise) = accuracy::of(chain, &[function], &program, means)? else {
+        let Accuracy::Within(bound) = accuracy::of(chain, &[function], &program, means)? else {
             return None;
         };
-        let bounds = of_results(chain, function, &promise.bounds);
+        let bounds = of_results(chain, function, &bound.bounds);
         let bounds = self.in_order(function, &bounds);
         let mut robot = self.dense().robot.clone();
         robot.frames = link.iter().map(|&link| self.dense().body(link)).collect();
@@ -60,8 +59,9 @@ impl Prepared<'_> {
             let results = found.zip(expected).zip(&bounds).enumerate();
             for (k, ((found, expected), bound)) in results {
                 let error = (Big::new(found) - expected).abs().to_f64();
-                if error > DUST && error / bound > worst.0 {
-                    let what = format!("entry {k}, {found:e}, is off by {error:e} of {bound:e}");
+                if error > NEGLIGIBLE && error / bound > worst.0 {
+                    let what =
+                        format!("entry {k}, {found:e}, has error {error:e}, bound {bound:e}");
                     worst = (error / bound, what);
                 }
             }
@@ -69,7 +69,7 @@ impl Prepared<'_> {
         Some(worst)
     }
 
-    /// Numbers of the type within the range, many at its ends.
+    /// Random arguments of the type within the range, often at its ends.
     fn within_range<T: Tested>(&self, random: &mut Random) -> Arguments {
         let range = Range::of(self.chain());
         let mut drawn = |space: Space, ranges: &[[f64; 2]]| {

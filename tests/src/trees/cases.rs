@@ -1,7 +1,6 @@
-//! Which programs of a robot are run.
+//! Choice of the programs to run for a robot.
 //!
-//! In: a chain and a seed. Out: for each function the engine's own choice, and one that is drawn. It
-//! never runs anything.
+//! In: a chain and a seed. Out: for each function, the engine's default choice and a random one.
 
 use std::fmt;
 
@@ -14,45 +13,45 @@ use homogen_codegen::model::Way;
 use crate::oracle::frame_0;
 use crate::states::Random;
 
-/// What to try of a robot.
+/// The amount of testing of a robot.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// States that each program runs at.
     pub states: usize,
-    /// The most moving joints for which every function is tried by the engine's own choice, which
-    /// takes time; of longer robots a part of the functions is.
+    /// The number of moving joints up to which every function is tested with the default choice, which takes time;
+    /// longer robots have a part of the functions tested so.
     pub all_up_to: usize,
 }
 
-/// Who chooses how a function is computed.
+/// The source of the choice of layout and algorithm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Choice {
-    /// The engine: what a user gets who says nothing.
+    /// The engine: the default.
     Default,
-    /// The engine, within what a user says.
+    /// The engine, within a formulation.
     Within(Formulation),
-    /// Nobody: one layout and one way.
+    /// This layout and this algorithm.
     By(Layout, Way),
 }
 
-/// One program.
+/// A program to run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
-    /// Of which function.
+    /// Its function.
     pub function: Function,
-    /// Of which of the chain's frames, counted around.
+    /// Its frame among those of the chain, modulo their number.
     pub frame: usize,
-    /// How.
+    /// The choice of layout and algorithm.
     pub choice: Choice,
 }
 
-/// What is run: every function by the engine's choice, and by one that is drawn.
+/// The programs to run: every function with the default choice and with a random one.
 #[must_use]
 pub fn cases(chain: &Chain, seed: u64, effort: Effort) -> Vec<Case> {
     let mut random = Random::new(seed);
     let share = chain.joints.len().div_ceil(effort.all_up_to);
     let mut cases = Vec::new();
-    for function in frame_0::told() {
+    for function in frame_0::functions() {
         let frame = random.below(64);
         let own = random.chance(share);
         if own {
@@ -95,10 +94,10 @@ fn formulation(chain: &Chain, function: Function, random: &mut Random) -> Formul
 }
 
 fn forward(chain: &Chain, random: &mut Random) -> Forward {
-    // Articulated bodies do not go over the loop that a joint closes which follows another.
-    let follows = chain.joints.len() > chain.spaces().velocities.len();
+    // The articulated-body algorithm cannot have mimic joints.
+    let has_mimics = chain.joints.len() > chain.spaces().velocities.len();
     match random.below(4) {
-        0 if !follows => Forward::Articulated,
+        0 if !has_mimics => Forward::Articulated,
         refinements => Forward::MassMatrix {
             refinements: refinements.saturating_sub(1),
         },
@@ -120,7 +119,7 @@ fn by(chain: &Chain, function: Function, random: &mut Random) -> Choice {
     };
     if function == Function::ForwardDynamics {
         way.forward = forward(chain, random);
-        // What opposes an acceleration must be a body's.
+        // Articulated bodies need the inertias of real bodies.
         if way.forward == Forward::Articulated {
             (layout.regroup, way.frame) = (false, Frame::Link);
         }
@@ -129,7 +128,7 @@ fn by(chain: &Chain, function: Function, random: &mut Random) -> Choice {
 }
 
 impl Case {
-    /// Whether the recursions run in frame 0, which loses digits far from its origin.
+    /// True if the recursions run in frame 0, which is less accurate far from its origin.
     #[must_use]
     pub fn in_frame_0(self) -> bool {
         match self.choice {

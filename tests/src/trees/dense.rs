@@ -1,69 +1,67 @@
-//! A robot in the dense matrices of the oracle, joint by joint.
+//! A random robot in the dense matrices of the oracle, joint by joint.
 //!
-//! In: a [`Robot`], number by number as written. Out: a placement, a screw and an inertia of 256
-//! bits for every joint that hangs on the base, fixed and held ones too. It merges nothing, and
-//! shares nothing with the generator: not even the reading of a number. That is why it stands beside
-//! [`oracle::robot`](crate::oracle::robot), which reads what the generator read: one reader for both
-//! would be wrong together with the generator's.
+//! In: a [`Robot`], number by number as written. Out: a placement, a screw and an inertia of 256 bits for every joint
+//! below the base, fixed and locked ones included. Nothing is merged. Nothing is shared with the generator, not even
+//! the reading of numbers; [`oracle::robot`](crate::oracle::robot) takes numbers that the generator has read.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::big::Big;
-use crate::oracle::drive::Drive;
+use crate::oracle::drive::Actuator;
 use crate::oracle::matrix::Matrix;
-use crate::oracle::motion::{self, Motion, Posture, across};
+use crate::oracle::motion::{Manifold, Motion, across, translation_screw};
 use crate::oracle::robot as oracle;
 
 use super::movement::Movement;
 use super::robot::{Body, Field, Inertial, Kind, NUMBERS, Placement, Robot};
 use super::written::{Reading, Written};
 
-/// A robot in matrices, and what its coordinates and velocities are.
+/// A robot in matrices, and the meaning of its coordinates and velocities.
 #[derive(Clone, Debug)]
 pub struct Dense {
-    /// What the oracle evaluates.
+    /// The robot for the oracle.
     pub robot: oracle::Robot,
     /// Its coordinates.
     pub coordinates: Vec<Entry>,
     /// Its velocities.
     pub velocities: Vec<Entry>,
-    /// The link of each of its bodies; none of those that a joint puts between.
+    /// The link of each of its bodies; `None` for intermediate bodies of joints with several velocities.
     pub links: Vec<Option<usize>>,
-    /// About how far the robot reaches, with its centres of mass \[m\]: the sum of all offsets.
+    /// An upper bound of the distance of centres of mass from the base \[m\]: the sum of all offsets.
     pub reach: f64,
-    /// The most that a joint slides for a unit of its coordinate.
-    pub slide: f64,
-    /// The most that all joints of a coordinate together move for a unit of it.
+    /// The largest translation of a joint for a unit of its coordinate.
+    pub translation: f64,
+    /// The largest sum of the displacements of all joints of a coordinate, for a unit of it.
     pub gain: f64,
-    /// What all bodies weigh together \[kg\].
+    /// The mass of all bodies \[kg\].
     pub mass: f64,
-    /// The sum of their second moments about their own frames' origins [kg m²].
+    /// The sum of their second moments about the origins of their own frames [kg m²].
     pub second: f64,
 }
 
 /// A coordinate or a velocity of a joint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// The number of the joint; 0 of a free base.
+    /// The number of the joint; 0 for a floating base.
     pub joint: usize,
-    /// Its place among those of the joint.
+    /// Its index among those of the joint.
     pub part: usize,
 }
 
-/// States are drawn up to there.
+/// Bound of the coordinates of random states.
 const FARTHEST: f64 = 4.0;
 
 impl Dense {
-    /// The part of a robot that is asked for.
+    /// The part of a robot that its request selects.
     ///
     /// # Panics
-    /// Where the robot is no tree.
+    /// If the robot is not a tree.
     #[must_use]
     pub fn of(robot: &Robot) -> Self {
-        let gravity = robot.asked.gravity.as_ref();
+        let gravity = robot.options.gravity.as_ref();
         let gravity = gravity.map_or_else(|| big([0.0, 0.0, -9.81]), exact);
         let field = robot.field(Field::Gravity);
         let gravity = field.map_or(gravity, |field| big(first(field)));
@@ -73,7 +71,7 @@ impl Dense {
                 frames: Vec::new(),
                 gravity: Matrix::screw(&big([0.0; 3]), &gravity),
                 loops: Vec::new(),
-                drives: Vec::new(),
+                actuators: Vec::new(),
                 identifies_drives: false,
                 external: (Vec::new(), false),
             },
@@ -81,32 +79,32 @@ impl Dense {
             velocities: Vec::new(),
             links: Vec::new(),
             reach: 0.0,
-            slide: 0.0,
+            translation: 0.0,
             gain: 1.0,
             mass: 0.0,
             second: 0.0,
         };
-        if robot.asked.floating {
-            dense.free(robot);
+        if robot.options.floating {
+            dense.add_floating_base(robot);
         }
         for joint in robot.moving().filter_map(|id| robot.body(id)) {
             let name = format!("joint{}", joint.id);
-            dense.list(joint.id, &name, &joint.kind);
+            dense.add_entries(joint.id, &name, &joint.kind);
         }
         let mut waiting: Vec<&Body> = robot.bodies.iter().collect();
         waiting.retain(|body| robot.models(body.id));
-        // Parents before children, whatever the order of the text.
+        // Parents before children, in any order of the text.
         while !waiting.is_empty() {
             let before = waiting.len();
-            waiting.retain(|body| !dense.take(robot, body));
+            waiting.retain(|body| !dense.add_body(robot, body));
             assert!(waiting.len() < before, "the robot is a tree");
         }
         dense.gain = dense.gains();
-        dense.load(robot);
+        dense.add_actuators_and_wrenches(robot);
         dense
     }
 
-    /// The links with the bodies that each one's joint moves: they end with it, and go back to another's.
+    /// The links, each with the bodies that its joint moves, the last of which is the link.
     fn moved(&self) -> Vec<(usize, Range<usize>)> {
         let mut first = 0;
         let links = self.links.iter().enumerate();
@@ -116,9 +114,9 @@ impl Dense {
             .collect()
     }
 
-    /// The links that joints move, one for each velocity of its joint, in the order of the drives.
+    /// The link of each velocity of its joint, in the order of the actuators.
     #[must_use]
-    pub fn driven(&self) -> Vec<usize> {
+    pub fn actuated_links(&self) -> Vec<usize> {
         let links = self.moved().into_iter().flat_map(|(link, bodies)| {
             let screws = bodies.map(|body| self.robot.bodies[body].motion.screws().len());
             std::iter::repeat_n(link, screws.sum())
@@ -126,29 +124,33 @@ impl Dense {
         links.collect()
     }
 
-    /// Adds drives, and links on which the surroundings act.
-    fn load(&mut self, robot: &Robot) {
-        let said: BTreeMap<usize, [f64; 3]> = robot.drives().collect();
+    /// Adds armature, damping and friction, and links with external wrenches.
+    fn add_actuators_and_wrenches(&mut self, robot: &Robot) {
+        let actuators: BTreeMap<usize, [f64; 3]> = robot.actuators().collect();
         for (id, bodies) in self.moved() {
-            let drive = said.get(&id).copied().unwrap_or_default().map(Big::new);
+            let numbers = actuators
+                .get(&id)
+                .copied()
+                .unwrap_or_default()
+                .map(Big::new);
             for motion in bodies.map(|body| &self.robot.bodies[body].motion) {
                 let factor = match motion {
                     Motion::Along { factor, .. } => factor.clone(),
-                    Motion::Posture { .. } | Motion::Held { .. } => Big::one(),
+                    Motion::Manifold { .. } | Motion::Held { .. } => Big::one(),
                 };
                 for (velocity, _) in motion.screws() {
-                    let drive = Drive::new(velocity, factor.clone(), drive.clone());
-                    self.robot.drives.push(drive);
+                    let actuator = Actuator::new(velocity, factor.clone(), numbers.clone());
+                    self.robot.actuators.push(actuator);
                 }
             }
         }
         let bodies = robot.acted_on().filter_map(|link| self.body(link));
         let bodies = bodies.collect();
-        self.robot.external = (bodies, robot.asked.external.1);
+        self.robot.external = (bodies, robot.options.external.1);
     }
 
     /// Adds the coordinates and the velocities of a joint.
-    fn list(&mut self, joint: usize, called: &str, kind: &Kind) {
+    fn add_entries(&mut self, joint: usize, called: &str, kind: &Kind) {
         let entry = |(part, name): (usize, &&str)| Entry {
             name: format!("{called}{name}"),
             joint,
@@ -161,21 +163,21 @@ impl Dense {
             .extend(velocities.iter().enumerate().map(entry));
     }
 
-    /// Lets the base go.
-    fn free(&mut self, robot: &Robot) {
-        self.list(0, "root", &Kind::Floating);
-        let base = robot.body(robot.asked.base);
+    /// Adds the floating base.
+    fn add_floating_base(&mut self, robot: &Robot) {
+        self.add_entries(0, "root", &Kind::Floating);
+        let base = robot.body(robot.options.base);
         let inertial = base.map_or(&robot.root, |body| &body.inertial);
-        let inertia = inertia(robot, robot.asked.base, inertial.as_ref());
-        self.weigh(&inertia);
+        let inertia = inertia(robot, robot.options.base, inertial.as_ref());
+        self.add_inertia(&inertia);
         self.reach += FARTHEST;
-        self.slide = 1.0;
-        self.links.push(Some(robot.asked.base));
+        self.translation = 1.0;
+        self.links.push(Some(robot.options.base));
         self.robot.bodies.push(oracle::Body {
             parent: None,
             placement: Matrix::identity(),
-            motion: Motion::Posture {
-                posture: Posture::Floating,
+            motion: Motion::Manifold {
+                manifold: Manifold::Floating,
                 coordinate: 0,
                 velocity: 0,
             },
@@ -184,7 +186,7 @@ impl Dense {
         });
     }
 
-    fn weigh(&mut self, inertia: &Matrix) {
+    fn add_inertia(&mut self, inertia: &Matrix) {
         let mass = inertia.0[3][3].to_f64();
         if mass > 0.0 {
             self.reach += length(&inertia.column()) / mass;
@@ -193,7 +195,7 @@ impl Dense {
         self.second += (0..3).map(|k| inertia.0[k][k].to_f64().abs()).sum::<f64>();
     }
 
-    /// The largest sum of what a unit of a coordinate moves joints by.
+    /// The largest sum of factors of one velocity.
     fn gains(&self) -> f64 {
         let mut gains = vec![0.0; self.velocities.len()];
         for body in &self.robot.bodies {
@@ -201,22 +203,22 @@ impl Dense {
                 Motion::Along {
                     velocity, factor, ..
                 } => gains[*velocity] += factor.abs().to_f64(),
-                Motion::Posture { .. } | Motion::Held { .. } => {}
+                Motion::Manifold { .. } | Motion::Held { .. } => {}
             }
         }
         gains.into_iter().fold(1.0, f64::max)
     }
 
-    /// The body that carries a link; none for the base.
+    /// The body of a link; `None` for the base.
     #[must_use]
     pub fn body(&self, link: usize) -> Option<usize> {
         self.links.iter().position(|&known| known == Some(link))
     }
 
-    /// Adds a body, if the one it hangs on is there.
-    fn take(&mut self, robot: &Robot, body: &Body) -> bool {
+    /// Adds a body if its parent is there. Returns true if it was added.
+    fn add_body(&mut self, robot: &Robot, body: &Body) -> bool {
         let parent = self.body(body.parent);
-        if parent.is_none() && body.parent != robot.asked.base {
+        if parent.is_none() && body.parent != robot.options.base {
             return false;
         }
         let offset = robot.field(Field::Origin(body.id)).map(first);
@@ -226,7 +228,7 @@ impl Dense {
         };
         let inertia = inertia(robot, body.id, body.inertial.as_ref());
         let movement = Movement::of(robot, body);
-        let slide = match &body.kind {
+        let translation = match &body.kind {
             Kind::Prismatic
             | Kind::Cylindrical
             | Kind::Translation
@@ -247,18 +249,18 @@ impl Dense {
             }
             Movement::Held(at) => (0.0, at.abs().to_f64()),
         };
-        self.reach += length(&placement.column()) + slide * at;
-        self.weigh(&inertia);
-        self.slide = self.slide.max(slide * times);
+        self.reach += length(&placement.column()) + translation * at;
+        self.add_inertia(&inertia);
+        self.translation = self.translation.max(translation * times);
         let parts = self.parts(body, &movement, robot.reading());
         let moved = parts.iter().any(|(_, motion)| motion.moves());
         let (last, mut parent, mut placement) = (parts.len() - 1, parent, placement);
-        for (k, (turn, motion)) in parts.into_iter().enumerate() {
-            // What moves by a part of a joint's velocities is no link.
+        for (k, (rotation, motion)) in parts.into_iter().enumerate() {
+            // Intermediate bodies are no links.
             self.links.push((k == last).then_some(body.id));
             self.robot.bodies.push(oracle::Body {
                 parent,
-                placement: &placement * &turn,
+                placement: &placement * &rotation,
                 motion,
                 inertia: if k == last {
                     inertia.clone()
@@ -272,11 +274,11 @@ impl Dense {
         true
     }
 
-    /// The bodies that a joint moves, one on the other: a turn in front of each, and what moves it.
+    /// The bodies of a joint, one after the other: a rotation in front of each, and its motion.
     fn parts(&self, body: &Body, movement: &Movement, reading: Reading) -> Vec<(Matrix, Motion)> {
         let first = |entries: &[Entry], joint: usize| {
             let first = entries.iter().position(|entry| entry.joint == joint);
-            first.expect("what moves is listed")
+            first.expect("moving joints have entries")
         };
         let places = |joint| {
             (
@@ -284,19 +286,19 @@ impl Dense {
                 first(&self.velocities, joint),
             )
         };
-        if let (Some(posture), Movement::Own) = (posture(&body.kind), movement) {
+        if let (Some(manifold), Movement::Own) = (manifold(&body.kind), movement) {
             let (coordinate, velocity) = places(body.id);
-            let motion = Motion::Posture {
-                posture,
+            let motion = Motion::Manifold {
+                manifold,
                 coordinate,
                 velocity,
             };
-            if posture != Posture::Planar {
+            if manifold != Manifold::Planar {
                 return vec![(Matrix::identity(), motion)];
             }
-            let turn = across(&unit(&body.axis, reading));
-            let back = turn.inverse();
-            return vec![(turn, motion), (back, Motion::none())];
+            let rotation = across(&unit(&body.axis, reading));
+            let back = rotation.inverse();
+            return vec![(rotation, motion), (back, Motion::none())];
         }
         let screws = screws(body, reading).into_iter().enumerate();
         let motions = screws.map(|(part, screw)| match movement {
@@ -311,11 +313,11 @@ impl Dense {
                 }
             }
             Movement::As {
-                leader,
+                mimicked,
                 factor,
                 offset,
             } => {
-                let (coordinate, velocity) = places(*leader);
+                let (coordinate, velocity) = places(*mimicked);
                 Motion::Along {
                     screw,
                     coordinate,
@@ -333,12 +335,12 @@ impl Dense {
     }
 }
 
-/// What a joint is whose velocities are seen in the moved frame.
-fn posture(kind: &Kind) -> Option<Posture> {
+/// The configuration space of a joint whose velocities are in the axes of the moved body.
+fn manifold(kind: &Kind) -> Option<Manifold> {
     Some(match kind {
-        Kind::Planar => Posture::Planar,
-        Kind::Spherical => Posture::Spherical,
-        Kind::Floating => Posture::Floating,
+        Kind::Planar => Manifold::Planar,
+        Kind::Spherical => Manifold::Spherical,
+        Kind::Floating => Manifold::Floating,
         _ => return None,
     })
 }
@@ -370,7 +372,7 @@ fn placement(at: &Placement, offset: Option<[f64; 3]>, reading: Reading) -> Matr
         })
 }
 
-/// R, 0; 0, 1 of a turn about a coordinate axis.
+/// R, 0; 0, 1 of a rotation about a coordinate axis.
 fn rotation(axis: usize, (sine, cosine): &(Big, Big)) -> Matrix {
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut matrix = Matrix::identity();
@@ -381,7 +383,7 @@ fn rotation(axis: usize, (sine, cosine): &(Big, Big)) -> Matrix {
     matrix
 }
 
-/// A direction made of length 1.
+/// The unit vector of a direction.
 fn unit(axis: &[Written; 3], reading: Reading) -> [Big; 3] {
     let times = towards_1(axis);
     let axis = axis.each_ref().map(|entry| entry.meant(reading, times));
@@ -389,8 +391,8 @@ fn unit(axis: &[Written; 3], reading: Reading) -> [Big; 3] {
     axis.map(|entry| entry / square.sqrt())
 }
 
-/// The power of two that makes the length of an axis 1 to 2, where it is not 0.98 to 2 anyhow: beside that an entry
-/// is zero or not.
+/// The power of two that scales the length of an axis to [1, 2), or 1 if it is in [0.98, 2); entries of the scaled axis
+/// are compared with the size of residues.
 fn towards_1(axis: &[Written; 3]) -> f64 {
     let length = length(&exact(axis));
     let mut times = 1.0;
@@ -406,27 +408,26 @@ fn towards_1(axis: &[Written; 3]) -> f64 {
     times
 }
 
-/// L through the origin, of each motion of a joint whose motions come one after the other; null of what
-/// does not move, or moves in another way.
+/// L of each motion of a joint that is a sequence of motions along screws through the origin; zero for other joints.
 fn screws(body: &Body, reading: Reading) -> Vec<Matrix> {
     let nothing = big([0.0; 3]);
-    let turn = |axis| Matrix::screw(&unit(axis, reading), &nothing);
-    let slide = |axis| Matrix::screw(&nothing, &unit(axis, reading));
+    let rotation = |axis| Matrix::screw(&unit(axis, reading), &nothing);
+    let translation = |axis| Matrix::screw(&nothing, &unit(axis, reading));
     match &body.kind {
-        Kind::Revolute | Kind::Continuous => vec![turn(&body.axis)],
-        Kind::Prismatic => vec![slide(&body.axis)],
+        Kind::Revolute | Kind::Continuous => vec![rotation(&body.axis)],
+        Kind::Prismatic => vec![translation(&body.axis)],
         Kind::Screw(pitch) => {
-            let along = slide(&body.axis).times(&pitch.number());
-            vec![&turn(&body.axis) + &along]
+            let along = translation(&body.axis).times(&pitch.number());
+            vec![&rotation(&body.axis) + &along]
         }
-        Kind::Cylindrical => vec![turn(&body.axis), slide(&body.axis)],
-        Kind::Universal(second) => vec![turn(&body.axis), turn(second)],
-        Kind::Translation => (0..3).map(motion::slide).collect(),
+        Kind::Cylindrical => vec![rotation(&body.axis), translation(&body.axis)],
+        Kind::Universal(second) => vec![rotation(&body.axis), rotation(second)],
+        Kind::Translation => (0..3).map(translation_screw).collect(),
         Kind::Planar | Kind::Spherical | Kind::Floating | Kind::Fixed => vec![Matrix::zero()],
     }
 }
 
-/// M J Mᵗ of ∫rrᵗdm = ½ Tr(I) − I about the centre of mass (16), (17).
+/// M J Mᵗ, where J = ∫rrᵗdm = ½ Tr(I) − I about the centre of mass (16), (17).
 fn inertia(robot: &Robot, link: usize, inertial: Option<&Inertial>) -> Matrix {
     let nothing = Inertial {
         at: Placement::none(),
@@ -466,7 +467,7 @@ fn first<const N: usize>(field: [f64; NUMBERS]) -> [f64; N] {
     std::array::from_fn(|k| field[k])
 }
 
-/// M by an origin, and by roll, pitch and yaw.
+/// M of an origin and of roll, pitch and yaw.
 fn placed([x, y, z, roll, pitch, yaw, ..]: [f64; NUMBERS]) -> Matrix {
     let turns = [(2, yaw), (1, pitch), (0, roll)].into_iter();
     turns.fold(

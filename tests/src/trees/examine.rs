@@ -1,8 +1,7 @@
-//! Every function of a robot, held against the oracle.
+//! Comparison of all functions of a random robot with the oracle.
 //!
-//! In: a [`Robot`]. Out: the worst error of each function, or the first [`Fault`]: a program that is
-//! wrong, a description that is refused, a panic. What is run is said by [`cases`], and how wrong it
-//! is by [`Prepared`].
+//! In: a [`Robot`]. Out: the worst error of each function, or the first [`Fault`]: a wrong program, a rejected
+//! description, a panic. [`cases`] chooses the programs, and [`Prepared`] measures their errors.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -13,23 +12,23 @@ use super::cases::{Case, Effort, cases};
 use super::prepared::{Outcome, Prepared};
 use super::robot::Robot;
 
-/// What is wrong with a robot.
+/// A failure of a robot.
 #[derive(Clone, Debug)]
 pub struct Fault {
-    /// The program that is wrong; none where there is not even a chain.
+    /// The program that is wrong; `None` if the chain could not be built.
     pub case: Option<Case>,
-    /// What is seen.
+    /// A description of the failure.
     pub what: String,
 }
 
-/// What a robot showed.
+/// Results of a robot without a failure.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     /// The worst error of each function, by name.
     pub worst: BTreeMap<&'static str, f64>,
-    /// How many programs ran.
+    /// The number of programs that ran.
     pub programs: usize,
-    /// How many programs were refused by name.
+    /// The number of programs that were refused by name.
     pub refused: usize,
 }
 
@@ -53,7 +52,7 @@ pub fn examine(robot: &Robot, seed: u64, effort: Effort) -> Result<Findings, Fau
                 let worst = findings.worst.entry(case.function.name()).or_default();
                 *worst = worst.max(error);
             }
-            Outcome::Nothing => {}
+            Outcome::NotApplicable => {}
         }
     }
     Ok(findings)
@@ -62,16 +61,16 @@ pub fn examine(robot: &Robot, seed: u64, effort: Effort) -> Result<Findings, Fau
 /// Runs one program of a robot again.
 ///
 /// # Errors
-/// What is wrong with it.
+/// A description of the failure.
 pub fn again(robot: &Robot, seed: u64, states: usize, case: Option<Case>) -> Result<(), String> {
     let prepared = Prepared::of(robot, seed, states)?;
     case.map_or(Ok(()), |case| prepared.check(case).map(|_| ()))
 }
 
-/// The worst error of functions that are made as one and share their work.
+/// The worst error of functions that are generated together and share work.
 ///
 /// # Errors
-/// What is wrong with them.
+/// A description of the failure.
 pub fn together(
     robot: &Robot,
     seed: u64,

@@ -1,7 +1,7 @@
-//! What a robot has of all that real ones are nasty by.
+//! Features of robots that are difficult for the generator.
 //!
-//! In: a [`Robot`], number by number. Out: the names of what it has, of the list that
-//! [`grow`](super::grow) promises. It looks at what is written, and not at how it came about.
+//! In: a [`Robot`], number by number. Out: the names of its features, from the list in [`grow`](super::grow). They are
+//! found from what is written, not from how it was drawn.
 
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
@@ -9,30 +9,30 @@ use crate::oracle::motion::Motion;
 
 use super::dense::Dense;
 use super::movement::Movement;
-use super::robot::{Body, Door, Field, Inertial, Kind, Placement, Robot};
+use super::robot::{Body, Field, FrontEnd, Inertial, Kind, Placement, Robot};
 use super::written::{Reading, Written};
 
-/// Every feature, and whether a robot has it.
+/// A name, and a function that returns true if a robot has the feature.
 type Feature = (&'static str, fn(&Robot) -> bool);
 
-/// The list.
+/// All features.
 pub const FEATURES: [Feature; 79] = [
-    ("a joint with a drive", |robot| {
-        robot.drives().next().is_some()
+    ("a joint with an actuator", |robot| {
+        robot.actuators().next().is_some()
     }),
-    ("a joint that follows another and has a drive", |robot| {
-        let mut drives = robot.drives();
-        drives.any(|(id, _)| {
+    ("a mimic joint with an actuator", |robot| {
+        let mut actuators = robot.actuators();
+        actuators.any(|(id, _)| {
             robot
                 .body(id)
-                .is_some_and(|body| robot.leader(body).is_some())
+                .is_some_and(|body| robot.mimicked(body).is_some())
         })
     }),
-    ("an action on a link in its frame", |robot| {
-        robot.acted_on().next().is_some() && !robot.asked.external.1
+    ("an external wrench on a link, in its frame", |robot| {
+        robot.acted_on().next().is_some() && !robot.options.external.1
     }),
-    ("an action on a link in frame 0", |robot| {
-        robot.acted_on().next().is_some() && robot.asked.external.1
+    ("an external wrench on a link, in frame 0", |robot| {
+        robot.acted_on().next().is_some() && robot.options.external.1
     }),
     ("a residue in an offset", |robot| {
         any(robot, |body| residue(&body.at.xyz))
@@ -70,8 +70,8 @@ pub const FEATURES: [Feature; 79] = [
         weighs(robot, |inertial| residue(&inertial.tensor))
     }),
     (
-        "a placement that a fixed joint takes back but for rounding",
-        taken_back,
+        "a placement that a fixed joint inverts but for rounding",
+        inverted,
     ),
     ("a right angle of 2 to 4 decimals", |robot| {
         angle(robot, |word| right(word) && decimals(word) <= 4)
@@ -94,7 +94,9 @@ pub const FEATURES: [Feature; 79] = [
     ("a huge angle", |robot| {
         angle(robot, |word| word.value().abs() > 1000.0)
     }),
-    ("an angle beside a right one", |robot| angle(robot, beside)),
+    ("an angle near a right one", |robot| {
+        angle(robot, near_right)
+    }),
     ("coaxial joints", |robot| {
         pair(robot, |pair| pair.parallel && pair.meet)
     }),
@@ -121,7 +123,7 @@ pub const FEATURES: [Feature; 79] = [
     ("a massless link in the middle", |robot| {
         any(robot, |body| massless(body) && carries(robot, body))
     }),
-    ("a point of mass", |robot| {
+    ("a point mass", |robot| {
         weighs(robot, |inertial| {
             !inertial.mass.is_zero() && inertial.tensor.iter().all(Written::is_zero)
         })
@@ -157,65 +159,67 @@ pub const FEATURES: [Feature; 79] = [
     ("a floating joint", |robot| {
         any(robot, |body| body.kind == Kind::Floating)
     }),
-    ("a free base", |robot| robot.asked.floating),
+    ("a floating base", |robot| robot.options.floating),
     (
-        "a free base, and a joint that has several velocities",
-        |robot| robot.asked.floating && any(robot, |body| body.kind.entries()[1].len() > 1),
+        "a floating base, and a joint that has several velocities",
+        |robot| robot.options.floating && any(robot, |body| body.kind.entries()[1].len() > 1),
     ),
-    ("a joint that follows another", |robot| {
-        follows(robot, |_, movement| matches!(movement, Movement::As { .. }))
+    ("a mimic joint", |robot| {
+        mimics(robot, |_, movement| matches!(movement, Movement::As { .. }))
     }),
-    ("a joint that follows one that follows", |robot| {
-        follows(robot, |body, movement| {
+    ("a mimic joint of a mimic joint", |robot| {
+        mimics(robot, |body, movement| {
             let moves = matches!(movement, Movement::As { .. });
-            moves && robot.leaders(body).count() > 2
+            moves && robot.mimic_chain(body).count() > 2
         })
     }),
-    ("a joint that follows one behind itself", |robot| {
-        follows(robot, |body, movement| match movement {
-            Movement::As { leader, .. } => robot.upwards(*leader).any(|link| link == body.id),
+    ("a mimic joint of one outboard of itself", |robot| {
+        mimics(robot, |body, movement| match movement {
+            Movement::As { mimicked, .. } => robot.upwards(*mimicked).any(|link| link == body.id),
             _ => false,
         })
     }),
-    ("a joint that follows one of another branch", |robot| {
-        follows(robot, |body, movement| match movement {
-            Movement::As { leader, .. } => {
+    ("a mimic joint of one in another branch", |robot| {
+        mimics(robot, |body, movement| match movement {
+            Movement::As { mimicked, .. } => {
                 let above = |one: usize, other: usize| robot.upwards(one).any(|id| id == other);
-                !above(*leader, body.id) && !above(body.id, *leader)
+                !above(*mimicked, body.id) && !above(body.id, *mimicked)
             }
             _ => false,
         })
     }),
-    ("two joints that follow one", |robot| {
-        let leader = |body: &Body| match Movement::of(robot, body) {
-            Movement::As { leader, .. } => Some(leader),
+    ("two mimic joints of one", |robot| {
+        let mimicked = |body: &Body| match Movement::of(robot, body) {
+            Movement::As { mimicked, .. } => Some(mimicked),
             _ => None,
         };
-        let mut leaders: Vec<usize> = robot.bodies.iter().filter_map(leader).collect();
-        let count = leaders.len();
-        leaders.sort_unstable();
-        leaders.dedup();
-        leaders.len() < count
+        let mut mimicked: Vec<usize> = robot.bodies.iter().filter_map(mimicked).collect();
+        let count = mimicked.len();
+        mimicked.sort_unstable();
+        mimicked.dedup();
+        mimicked.len() < count
     }),
-    ("a joint that follows one that is held", |robot| {
-        follows(robot, |body, movement| {
-            let mut leaders = robot.leaders(body);
-            let locked = leaders.any(|leader| robot.locked(leader).is_some());
+    ("a mimic joint of a locked one", |robot| {
+        mimics(robot, |body, movement| {
+            let mut mimicked = robot.mimic_chain(body);
+            let locked = mimicked.any(|mimicked| robot.locked(mimicked).is_some());
             locked && !movement.is_motion()
         })
     }),
-    ("a joint that follows one that is not there", |robot| {
-        follows(robot, |body, _| {
-            robot.leaders(body).any(|leader| !robot.models(leader.id))
+    ("a mimic joint of one that is not modelled", |robot| {
+        mimics(robot, |body, _| {
+            robot
+                .mimic_chain(body)
+                .any(|mimicked| !robot.models(mimicked.id))
         })
     }),
-    ("a held joint that would follow another", |robot| {
+    ("a locked mimic joint", |robot| {
         any(robot, |body| {
             body.mimic.is_some() && robot.locked(body).is_some() && robot.models(body.id)
         })
     }),
-    ("a path that a leader beside it moves", |robot| {
-        let path = robot.asked.tip.filter(|_| robot.asked.path_only);
+    ("a path moved by a joint beside it", |robot| {
+        let path = robot.options.tip.filter(|_| robot.options.path_only);
         path.is_some_and(|tip| {
             robot
                 .moving()
@@ -228,18 +232,18 @@ pub const FEATURES: [Feature; 79] = [
         })
     }),
     ("15 joints or more", |robot| robot.bodies.len() >= 15),
-    ("another base", |robot| robot.asked.base > 0),
-    ("a tip", |robot| robot.asked.tip.is_some()),
-    ("a further frame", |robot| !robot.asked.frames.is_empty()),
-    ("the path alone", |robot| robot.asked.path_only),
-    ("a joint held at zero", |robot| {
-        robot.asked.lock.iter().any(|(_, at)| at.is_none())
+    ("another base", |robot| robot.options.base > 0),
+    ("an end effector", |robot| robot.options.tip.is_some()),
+    ("a further frame", |robot| !robot.options.frames.is_empty()),
+    ("the path alone", |robot| robot.options.path_only),
+    ("a joint locked at zero", |robot| {
+        robot.options.lock.iter().any(|(_, at)| at.is_none())
     }),
-    ("a joint held elsewhere", |robot| {
-        robot.asked.lock.iter().any(|(_, at)| at.is_some())
+    ("a joint locked elsewhere", |robot| {
+        robot.options.lock.iter().any(|(_, at)| at.is_some())
     }),
-    ("a dropped link", |robot| !robot.asked.drop.is_empty()),
-    ("angles as written", |robot| robot.asked.exact),
+    ("a dropped link", |robot| !robot.options.drop.is_empty()),
+    ("angles as written", |robot| robot.options.exact),
     ("no gravity", |robot| gravity(robot, true)),
     ("an odd gravity", |robot| gravity(robot, false)),
     ("a field for a mass", |robot| {
@@ -263,9 +267,13 @@ pub const FEATURES: [Feature; 79] = [
     ("a field for gravity", |robot| {
         field(robot, |field| field == Field::Gravity)
     }),
-    ("read as URDF", |robot| robot.door == Door::Urdf),
-    ("read as tokens", |robot| robot.door == Door::Inline),
-    ("never written", |robot| robot.door == Door::Computed),
+    ("read as URDF", |robot| robot.front_end == FrontEnd::Urdf),
+    ("read as tokens", |robot| {
+        robot.front_end == FrontEnd::Inline
+    }),
+    ("numbers without text", |robot| {
+        robot.front_end == FrontEnd::Computed
+    }),
     ("lengths of 1e3", |robot| {
         any(robot, |body| {
             body.at.xyz.iter().any(|word| word.value().abs() > 50.0)
@@ -278,7 +286,7 @@ pub const FEATURES: [Feature; 79] = [
     ("no residue at all", is_plain),
 ];
 
-/// Whether a robot has no residue at all.
+/// True if a robot has no residue.
 #[must_use]
 pub fn is_plain(robot: &Robot) -> bool {
     robot.bodies.iter().all(plain)
@@ -288,10 +296,10 @@ fn any(robot: &Robot, has: impl Fn(&Body) -> bool) -> bool {
     robot.bodies.iter().any(has)
 }
 
-/// Whether it holds of a joint that is modelled and follows another, and of what moves it.
-fn follows(robot: &Robot, has: impl Fn(&Body, &Movement) -> bool) -> bool {
+/// True for a modelled mimic joint with this property.
+fn mimics(robot: &Robot, has: impl Fn(&Body, &Movement) -> bool) -> bool {
     any(robot, |body| {
-        let is = robot.models(body.id) && robot.leader(body).is_some();
+        let is = robot.models(body.id) && robot.mimicked(body).is_some();
         is && has(body, &Movement::of(robot, body))
     })
 }
@@ -330,7 +338,7 @@ fn plain(body: &Body) -> bool {
     !weighed && !placed(&mut body.at) && !body.axis.iter().any(small)
 }
 
-/// Whether it holds of an angle of a joint or of an inertia.
+/// True for an angle of a joint or of an inertia with this property.
 fn angle(robot: &Robot, has: impl Fn(&Written) -> bool) -> bool {
     let of = |at: &Placement| {
         let turns = at.turns.iter().map(|(_, angle)| angle);
@@ -348,13 +356,13 @@ fn decimals(word: &Written) -> usize {
     word.split_once('.').map_or(0, |(_, rest)| rest.len())
 }
 
-fn beside(word: &Written) -> bool {
+fn near_right(word: &Written) -> bool {
     let off = (word.value().abs() - std::f64::consts::FRAC_PI_2).abs();
     off < 1e-2 && !right(word)
 }
 
-/// A fixed joint and the one behind it, which together are no motion but for rounding.
-fn taken_back(robot: &Robot) -> bool {
+/// True if a fixed joint and the one behind it together are the identity but for rounding.
+fn inverted(robot: &Robot) -> bool {
     any(robot, |body| {
         let Some(carrier) = robot.body(body.parent).filter(|body| fixed(body)) else {
             return false;
@@ -381,7 +389,7 @@ fn largest<'b>(entries: impl IntoIterator<Item = &'b Big>) -> f64 {
     sizes.fold(0.0, f64::max)
 }
 
-/// A half or a third of a right angle, twice about the same axis.
+/// True for half or a third of a right angle, twice about the same axis.
 fn parts(robot: &Robot) -> bool {
     let part = |word: &Written| {
         let part = word.value().abs();
@@ -402,13 +410,13 @@ fn parts(robot: &Robot) -> bool {
     })
 }
 
-/// How the axis of a joint lies to that of the one before it.
+/// Relation of a joint's axis to that of the joint before it.
 struct Pair {
-    /// To twelve digits.
+    /// Parallel to 1e-12.
     parallel: bool,
-    /// To four.
+    /// Parallel to 1e-4.
     nearly: bool,
-    /// To nine digits of the reach.
+    /// Intersecting to 1e-9 of the robot's size.
     meet: bool,
     cosine: f64,
 }
@@ -416,7 +424,7 @@ struct Pair {
 fn pair(robot: &Robot, has: impl Fn(&Pair) -> bool) -> bool {
     let dense = Dense::of(robot);
     let bodies = &dense.robot.bodies;
-    // Of each body its pose where all joints stand at zero, and its axis: point and direction.
+    // For each body, its pose where all joints are at zero; its axis: direction and point.
     let mut poses: Vec<Matrix> = Vec::new();
     for body in bodies {
         let parent = body
@@ -426,9 +434,16 @@ fn pair(robot: &Robot, has: impl Fn(&Pair) -> bool) -> bool {
     }
     let axis = |body: usize, screw: &Matrix| {
         let l = &(&poses[body] * screw) * &poses[body].inverse();
-        let [turn, slide] = [l.vector(), l.column()].map(|v| v.map(|x| x.to_f64()));
+        let [rotation, translation] = [l.vector(), l.column()].map(|v| v.map(|x| x.to_f64()));
         let point = poses[body].column().map(|x| x.to_f64());
-        (if turn == [0.0; 3] { slide } else { turn }, point)
+        (
+            if rotation == [0.0; 3] {
+                translation
+            } else {
+                rotation
+            },
+            point,
+        )
     };
     let moved = |body: usize| match &bodies[body].motion {
         Motion::Along { screw, .. } => Some(axis(body, screw)),
@@ -481,17 +496,17 @@ fn carries(robot: &Robot, body: &Body) -> bool {
     any(robot, |other| other.parent == body.id)
 }
 
-/// One principal moment zero, and the others not.
+/// True for an inertia with one zero moment.
 fn rod(inertial: &Inertial) -> bool {
     let diagonal = [0, 3, 5].map(|k| inertial.tensor[k].is_zero());
     diagonal.into_iter().filter(|zero| *zero).count() == 1
 }
 
 fn gravity(robot: &Robot, none: bool) -> bool {
-    let given = robot.asked.gravity.as_ref();
+    let given = robot.options.gravity.as_ref();
     given.is_some_and(|gravity| gravity.iter().all(Written::is_zero) == none)
 }
 
 fn field(robot: &Robot, is: impl Fn(Field) -> bool) -> bool {
-    robot.asked.fields.iter().any(|(field, _)| is(*field))
+    robot.options.fields.iter().any(|(field, _)| is(*field))
 }

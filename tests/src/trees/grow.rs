@@ -1,27 +1,29 @@
-//! Robots at random, as nasty as those that vendors ship.
+//! Random robots with the defects of those that vendors ship.
 //!
-//! In: a source of random numbers. Out: a [`Robot`]. Whoever changes this keeps what follows in it;
-//! [`features`](super::features) counts each, and a test wants some of all of them:
-//! * residues of 1e-18 to 1e-6 where a zero was meant: in offsets, in roll, pitch and yaw, in axes,
-//!   in centres of mass, in the axes of inertias and in their products;
-//! * offsets and rotations that a fixed joint takes back but for rounding;
-//! * in tokens, lengths and angles that are products and quotients, by `pi` or not;
-//! * right angles written with 2 to 17 digits, with `pi`, as sums of two or three parts, and so many
-//!   turns of them that the angle is huge; angles beside right ones;
-//! * axes of length 1 but for their digits, and of any other length;
-//! * axes that are coaxial, parallel, antiparallel, intersecting or nothing of all that;
-//! * links without inertial, massless ones in the middle, points, thin rods;
-//! * every kind of joint, and fixed ones everywhere; up to 20 joints; bases that are free;
-//! * joints that follow others, in front of them, behind them and in other branches, through others that
-//!   follow, held and left out ones; by factors of every sign, and by none;
-//! * units in which numbers are a thousand times as large or as small;
-//! * whatever a request can combine: another base, tips, further frames, joints held at zero and
-//!   elsewhere, links dropped, the path alone, `exact`, any gravity and none, struct fields whose
-//!   values are not those described;
-//! * drives at joints, followers among them, and actions on links, in their frames and in frame 0;
-//! * numbers read as URDF, as tokens, and numbers that were never written, with no digits to read.
+//! In: a source of random numbers. Out: a [`Robot`]. [`features`](super::features) counts what follows, and a test
+//! requires some of each:
 //!
-//! One robot in three is plain: the same without residues.
+//! - residues of 1e-18 to 1e-6 in place of zeros: in offsets, roll, pitch and yaw, axes, centres of mass, the axes and
+//!   the products of inertias;
+//! - offsets and rotations that a fixed joint inverts but for rounding;
+//! - in inline descriptions, lengths and angles that are products and quotients, by `pi` or not;
+//! - right angles written with 2 to 17 digits, with `pi`, as sums of two or three parts, and with so many full turns
+//!   that the angle is huge; angles near right ones;
+//! - axes of length 1 but for their digits, and of other lengths;
+//! - axes that are coaxial, parallel, antiparallel, intersecting or skew;
+//! - links without inertial, massless ones in the middle, point masses, thin rods;
+//! - every type of joint, and fixed ones everywhere; up to 20 joints; floating bases;
+//! - mimic joints of joints inboard, outboard and in other branches, of mimic joints, of locked and of dropped joints;
+//!   with factors of either sign, and 0;
+//! - units in which numbers are a thousand times as large or as small;
+//! - all combinations of a request: another base, end effectors, further frames, joints locked at zero and elsewhere,
+//!   dropped links, the path alone, `exact`, any gravity and none, struct fields with values other than those
+//!   described;
+//! - armature, damping and friction at joints, mimic joints among them; external wrenches, in frames of links and in
+//!   frame 0;
+//! - numbers read as URDF, read as tokens, and given without text.
+//!
+//! One robot in three has no residues.
 
 mod bodies;
 mod numbers;
@@ -29,17 +31,17 @@ mod numbers;
 use crate::states::Random;
 
 use self::numbers::Numbers;
-use super::robot::{Asked, Body, Door, Field, Kind, NUMBERS, Robot};
+use super::robot::{Body, Field, FrontEnd, Kind, NUMBERS, Options, Robot};
 use super::written::Written;
 
 /// The most joints of a robot, moving or not.
 pub const MOST: usize = 20;
 
-/// A robot in which something moves.
+/// A random robot with at least one degree of freedom.
 pub fn grow(random: &mut Random) -> Robot {
     loop {
         let robot = attempt(random);
-        if robot.asked.floating || robot.moving().next().is_some() {
+        if robot.options.floating || robot.moving().next().is_some() {
             return robot;
         }
     }
@@ -58,7 +60,12 @@ fn attempt(random: &mut Random) -> Robot {
     };
     let mut numbers = Numbers {
         residues: !random.chance(3),
-        door: *random.choose(&[Door::Urdf, Door::Urdf, Door::Inline, Door::Computed]),
+        front_end: *random.choose(&[
+            FrontEnd::Urdf,
+            FrontEnd::Urdf,
+            FrontEnd::Inline,
+            FrontEnd::Computed,
+        ]),
         length: unit(random),
         mass: unit(random),
         random,
@@ -77,24 +84,24 @@ fn attempt(random: &mut Random) -> Robot {
         let row = row(&bodies, 1 + numbers.random.below(count));
         bodies::share_a_right_angle(&mut bodies, &row, &mut numbers);
     }
-    lead(&mut bodies, &mut numbers);
+    add_mimics(&mut bodies, &mut numbers);
     let root = bodies::inertial(&mut numbers);
     let mut robot = Robot {
         root,
         bodies,
-        asked: Asked::default(),
-        door: numbers.door,
+        options: Options::default(),
+        front_end: numbers.front_end,
     };
-    ask(&mut robot, &mut numbers);
+    add_request(&mut robot, &mut numbers);
     shuffle(&mut robot.bodies, numbers.random);
-    if robot.asked.floating || robot.moving().next().is_some() {
-        load(&mut robot, &mut numbers);
+    if robot.options.floating || robot.moving().next().is_some() {
+        add_loads(&mut robot, &mut numbers);
     }
     robot
 }
 
-/// A plain robot of up to so many joints and of up to 54 velocities beside those of a floating base, in a unit of length of 1e-6 to 1e3 m, which is returned with it: whatever its joints
-/// are, some with actuators, some of them mimic joints, on a fixed or a floating base.
+/// A robot without residues, of up to `most` joints, with 1 to 54 velocities besides those of a floating base, in a
+/// unit of length of 1e-6 to 1e3 m, which is returned with it. Some joints have actuators, some are mimic joints.
 pub fn grow_long(random: &mut Random, most: usize) -> (Robot, f64) {
     loop {
         let (robot, length) = attempt_long(random, most);
@@ -106,7 +113,7 @@ pub fn grow_long(random: &mut Random, most: usize) -> (Robot, f64) {
     }
 }
 
-/// The most joints of a robot in which some mimic others.
+/// The most joints of a robot with mimic joints.
 const MIMICKED: usize = 16;
 
 fn attempt_long(random: &mut Random, most: usize) -> (Robot, f64) {
@@ -120,7 +127,7 @@ fn attempt_long(random: &mut Random, most: usize) -> (Robot, f64) {
     let straight = random.chance(3);
     let mut numbers = Numbers {
         residues: false,
-        door: *random.choose(&[Door::Urdf, Door::Inline]),
+        front_end: *random.choose(&[FrontEnd::Urdf, FrontEnd::Inline]),
         length,
         mass: length * length * length * 1e3,
         random,
@@ -135,10 +142,10 @@ fn attempt_long(random: &mut Random, most: usize) -> (Robot, f64) {
         bodies.push(body);
     }
     if mimics {
-        follow(&mut bodies, &mut numbers);
+        mimic_one(&mut bodies, &mut numbers);
     }
     let root = bodies::inertial(&mut numbers);
-    let asked = Asked {
+    let options = Options {
         floating: numbers.random.chance(5),
         exact: numbers.random.chance(4),
         gravity: match numbers.random.below(6) {
@@ -146,60 +153,60 @@ fn attempt_long(random: &mut Random, most: usize) -> (Robot, f64) {
             1 => Some(numbers.vector(10.0)),
             _ => None,
         },
-        ..Asked::default()
+        ..Options::default()
     };
     let mut robot = Robot {
         root,
         bodies,
-        asked,
-        door: numbers.door,
+        options,
+        front_end: numbers.front_end,
     };
-    if robot.asked.floating || robot.moving().next().is_some() {
-        load(&mut robot, &mut numbers);
-        robot.asked.external = (Vec::new(), false);
+    if robot.options.floating || robot.moving().next().is_some() {
+        add_loads(&mut robot, &mut numbers);
+        robot.options.external = (Vec::new(), false);
     }
     (robot, length)
 }
 
 /// Makes up to three joints mimic one.
-fn follow(bodies: &mut [Body], numbers: &mut Numbers) {
+fn mimic_one(bodies: &mut [Body], numbers: &mut Numbers) {
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     order.retain(|&at| bodies[at].kind.has_one_coordinate());
     shuffle(&mut order, numbers.random);
     let count = 1 + numbers.random.below(3);
-    if let [leader, followers @ ..] = &*order {
-        let leader = bodies[*leader].id;
-        for &follower in followers.iter().take(count) {
-            bodies[follower].mimic = Some(bodies::mimic(leader, numbers));
+    if let [mimicked, mimics @ ..] = &*order {
+        let mimicked = bodies[*mimicked].id;
+        for &mimic in mimics.iter().take(count) {
+            bodies[mimic].mimic = Some(bodies::mimic(mimicked, numbers));
         }
     }
 }
 
-/// Makes some joints follow others, in no circle.
-fn lead(bodies: &mut [Body], numbers: &mut Numbers) {
+/// Makes some joints mimic others, without circles.
+fn add_mimics(bodies: &mut [Body], numbers: &mut Numbers) {
     if numbers.random.chance(2) {
         return;
     }
     let one = |body: &Body| body.kind.has_one_coordinate();
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     shuffle(&mut order, numbers.random);
-    for follower in 1..order.len() {
-        if !one(&bodies[order[follower]]) || numbers.random.chance(3) {
+    for mimic in 1..order.len() {
+        if !one(&bodies[order[mimic]]) || numbers.random.chance(3) {
             continue;
         }
-        // Rarely one that is fixed.
+        // Rarely a fixed one.
         let may_be_fixed = numbers.random.chance(8);
-        let leads = |body: &&Body| one(body) || may_be_fixed && body.kind == Kind::Fixed;
-        let before = order[..follower].iter().map(|&at| &bodies[at]);
-        let leaders: Vec<usize> = before.filter(leads).map(|body| body.id).collect();
-        if !leaders.is_empty() {
-            let leader = *numbers.random.choose(&leaders);
-            bodies[order[follower]].mimic = Some(bodies::mimic(leader, numbers));
+        let may_be_mimicked = |body: &&Body| one(body) || may_be_fixed && body.kind == Kind::Fixed;
+        let before = order[..mimic].iter().map(|&at| &bodies[at]);
+        let mimicked: Vec<usize> = before.filter(may_be_mimicked).map(|body| body.id).collect();
+        if !mimicked.is_empty() {
+            let mimicked = *numbers.random.choose(&mimicked);
+            bodies[order[mimic]].mimic = Some(bodies::mimic(mimicked, numbers));
         }
     }
 }
 
-/// A body and the two before it.
+/// A body, its parent and its grandparent.
 fn row(bodies: &[Body], last: usize) -> Vec<usize> {
     let before = |id: &usize| {
         let body = bodies.iter().find(|body| body.id == *id);
@@ -208,38 +215,38 @@ fn row(bodies: &[Body], last: usize) -> Vec<usize> {
     std::iter::successors(Some(last), before).take(3).collect()
 }
 
-/// A request that the robot can fulfil.
-fn ask(robot: &mut Robot, numbers: &mut Numbers) {
+/// Adds a random request that the robot can fulfil.
+fn add_request(robot: &mut Robot, numbers: &mut Numbers) {
     let count = robot.bodies.len();
     let random = &mut *numbers.random;
     if random.chance(4) {
-        robot.asked.base = random.below(count.min(3));
+        robot.options.base = random.below(count.min(3));
     }
-    robot.asked.floating = random.chance(6);
+    robot.options.floating = random.chance(6);
     if random.chance(4) {
         let link = 1 + random.below(count);
-        if link != robot.asked.base {
-            robot.asked.drop.push(link);
+        if link != robot.options.base {
+            robot.options.drop.push(link);
         }
     }
     let modelled: Vec<usize> = (robot.bodies.iter().map(|body| body.id))
         .filter(|&id| robot.models(id))
         .collect();
     let link = |random: &mut Random| match modelled[..] {
-        [] => robot.asked.base,
+        [] => robot.options.base,
         _ => *random.choose(&modelled),
     };
     if !random.chance(4) {
-        robot.asked.tip = Some(link(random));
-        robot.asked.path_only = random.chance(4);
+        robot.options.tip = Some(link(random));
+        robot.options.path_only = random.chance(4);
     }
     if random.chance(3) {
-        robot.asked.frames.push(link(random));
+        robot.options.frames.push(link(random));
     }
-    robot.asked.exact = random.chance(4);
+    robot.options.exact = random.chance(4);
     match random.below(6) {
-        0 => robot.asked.gravity = Some([(); 3].map(|()| Written::zero())),
-        1 | 2 => robot.asked.gravity = Some(numbers.vector(10.0)),
+        0 => robot.options.gravity = Some([(); 3].map(|()| Written::zero())),
+        1 | 2 => robot.options.gravity = Some(numbers.vector(10.0)),
         _ => {}
     }
     for body in robot.bodies.iter().filter(|body| body.kind != Kind::Fixed) {
@@ -254,22 +261,22 @@ fn ask(robot: &mut Robot, numbers: &mut Numbers) {
                 Some(numbers.number(value))
             }
         };
-        // A coordinate of a request is a number, be it near a right angle or not, and several are zero.
+        // The position of a locked joint is one plain number; joints with several coordinates are locked at zero.
         let is_one = |at: &Written| at.to_string().parse::<f64>().is_ok();
         let at = at.filter(|at| is_one(at) && body.kind.has_one_coordinate());
-        robot.asked.lock.push((body.id, at));
+        robot.options.lock.push((body.id, at));
     }
-    give_fields(robot, &modelled, numbers);
+    add_fields(robot, &modelled, numbers);
 }
 
-/// Struct fields for what a joint feels.
-fn give_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
+/// Adds random struct fields.
+fn add_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
     let (length, mass) = (numbers.length, numbers.mass);
     let anywhere = |random: &mut Random| [(); 3].map(|()| length * random.unit());
     let padded = |numbers: &[f64]| -> [f64; NUMBERS] {
         std::array::from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))
     };
-    // Such as a body has: of two moments none is less than half of the third, and products are small.
+    // Physical: no moment is larger than the sum of the other two, and products are small.
     let tensor = |random: &mut Random, size: f64| -> [f64; 6] {
         std::array::from_fn(|k| match k {
             0 | 3 | 5 => size * (1.0 + 0.25 * random.unit()),
@@ -285,27 +292,39 @@ fn give_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
         match random.below(16) {
             0 if robot.moves(id) => {
                 let value = mass * (1.0 + random.unit());
-                robot.asked.fields.push((Field::Mass(id), padded(&[value])));
+                robot
+                    .options
+                    .fields
+                    .push((Field::Mass(id), padded(&[value])));
             }
             1 if robot.moves(id) && robot.body(id).is_some_and(weighs) => {
                 let value = anywhere(random);
-                robot.asked.fields.push((Field::Center(id), padded(&value)));
+                robot
+                    .options
+                    .fields
+                    .push((Field::Center(id), padded(&value)));
             }
             2 => {
                 let value = anywhere(random);
-                robot.asked.fields.push((Field::Origin(id), padded(&value)));
+                robot
+                    .options
+                    .fields
+                    .push((Field::Origin(id), padded(&value)));
             }
             3 if robot.moves(id) => {
                 let value = mass * (1.0 + random.unit());
                 let center = anywhere(random);
                 let about = tensor(random, 0.1 * value * length * length);
                 let load = [&[value][..], &center, &about].concat();
-                robot.asked.fields.push((Field::Payload(id), padded(&load)));
+                robot
+                    .options
+                    .fields
+                    .push((Field::Payload(id), padded(&load)));
             }
             4 if robot.moves(id) && robot.body(id).is_some_and(weighs) => {
                 let value = tensor(random, 0.1 * mass * length * length);
                 robot
-                    .asked
+                    .options
                     .fields
                     .push((Field::Inertia(id), padded(&value)));
             }
@@ -313,40 +332,40 @@ fn give_fields(robot: &mut Robot, modelled: &[usize], numbers: &mut Numbers) {
                 let angles = [(); 3].map(|()| 3.0 * random.unit());
                 let value = [anywhere(random), angles].concat();
                 robot
-                    .asked
+                    .options
                     .fields
                     .push((Field::Placement(id), padded(&value)));
             }
             _ => {}
         }
     }
-    if robot.asked.gravity.is_none() && numbers.random.chance(4) {
+    if robot.options.gravity.is_none() && numbers.random.chance(4) {
         let value = [(); 3].map(|()| 9.0 * numbers.random.unit());
-        robot.asked.fields.push((Field::Gravity, padded(&value)));
+        robot.options.fields.push((Field::Gravity, padded(&value)));
     }
 }
 
-/// Drives at joints, and links on which the surroundings act.
-fn load(robot: &mut Robot, numbers: &mut Numbers) {
+/// Adds random armature, damping and friction, and links with external wrenches.
+fn add_loads(robot: &mut Robot, numbers: &mut Numbers) {
     let inertia = 0.1 * numbers.mass * numbers.length * numbers.length;
     let random = &mut *numbers.random;
     if random.chance(3) {
         for body in robot.bodies.iter().filter(|body| body.kind != Kind::Fixed) {
             if random.chance(2) {
-                let drive = [0.5, 2.0, 1.0].map(|size| size * inertia * (1.5 + random.unit()));
-                robot.asked.drives.push((body.id, drive));
+                let actuator = [0.5, 2.0, 1.0].map(|size| size * inertia * (1.5 + random.unit()));
+                robot.options.actuators.push((body.id, actuator));
             }
         }
     }
     if random.chance(4) {
         let mut moving: Vec<usize> = robot.bodies.iter().map(|body| body.id).collect();
-        moving.retain(|&id| id == robot.asked.base || robot.models(id));
-        // The root is no joint's.
-        moving.extend((robot.asked.base == 0).then_some(0));
+        moving.retain(|&id| id == robot.options.base || robot.models(id));
+        // The root has no joint.
+        moving.extend((robot.options.base == 0).then_some(0));
         moving.retain(|&id| robot.moves(id));
         shuffle(&mut moving, random);
         moving.truncate(2);
-        robot.asked.external = (moving, random.chance(2));
+        robot.options.external = (moving, random.chance(2));
     }
 }
 

@@ -1,15 +1,23 @@
-//! How wrong a result is, in units of what it is made of.
+//! Errors of results of random robots, relative to the size of their terms.
 //!
-//! In: a result and a state, both by the coordinates of a [`Dense`]. Out: its largest error. Of a
-//! rotation the unit is 1, of an offset the robot's reach, of rates the sum of the joints' rates; of the
-//! torque of a joint the sum of the sizes of what its bodies ask of it, of an entry of the mass
-//! matrix the root of the two on its diagonal. Both of these can vanish where lever arms cancel, so
-//! that all masses at a hundredth of the reach stand beside them, and as much of all second moments; where
-//! the recursions run in frame 0, all of both. What drives and actions from outside are comes on top. A derivative of torques is measured by all masses at the end of
-//! all lever arms. What solves with the mass matrix is not compared but put back: the torques of the
-//! accelerations, and the matrix times its inverse, beside the magnitudes that they are sums of.
+//! In: a result and a state, both in the coordinates of a [`Dense`]. Out: the largest relative error. Limits are up to
+//! the caller.
 //!
-//! It decides nothing: what is wrong is for whoever asks.
+//! | result | relative to |
+//! |---|---|
+//! | rotation | 1 |
+//! | translation | the robot's size |
+//! | rates | the sum of the joints' rates |
+//! | torque | the sum of the terms of its bodies, actuators and external wrenches |
+//! | entry of the mass matrix | the root of the two diagonal entries |
+//! | derivative of a torque | all masses at the end of all lever arms |
+//!
+//! Torques and entries of the mass matrix can vanish where lever arms cancel. So their sizes include all masses at a
+//! hundredth of the robot's size and the like part of all second moments, or all of both if the recursions run in
+//! frame 0.
+//!
+//! Solutions with the mass matrix are verified backwards: the torques of the accelerations, and M M⁻¹, relative to the
+//! terms that they are sums of.
 
 use homogen_codegen::Function;
 use homogen_codegen::space::Variable;
@@ -21,27 +29,27 @@ use crate::oracle::robot as oracle;
 
 use super::dense::Dense;
 
-/// The truth about a robot and what to measure by.
+/// True values for a robot, and the sizes to compare errors with.
 pub struct Measure {
     robot: oracle::Robot,
-    /// What an offset is measured by.
+    /// The size of the robot \[m\].
     reach: f64,
-    /// What the rate of a point is measured by for a unit of the rate of a joint.
-    slide: f64,
-    /// What a unit of the rate of a joint turns others by that follow it, all together.
+    /// Speed of a point for a unit of a joint's rate: the longest lever arm \[m\].
+    arm: f64,
+    /// The largest sum of factors of mimic joints.
     gain: f64,
-    /// What stands for first moments that vanish [kg m].
+    /// A lower bound of first moments, which can vanish [kg m].
     first: f64,
-    /// What stands for second moments that vanish [kg m²].
+    /// A lower bound of second moments, which can vanish [kg m²].
     second: f64,
     gravity: f64,
-    /// What all bodies weigh together \[kg\].
+    /// The mass of all bodies \[kg\].
     mass: f64,
     /// The sum of their second moments [kg m²].
     moments: f64,
 }
 
-/// With respect to what a torque changes.
+/// The variable of a derivative.
 #[derive(Clone, Copy)]
 enum Change {
     Coordinate,
@@ -49,7 +57,7 @@ enum Change {
 }
 
 impl Measure {
-    /// Of a link's frame, where a function is of one.
+    /// The measure for functions of a link's frame, or of the whole robot.
     #[must_use]
     pub fn of(dense: &Dense, link: Option<usize>, in_frame_0: bool) -> Self {
         let mut robot = dense.robot.clone();
@@ -61,7 +69,7 @@ impl Measure {
         Self {
             robot,
             reach,
-            slide: reach + dense.slide,
+            arm: reach + dense.translation,
             gain: dense.gain,
             first,
             second: share * (share * reach * reach * dense.mass + dense.second),
@@ -71,7 +79,7 @@ impl Measure {
         }
     }
 
-    /// The largest error of a result.
+    /// The largest relative error of a result.
     ///
     /// # Panics
     /// For a function that has no measure.
@@ -83,20 +91,20 @@ impl Measure {
         let count = arguments[Variable::Qd].len();
         match function {
             Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
-            Function::Velocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.slide }),
-            Function::Acceleration => {
+            Function::TipVelocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.arm }),
+            Function::TipAcceleration => {
                 let rates = self.gain * sum(&arguments[Variable::Qdd]) + rates * rates;
-                compared(&|k| self.moved(k, rates))
+                compared(&|k| self.acceleration(k, rates))
             }
             Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
-                compared(&|k| self.gain * if k % 6 < 3 { 1.0 } else { self.slide })
+                compared(&|k| self.gain * if k % 6 < 3 { 1.0 } else { self.arm })
             }
             Function::SpatialJacobianRate
             | Function::BodyJacobianRate
             | Function::GeometricJacobianRate => {
-                compared(&|k| rates * if k % 6 < 3 { 1.0 } else { self.slide })
+                compared(&|k| rates * if k % 6 < 3 { 1.0 } else { self.arm })
             }
-            Function::AccelerationBias => compared(&|k| self.moved(k, rates * rates)),
+            Function::AccelerationBias => compared(&|k| self.acceleration(k, rates * rates)),
             Function::InverseDynamics | Function::Bias | Function::Gravity => {
                 let mut at = arguments.clone();
                 if function != Function::InverseDynamics {
@@ -115,13 +123,13 @@ impl Measure {
                 largest(found, &expected, &|k| roots[k / count] * roots[k % count])
             }
             Function::ForwardDynamics => {
-                self.lacking(found, arguments, &expected(Function::MassMatrix))
+                self.torque_residual(found, arguments, &expected(Function::MassMatrix))
             }
             Function::MassMatrixInverse => {
-                self.off_identity(found, count, &expected(Function::MassMatrix))
+                self.identity_residual(found, count, &expected(Function::MassMatrix))
             }
             Function::KineticEnergy => {
-                let size = rates * rates * (self.first * self.slide + self.second);
+                let size = rates * rates * (self.first * self.arm + self.second);
                 compared(&|_| size + expected(function)[0].to_f64())
             }
             Function::PotentialEnergy => {
@@ -129,22 +137,22 @@ impl Measure {
                 compared(&|_| size)
             }
             Function::Regressor => {
-                // A mass within reach, or first or second moments, moved and felt at a lever.
+                // A unit mass at the end of a lever arm, or unit moments.
                 let first = rates;
                 let rates = sum(&arguments[Variable::Qdd]) + rates * rates;
                 let columns = expected(function).len() / count.max(1);
                 let of_links = 10 * self.robot.bodies.iter().filter(|body| body.link).count();
                 compared(&|k| match k % columns.max(1) {
                     column if column >= of_links => rates + first + 1.0,
-                    column if column % 10 == 0 => (self.gravity + rates * self.slide) * self.slide,
-                    column if column % 10 < 4 => self.gravity + rates * self.slide,
+                    column if column % 10 == 0 => (self.gravity + rates * self.arm) * self.arm,
+                    column if column % 10 < 4 => self.gravity + rates * self.arm,
                     _ => rates,
                 })
             }
             Function::CenterOfMass => compared(&|_| self.reach),
-            Function::CenterOfMassVelocity => compared(&|_| rates * self.slide),
-            Function::CenterOfMassJacobian => compared(&|_| self.slide),
-            Function::Momentum | Function::CentroidalMomentum => {
+            Function::CenterOfMassVelocity => compared(&|_| rates * self.arm),
+            Function::CenterOfMassJacobian => compared(&|_| self.arm),
+            Function::TotalMomentum | Function::CentroidalMomentum => {
                 compared(&|k| rates * self.momentum(k))
             }
             Function::CentroidalMomentumMatrix => compared(&|k| self.momentum(k % 6)),
@@ -156,8 +164,8 @@ impl Measure {
             Function::ForwardDynamicsDerivatives => {
                 let (by_motion, inverse) = found.split_at(2 * count * count);
                 let matrix = expected(Function::MassMatrix);
-                let off = self.off_identity(inverse, count, &matrix);
-                off.max(self.unanswered(by_motion, arguments, &matrix))
+                let residual = self.identity_residual(inverse, count, &matrix);
+                residual.max(self.derivative_residual(by_motion, arguments, &matrix))
             }
             Function::GravityDerivative => {
                 let mut at = arguments.clone();
@@ -175,9 +183,9 @@ impl Measure {
         }
     }
 
-    /// What one rounding of all that torques are made of is, as accelerations, beside those of a state.
+    /// Accelerations caused by one rounding error of each torque's terms, relative to the accelerations of a state.
     #[must_use]
-    pub fn drowned(&self, arguments: &Arguments) -> f64 {
+    pub fn rounding_of_accelerations(&self, arguments: &Arguments) -> f64 {
         let evaluate = |function| frame_0::evaluate(&self.robot, function, 0, arguments);
         let sizes = self.torques(arguments).into_iter();
         let matrix = evaluate(Function::MassMatrix);
@@ -190,20 +198,19 @@ impl Measure {
         rounded.fold(0.0, f64::max) / found.fold(0.0, f64::max)
     }
 
-    /// What an entry of an acceleration is made of, where turns are accelerated so much: a point may fall as well, and what
-    /// holds it is taken off at the end.
-    fn moved(&self, entry: usize, rates: f64) -> f64 {
+    /// Size of an entry of an acceleration, for angular accelerations of this size; gravity is included, since
+    /// recursions subtract it at the end.
+    fn acceleration(&self, entry: usize, rates: f64) -> f64 {
         if entry % 4 == 3 {
-            rates * self.slide + self.gravity
+            rates * self.arm + self.gravity
         } else {
             rates
         }
     }
 
-    /// What the momentum of a unit rate is made of: its entry of that number, about whichever pole within
-    /// reach.
+    /// Size of an entry of the momentum at unit rates, about any reference point within the robot's size.
     fn momentum(&self, entry: usize) -> f64 {
-        let linear = self.mass * self.slide;
+        let linear = self.mass * self.arm;
         if entry < 3 {
             linear * self.reach + self.moments
         } else {
@@ -211,55 +218,54 @@ impl Measure {
         }
     }
 
-    /// What torques are made of.
+    /// Sizes of torques.
     fn torques(&self, at: &Arguments) -> Vec<f64> {
         let rates = self.gain * sum(&at[Variable::Qd]);
         let rates = self.gain * sum(&at[Variable::Qdd]) + rates * rates;
-        let floor = self.first * (self.gravity + rates * self.slide) + self.second * rates;
-        let floor = self.gain * (floor + self.pushed(at));
+        let floor = self.first * (self.gravity + rates * self.arm) + self.second * rates;
+        let floor = self.gain * (floor + self.external(at));
         let mut sizes = frame_0::torque_sizes(&self.robot, at);
-        for drive in &self.robot.drives {
-            let k = drive.velocity;
-            sizes[k] += drive.size(at[Variable::Qd][k], at[Variable::Qdd][k]);
+        for actuator in &self.robot.actuators {
+            let k = actuator.velocity;
+            sizes[k] += actuator.size(at[Variable::Qd][k], at[Variable::Qdd][k]);
         }
         sizes.into_iter().map(|size| size + floor).collect()
     }
 
-    /// What actions from outside are about whichever pole within reach.
-    fn pushed(&self, at: &Arguments) -> f64 {
+    /// Size of the moments of external wrenches about any reference point within the robot's size.
+    fn external(&self, at: &Arguments) -> f64 {
         let sizes = at[Variable::Actions].chunks(6).map(|action| {
             let (couple, force) = action.split_at(3);
-            sum(couple) + self.slide * sum(force)
+            sum(couple) + self.arm * sum(force)
         });
         sizes.sum()
     }
 
-    /// What a unit of a coordinate may change a torque by, and what one of a rate, friction and all.
+    /// Sizes of ∂τ/∂q and of ∂τ/∂q̇, damping included.
     fn changes(&self, at: &Arguments) -> [f64; 2] {
-        let damping = self.robot.drives.iter();
-        let damping = damping.map(|drive| drive.damping().to_f64());
+        let damping = self.robot.actuators.iter();
+        let damping = damping.map(|actuator| actuator.damping().to_f64());
         [
             self.change(at, Change::Coordinate),
             self.change(at, Change::Rate) + damping.sum::<f64>(),
         ]
     }
 
-    /// What a unit of a coordinate, or of its rate, may change a torque by: all masses at the end of all
-    /// lever arms.
+    /// Size of ∂τ/∂q or of ∂τ/∂q̇: all masses at the end of all lever arms.
     fn change(&self, at: &Arguments, of: Change) -> f64 {
         let rates = self.gain * sum(&at[Variable::Qd]);
-        let inertia = self.mass * self.slide * self.slide + self.second;
+        let inertia = self.mass * self.arm * self.arm + self.second;
         let size = match of {
             Change::Coordinate => {
                 let rates = self.gain * sum(&at[Variable::Qdd]) + rates * rates;
-                self.mass * self.slide * self.gravity + inertia * rates + self.pushed(at)
+                self.mass * self.arm * self.gravity + inertia * rates + self.external(at)
             }
             Change::Rate => inertia * rates,
         };
         self.gain * self.gain * size
     }
 
-    /// The roots of the diagonal of the mass matrix.
+    /// Roots of the diagonal of the mass matrix.
     fn roots(&self, matrix: &[Big], count: usize) -> Vec<f64> {
         let diagonal = (0..count).map(|k| matrix[k * count + k].to_f64());
         diagonal
@@ -267,8 +273,8 @@ impl Measure {
             .collect()
     }
 
-    /// τ less the torques of the accelerations found.
-    fn lacking(&self, qdd: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
+    /// τ less the torques of the computed accelerations, relative to the size of both.
+    fn torque_residual(&self, qdd: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
         let roots = self.roots(matrix, qdd.len());
         let opposed = product(qdd, &roots);
         let mut at = arguments.clone();
@@ -281,10 +287,11 @@ impl Measure {
         })
     }
 
-    /// M times derivatives of accelerations, and what inverse dynamics changes by, beside what that is for
-    /// accelerations as large as those that torques may be off by. Derivatives are M⁻¹ times what torques change by:
-    /// where large terms of that product cancel, no more is asked than that each term is right.
-    fn unanswered(&self, found: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
+    /// M ∂q̈ + ∂τ of inverse dynamics, which is zero for exact derivatives of accelerations, relative to its terms.
+    ///
+    /// The size of ∂τ is that at accelerations as large as rounding errors of torques cause. Where the terms of M⁻¹ ∂τ
+    /// cancel, only their own accuracy is required.
+    fn derivative_residual(&self, found: &[f64], arguments: &Arguments, matrix: &[Big]) -> f64 {
         let count = arguments[Variable::Qd].len();
         let evaluate = |function, at: &Arguments| frame_0::evaluate(&self.robot, function, 0, at);
         let mut at = arguments.clone();
@@ -325,8 +332,8 @@ impl Measure {
         worst
     }
 
-    /// M times its inverse, less 1.
-    fn off_identity(&self, inverse: &[f64], count: usize, matrix: &[Big]) -> f64 {
+    /// M M⁻¹ − 1, relative to its terms.
+    fn identity_residual(&self, inverse: &[f64], count: usize, matrix: &[Big]) -> f64 {
         let roots = self.roots(matrix, count);
         let mut worst: f64 = 0.0;
         for j in 0..count {
@@ -343,7 +350,7 @@ impl Measure {
     }
 }
 
-/// The largest error beside the size of its entry. An entry made of nothing must be nothing.
+/// The largest error relative to the size of its entry; an entry of size 0 must have no error.
 fn largest(found: &[f64], expected: &[Big], size: &dyn Fn(usize) -> f64) -> f64 {
     assert_eq!(found.len(), expected.len(), "the same shape");
     let errors = found.iter().zip(expected).enumerate().map(|(k, (x, y))| {

@@ -1,7 +1,7 @@
-//! A robot on both sides: what the generator understood of it, and the oracle's truth.
+//! A random robot in the generator and in the oracle.
 //!
-//! In: a [`Robot`] and a [`Case`]. Out: what became of the program. Programs run in `f64`; states are
-//! drawn joint by joint, so that a robot that has lost a joint is in the same state otherwise.
+//! In: a [`Robot`] and a [`Case`]. Out: the outcome of the program, run in `f64`. States are drawn joint by joint, so
+//! that a robot from which a joint was removed is otherwise at the same state.
 
 use std::cell::OnceCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -27,17 +27,17 @@ use super::cases::{Case, Choice};
 use super::dense::{Dense, Entry};
 use super::measure::Measure;
 use super::regular::pivot;
-use super::robot::{Asked, Field, NUMBERS, Robot};
+use super::robot::{Field, NUMBERS, Options, Robot};
 use super::text;
 
-/// What every function is right to, beside the sizes that [`measure`](super::measure) tells.
+/// The limit of the errors of [`measure`](super::measure).
 pub const TOLERANCE: f64 = 1e-10;
 
-/// How far an entry of the mass matrix may sink by elimination before accelerations may be none.
+/// Relative pivot of the mass matrix below which a state counts as singular.
 const REGULAR: f64 = 1e-8;
 
-/// The same for a function: derivatives solve with what their torques change by, which has been rounded, and with
-/// accelerations that were found.
+/// The same for a function. Derivatives are solutions with right-hand sides that are rounded, and at accelerations that
+/// are solutions themselves.
 fn regular(function: Function) -> f64 {
     match function {
         Function::ForwardDynamicsDerivatives => 10.0 * REGULAR,
@@ -45,37 +45,37 @@ fn regular(function: Function) -> f64 {
     }
 }
 
-/// How much earlier a function may be refused by name: the engine does where four times the error that it measured,
-/// which is of several roundings, leaves less than half of the digits.
+/// Factor of the pivot up to which a function may be refused by name. The engine refuses if four times its measured
+/// error, of several roundings, leaves less than half of the digits.
 const EARLIER: f64 = 10.0;
 
-/// What became of a program.
+/// The outcome of a program without a failure.
 pub enum Outcome {
-    /// It was refused by name, and might be.
+    /// Refused by name, as it may be.
     Refused,
-    /// It is right to so much.
+    /// Right, with this error.
     Within(f64),
-    /// There is no such function of this robot.
-    Nothing,
+    /// The robot has no such function.
+    NotApplicable,
 }
 
-/// A robot on both sides, and states.
+/// A robot in the generator and in the oracle, with states.
 pub struct Prepared<'r> {
     robot: &'r Robot,
     chain: Chain,
-    /// The engine's own judgement, which a user gets with every program.
+    /// The engine's own check of every program.
     check: Check,
     dense: Dense,
     states: Vec<Arguments>,
-    /// What is left of the mass matrix in each of them.
+    /// The smallest relative pivot of the mass matrix at each state.
     pivots: OnceCell<Vec<f64>>,
 }
 
 impl<'r> Prepared<'r> {
-    /// Reads a robot, and draws states for the joints that move.
+    /// Reads a robot, and draws states.
     ///
     /// # Errors
-    /// Where a reader or the engine refuses it, or other coordinates or velocities are listed than should be.
+    /// If a reader or the engine rejects it, or the names of coordinates or velocities differ from the expected ones.
     pub fn of(robot: &'r Robot, seed: u64, states: usize) -> Result<Self, String> {
         let understood = guarded(|| {
             let (description, request) = text::read(robot)?;
@@ -104,7 +104,7 @@ impl<'r> Prepared<'r> {
                 Variable::Qd => drawn(&dense.velocities, seed, 4 * state + 1),
                 Variable::Qdd => drawn(&dense.velocities, seed, 4 * state + 2),
                 Variable::Tau => drawn(&dense.velocities, seed, 4 * state + 3),
-                Variable::Actions => pushes(robot, seed, state),
+                Variable::Actions => wrenches(robot, seed, state),
                 other => unreachable!("no function has {other:?}"),
             })
         };
@@ -119,12 +119,12 @@ impl<'r> Prepared<'r> {
         })
     }
 
-    /// The truth about it.
+    /// The robot in dense matrices.
     pub(super) const fn dense(&self) -> &Dense {
         &self.dense
     }
 
-    /// What the generator made of it.
+    /// The chain that the generator builds.
     #[must_use]
     pub const fn chain(&self) -> &Chain {
         &self.chain
@@ -133,11 +133,11 @@ impl<'r> Prepared<'r> {
     /// Runs a program.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// A description of the failure.
     pub fn check(&self, case: Case) -> Result<Outcome, String> {
         let frames = self.chain.frames.len();
         if case.function.of_a_frame() && frames == 0 {
-            return Ok(Outcome::Nothing);
+            return Ok(Outcome::NotApplicable);
         }
         let frame = FrameId::new(case.frame % frames.max(1));
         let Some(program) = guarded(|| self.program(case, frame))?? else {
@@ -148,9 +148,9 @@ impl<'r> Prepared<'r> {
         for (state, arguments) in self.states.iter().enumerate() {
             let found = run::<f64>(&program, |input| self.input(input, arguments));
             if let Some(bad) = found.iter().find(|entry| !entry.is_finite()) {
-                // A robot may pass through a posture without accelerations, but must have others.
-                let asked = case.choice != Choice::Default;
-                let passes = asked || (0..self.states.len()).any(|state| !singular(state));
+                // A robot may pass through a singular configuration, but not all of its states may be singular.
+                let options = case.choice != Choice::Default;
+                let passes = options || (0..self.states.len()).any(|state| !singular(state));
                 if singular(state) && passes {
                     continue;
                 }
@@ -158,7 +158,7 @@ impl<'r> Prepared<'r> {
             }
             let error = self.error(case, frame, &found, arguments);
             let allowed = self.allowed(case.function, state);
-            // Not a number is no error within anything.
+            // False for NaN.
             if error.partial_cmp(&allowed) != Some(std::cmp::Ordering::Less) {
                 return Err(format!(
                     "an error of {error:.1e}\n{} found {found:?}",
@@ -170,10 +170,10 @@ impl<'r> Prepared<'r> {
         Ok(Outcome::Within(worst))
     }
 
-    /// The worst error of functions that are made as one.
+    /// The worst error of functions that are generated together.
     ///
     /// # Errors
-    /// Where they are refused.
+    /// If they are refused.
     pub fn together(&self, functions: &[Function]) -> Result<f64, String> {
         let program = guarded(|| program(&self.chain, functions, FrameId::FIRST, Real::F64))?;
         let program = program.map_err(|errors| format!("refused: {errors}"))?;
@@ -199,18 +199,18 @@ impl<'r> Prepared<'r> {
         Ok(worst)
     }
 
-    /// The program of a case; none where it is refused by name, and may be.
+    /// The program of a case; `None` if it is refused by name, and may be.
     fn program(&self, case: Case, frame: FrameId) -> Result<Option<Program>, String> {
         let functions = [case.function];
         let singular = |state| self.is_singular(case.function, state);
         let refusable = regular(case.function) * EARLIER;
         let program = match case.choice {
             Choice::By(layout, way) => {
-                // A form that nobody asked for may be one that this robot cannot bear.
+                // A layout or algorithm chosen at random may be unsuitable for this robot.
                 if (0..self.states.len()).any(singular) {
                     return Ok(None);
                 }
-                // Nor is there a centre of no mass.
+                // A robot without mass has no centre of mass.
                 if case.function.is_of_mass() && self.is_weightless() {
                     return Ok(None);
                 }
@@ -227,14 +227,14 @@ impl<'r> Prepared<'r> {
         };
         program.map(Some).or_else(|errors| {
             let refusal = format!("refused: {errors}");
-            // What the engine says of itself is no refusal.
+            // A failure of the engine's own check is no refusal.
             let own = refusal.contains("fault of homogen");
-            // Of a small arm far from the base, frame 0 may keep too few digits.
+            // For a small arm far from the base, frame 0 may lose too many digits.
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
             let weightless = case.function.is_of_mass() && refusal.contains("has mass");
-            let states = || (0..self.states.len()).any(|state| self.sinks(state) < refusable);
-            let described = || self.sinks_as_described() < refusable;
+            let states = || (0..self.states.len()).any(|state| self.least_pivot(state) < refusable);
+            let described = || self.pivot_as_described() < refusable;
             let excused = || solves && (states() || described() || self.cancels());
             if far || weightless && self.is_weightless() || !own && excused() {
                 Ok(None)
@@ -244,7 +244,7 @@ impl<'r> Prepared<'r> {
         })
     }
 
-    /// What a user gets: the program that the engine chooses, which has passed its own check.
+    /// The program of a user: that of the engine's choice, which has passed the engine's check.
     fn chosen(
         &self,
         formulation: Formulation,
@@ -258,37 +258,36 @@ impl<'r> Prepared<'r> {
         Ok(program)
     }
 
-    /// Whether nothing that moves is described with a mass.
+    /// True if no body that moves is described with a mass.
     fn is_weightless(&self) -> bool {
         let described = Robot {
-            asked: Asked {
+            options: Options {
                 fields: Vec::new(),
-                ..self.robot.asked.clone()
+                ..self.robot.options.clone()
             },
             ..self.robot.clone()
         };
         frame_0::mass(&Dense::of(&described).robot) == 0.0
     }
 
-    /// Whether a function of accelerations may be none: where the mass matrix is singular or nearly.
+    /// True if a function may have no result at a state, since the mass matrix is nearly singular.
     fn is_singular(&self, function: Function, state: usize) -> bool {
-        function.solves() && self.sinks(state) < regular(function)
+        function.solves() && self.least_pivot(state) < regular(function)
     }
 
-    /// What a function may be off by: more than usual where what is in a field leaves little of the mass matrix, since
-    /// nobody knew it who could have chosen another form, or refused.
+    /// The limit of an error: larger where values of fields make the mass matrix nearly singular, since they were
+    /// unknown when the algorithm was chosen.
     fn allowed(&self, function: Function, state: usize) -> f64 {
         const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
-        if self.robot.asked.fields.is_empty() || !function.solves() {
+        if self.robot.options.fields.is_empty() || !function.solves() {
             return TOLERANCE;
         }
         TOLERANCE.max(ROUNDINGS / pivot(&self.dense, &self.states[state]))
     }
 
-    /// How far an entry of the mass matrix sinks by elimination in a state, with what is in the fields, with what is
-    /// described in their place, or with what the engine takes for a field in whose place nothing but
-    /// zeros are described: the end of its range.
-    fn sinks(&self, state: usize) -> f64 {
+    /// The smallest relative pivot of the mass matrix at a state: with the values of the fields, with the described
+    /// values in their place, or with the end of the engine's range for a field whose described values are zero.
+    fn least_pivot(&self, state: usize) -> f64 {
         const END: f64 = 1.0; // 1 kg, 1 m, 1 kg m² or 1 m/s²
         let end = |field: Field| -> [f64; NUMBERS] {
             let (far, wide) = (0.25, 0.0625);
@@ -301,16 +300,16 @@ impl<'r> Prepared<'r> {
         };
         let pivots = self.pivots.get_or_init(|| {
             let with = |fields: Vec<(Field, [f64; NUMBERS])>| {
-                let asked = Asked {
+                let options = Options {
                     fields,
-                    ..self.robot.asked.clone()
+                    ..self.robot.options.clone()
                 };
                 Dense::of(&Robot {
-                    asked,
+                    options,
                     ..self.robot.clone()
                 })
             };
-            let fields = self.robot.asked.fields.iter().zip(&self.chain.nominal);
+            let fields = self.robot.options.fields.iter().zip(&self.chain.nominal);
             let undescribed =
                 fields.filter(|(_, nominal)| nominal.iter().all(|&entry| entry == 0.0));
             let at_the_end = undescribed.map(|((field, _), _)| (*field, end(*field)));
@@ -324,8 +323,9 @@ impl<'r> Prepared<'r> {
         pivots[state]
     }
 
-    /// The same in the posture of the description, near which the engine looks at every eighth state.
-    fn sinks_as_described(&self) -> f64 {
+    /// The relative pivot in the configuration of the description, near which the engine measures at every eighth
+    /// state.
+    fn pivot_as_described(&self) -> f64 {
         let mut described = self.states[0].clone();
         let q = &mut described[Variable::Q];
         q.fill(0.0);
@@ -335,12 +335,12 @@ impl<'r> Prepared<'r> {
         pivot(&self.dense, &described)
     }
 
-    /// Whether a joint does what its follower takes back, so that rounding leaves half of the digits of
-    /// accelerations at most.
+    /// True if a mimic joint cancels the motion of its mimicked joint so nearly that rounding leaves at most half of
+    /// the digits of accelerations.
     fn cancels(&self) -> bool {
         let measure = Measure::of(&self.dense, None, false);
-        let drowned = |at: &Arguments| measure.drowned(at) > f64::EPSILON.sqrt();
-        !self.chain.all_lead() && self.states.iter().any(drowned)
+        let is_lost = |at: &Arguments| measure.rounding_of_accelerations(at) > f64::EPSILON.sqrt();
+        !self.chain.all_lead() && self.states.iter().any(is_lost)
     }
 
     pub(super) fn input(&self, input: Input, arguments: &Arguments) -> f64 {
@@ -351,12 +351,12 @@ impl<'r> Prepared<'r> {
                 arguments[variable][place]
             }
             Input::Parameter(field, entry) => {
-                self.robot.asked.fields[usize::from(field)].1[usize::from(entry)]
+                self.robot.options.fields[usize::from(field)].1[usize::from(entry)]
             }
         }
     }
 
-    /// The place among the dense robot's of a coordinate or a velocity of the chain.
+    /// The index, in the dense robot, of a coordinate or velocity of the chain.
     pub(super) fn place(&self, space: Space, index: usize) -> usize {
         let name = &self.chain.spaces().entries(space)[index].name;
         let entries = match space {
@@ -369,7 +369,7 @@ impl<'r> Prepared<'r> {
             .expect("the same entries")
     }
 
-    /// The largest error of a result, in units of what it is made of.
+    /// The largest relative error of a result.
     fn error(&self, case: Case, frame: FrameId, found: &[f64], arguments: &Arguments) -> f64 {
         let link = self.chain.frames.get(frame).map(|frame| id(&frame.name));
         let measure = Measure::of(&self.dense, link, case.in_frame_0());
@@ -377,7 +377,7 @@ impl<'r> Prepared<'r> {
         measure.error(case.function, &found, arguments)
     }
 
-    /// A result by the velocities of the dense robot instead of the chain's.
+    /// A result in the order of the dense robot's velocities.
     pub(super) fn in_order(&self, function: Function, found: &[f64]) -> Vec<f64> {
         let mut order = vec![0; self.dense.velocities.len()];
         for velocity in 0..order.len() {
@@ -396,15 +396,15 @@ impl<'r> Prepared<'r> {
         parts.flatten().collect()
     }
 
-    /// For each inertial parameter of the dense robot its place among the chain's: of each link that moves against the one
-    /// it hangs on, ten; of what drives joints, three for each velocity.
+    /// For each inertial parameter of the dense robot, its index among those of the chain: ten for each link that a
+    /// joint moves, three for each velocity with actuator parameters.
     pub(super) fn parameters(&self) -> Vec<usize> {
         let places = self.links().into_iter();
         let parameters = places.flat_map(|place| (0..10).map(move |k| 10 * place + k));
-        parameters.chain(self.drives()).collect()
+        parameters.chain(self.actuator_parameters()).collect()
     }
 
-    /// For each link of the dense robot that moves against the one it hangs on, its place among the chain's.
+    /// For each link of the dense robot that a joint moves, its index among those of the chain.
     fn links(&self) -> Vec<usize> {
         let parameters = &self.chain.spaces().parameters;
         let names = parameters
@@ -420,13 +420,13 @@ impl<'r> Prepared<'r> {
             .collect()
     }
 
-    /// For each number of each drive of the dense robot its place among the chain's parameters; none where the chain
-    /// identifies no drives.
-    fn drives(&self) -> Vec<usize> {
+    /// For each actuator parameter of the dense robot, its index among those of the chain; none if the chain does not
+    /// identify them.
+    fn actuator_parameters(&self) -> Vec<usize> {
         if !self.chain.identifies_drives {
             return Vec::new();
         }
-        // A joint ends with the body that is its link.
+        // The last body of a joint has its link.
         let mut link = None;
         let backwards = self.chain.joints.iter().rev().map(|joint| {
             link = joint.link.as_ref().map(|(name, _)| id(name)).or(link);
@@ -435,10 +435,10 @@ impl<'r> Prepared<'r> {
         let mut known: Vec<Option<usize>> = backwards.collect();
         known.reverse();
         let before = self.chain.spaces().parameters.len() - 3 * known.len();
-        let places = self.dense.driven().into_iter().map(|link| {
+        let places = self.dense.actuated_links().into_iter().map(|link| {
             let place = known.iter().position(|other| *other == Some(link));
             let place = place.expect("the same joints");
-            // The next of the same joint stands behind it.
+            // The next velocity of the same joint is behind it.
             known[place] = None;
             before + 3 * place
         });
@@ -446,7 +446,7 @@ impl<'r> Prepared<'r> {
     }
 }
 
-/// The parts of nested arrays in other orders, the outermost first.
+/// Parts of nested arrays in another order, the outermost first.
 fn permuted(found: &[f64], orders: &[&[usize]]) -> Vec<f64> {
     let Some((order, inner)) = orders.split_first() else {
         return found.to_vec();
@@ -456,7 +456,7 @@ fn permuted(found: &[f64], orders: &[&[usize]]) -> Vec<f64> {
     parts.flat_map(|part| permuted(part, inner)).collect()
 }
 
-/// One number in [−4, 4) for each entry, which depends on nothing but the number of its joint and its part.
+/// A number in [−4, 4) for each entry, determined by the seed, the number of its joint and its part.
 fn drawn(entries: &[Entry], seed: u64, of: u64) -> Vec<f64> {
     let number = |entry: &Entry| {
         let place = ((entry.joint as u64) << 48) ^ ((entry.part as u64) << 40);
@@ -466,8 +466,8 @@ fn drawn(entries: &[Entry], seed: u64, of: u64) -> Vec<f64> {
     entries.iter().map(number).collect()
 }
 
-/// c and f of each action from outside, which depend on nothing but the link.
-fn pushes(robot: &Robot, seed: u64, state: u64) -> Vec<f64> {
+/// c and f of each external wrench, determined by the seed, the state and the link.
+fn wrenches(robot: &Robot, seed: u64, state: u64) -> Vec<f64> {
     let actions = robot.acted_on().flat_map(|link| {
         let mut random = Random::new(seed ^ (state << 32) ^ ((link as u64) << 48) ^ 1);
         [(); 6].map(|()| 4.0 * random.unit())
@@ -475,7 +475,7 @@ fn pushes(robot: &Robot, seed: u64, state: u64) -> Vec<f64> {
     actions.collect()
 }
 
-/// The same for coordinates, with quaternions of length 1 to rounding.
+/// The same for coordinates, with normalised quaternions.
 fn coordinates(dense: &Dense, seed: u64, of: u64) -> Vec<f64> {
     let mut q = drawn(&dense.coordinates, seed, of);
     for start in dense.robot.quaternions() {
@@ -494,7 +494,7 @@ pub(super) fn id(name: &str) -> usize {
     digits.parse().expect("names end in their number")
 }
 
-/// A panic as a message.
+/// The result of a function; a panic is an error with its message.
 pub(super) fn guarded<X>(work: impl FnOnce() -> X) -> Result<X, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
         let text = panic.downcast_ref::<String>().cloned();

@@ -1,10 +1,9 @@
-//! Base parameters of a robot, against its regressor in 256 bits.
+//! Base parameters of random robots, compared with the rank of their regressors in 256 bits.
 //!
-//! In: a [`Robot`] and its unit of length. Out: how many base parameters it has, if they are as many as columns of the
-//! regressor that do not depend on each other, but for those that 106 bits do not tell from combinations of others, and make
-//! all of them: Y_b K = Y; or that they are refused by name. The
-//! regressor is that of the [oracle](crate::oracle), at random states; its elimination shares nothing with
-//! the engine.
+//! In: a [`Robot`] and its unit of length. Out: the number of its base parameters, if it is the rank of the regressor
+//! (except for columns whose independence is below 106 bits) and if the base parameters reproduce all columns,
+//! Y_b K = Y; or a refusal by name. Regressors are those of the [oracle](crate::oracle) at random states; their
+//! elimination shares nothing with the engine.
 
 mod elimination;
 
@@ -24,38 +23,38 @@ use super::robot::Robot;
 use super::text;
 use elimination::{Rank, rank};
 
-/// How far a column by base parameters may be off, beside itself.
+/// The limit of an error in Y_b K, relative to the column.
 const OFF: f64 = 1e-10;
 
-/// So much of the largest entry of a column, 106 bits do not tell from nothing once columns have been eliminated.
+/// Rounding error of 106 bits after elimination, relative to the largest entry of a column.
 const ROUNDING: f64 = 1e-22;
 
-/// And so much of an entry without units, where it is one of a column of nothing.
+/// The same without units, for a column of zeros.
 const NOTHING: f64 = 1e-26;
 
-/// What the base parameters of a robot are.
+/// The comparison of the number of base parameters with the rank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ranked {
-    /// So many, and right.
+    /// Equal to the rank.
     Right(usize),
-    /// So many, where more would be independent by a part of their torques that 106 bits do not tell from nothing.
+    /// Smaller than the rank, by columns whose independence is below 106 bits.
     RightTo106Bits(usize),
-    /// They cannot be told apart, as the engine says.
+    /// Refused: the engine cannot decide.
     Refused,
-    /// 256 bits do not tell how many there are.
+    /// The rank is undecided in 256 bits.
     Unknown,
 }
 
-/// The regressor at a state, by its columns, without units.
+/// A regressor at a state, by columns, without units.
 type Columns = Vec<Vec<Big>>;
 
 /// Compares the base parameters of a robot.
 ///
 /// # Errors
-/// What is wrong with them.
+/// A description of the difference.
 ///
 /// # Panics
-/// If a chain that was identified has no base parameters.
+/// If an identified chain has no base parameters.
 pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     let prepared = Prepared::of(robot, seed, 1)?;
     let found = guarded(|| {
@@ -66,17 +65,17 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     let found = match found {
         Ok(chain) => chain.base_parameters.expect("it is identified"),
         Err(refusal) => {
-            let said = refusal.to_string();
-            let by_name = said.contains("cannot be told apart") && !said.contains("fault");
+            let message = refusal.to_string();
+            let by_name = message.contains("cannot be told apart") && !message.contains("fault");
             return if by_name {
                 Ok(Ranked::Refused)
             } else {
-                Err(format!("refused: {said}"))
+                Err(format!("refused: {message}"))
             };
         }
     };
-    let states = Seen::new(&prepared, length, seed);
-    makes_all(&found, &prepared, &states)?;
+    let states = Regressors::new(&prepared, length, seed);
+    reproduces_all(&found, &prepared, &states)?;
     let rows: Vec<Columns> = (0..states.enough()).map(|state| states.at(state)).collect();
     let groups = found.groups.len();
     match rank(&rows, &states.order()) {
@@ -91,11 +90,11 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     }
 }
 
-/// Holds each column of Y against that of Y_b K, at two states.
-fn makes_all(
+/// Compares each column of Y with that of Y_b K, at two states.
+fn reproduces_all(
     found: &BaseParameters,
     prepared: &Prepared<'_>,
-    states: &Seen<'_>,
+    states: &Regressors<'_>,
 ) -> Result<(), String> {
     let places = prepared.parameters();
     let column = |parameter: usize| {
@@ -106,9 +105,9 @@ fn makes_all(
     };
     let mut terms: Vec<Vec<(usize, f64)>> = vec![Vec::new(); places.len()];
     for group in &found.groups {
-        let leader = column(group.leader().index());
+        let leading = column(group.leader().index());
         for (member, factor) in &group.members {
-            terms[column(member.index())].push((leader, *factor));
+            terms[column(member.index())].push((leading, *factor));
         }
     }
     let seen = [1_000_000, 1_000_001].map(|state| states.at(state));
@@ -116,20 +115,20 @@ fn makes_all(
         let entries = seen.iter().flat_map(|at| &at[k]);
         let entries = entries.map(|entry| entry.abs().to_f64());
         let rounding = NOTHING + ROUNDING * entries.fold(0.0, f64::max);
-        // Rows have units of their own.
+        // Each row has its own unit.
         for row in 0..seen[0][k].len() {
             let (mut off, mut whole) = (0.0_f64, 0.0_f64);
             for at in &seen {
                 let mut rest = at[k][row].clone();
                 whole = whole.max(rest.abs().to_f64());
-                for (leader, factor) in terms {
-                    let term = &at[*leader][row] * &Big::new(*factor) * &states.ratio(*leader, k);
+                for (leading, factor) in terms {
+                    let term = &at[*leading][row] * &Big::new(*factor) * &states.ratio(*leading, k);
                     whole = whole.max(term.abs().to_f64());
                     rest = rest - term;
                 }
                 off = off.max(rest.abs().to_f64());
             }
-            // Not a number is not within anything.
+            // NaN fails too.
             if off.is_nan() || off > OFF * whole + rounding {
                 let name = &prepared.chain().spaces().parameters[Id::new(places[k])].name;
                 return Err(format!(
@@ -141,18 +140,18 @@ fn makes_all(
     Ok(())
 }
 
-/// Regressors of a robot at random states, on the scales of its lengths and of gravity.
-struct Seen<'p> {
+/// Regressors of a robot at random states, scaled by its length and gravity.
+struct Regressors<'p> {
     prepared: &'p Prepared<'p>,
     length: f64,
     rate: f64,
     seed: u64,
-    /// Of each velocity and of each column, what an entry is divided by.
+    /// The divisors of rows, one for each velocity, and of columns.
     rows: Vec<f64>,
     columns: Vec<f64>,
 }
 
-impl<'p> Seen<'p> {
+impl<'p> Regressors<'p> {
     fn new(prepared: &'p Prepared<'p>, length: f64, seed: u64) -> Self {
         let rate = (10.0 / length).sqrt();
         let links = prepared
@@ -167,10 +166,10 @@ impl<'p> Seen<'p> {
             .chain([second * length; 3])
             .chain([second; 6]);
         let of_links = links.flat_map(|_| of_link.clone());
-        let drives = prepared.parameters().len();
+        let parameters = prepared.parameters().len();
         let mut columns: Vec<f64> = of_links.collect();
-        let drives = (drives - columns.len()) / 3;
-        columns.extend((0..drives).flat_map(|_| [second, rate, 1.0]));
+        let velocities = (parameters - columns.len()) / 3;
+        columns.extend((0..velocities).flat_map(|_| [second, rate, 1.0]));
         let mut seen = Self {
             prepared,
             length,
@@ -186,7 +185,7 @@ impl<'p> Seen<'p> {
         seen
     }
 
-    /// The unit of length where an entry slides, in the order of the dense robot.
+    /// The unit of each entry: the unit of length for translations, else 1; in the order of the dense robot.
     fn units(&self, space: Space) -> impl Iterator<Item = f64> {
         let entries = self.prepared.chain().spaces().entries(space);
         let mut units = vec![1.0; entries.len()];
@@ -198,7 +197,7 @@ impl<'p> Seen<'p> {
         units.into_iter()
     }
 
-    /// So many states that more tell nothing new: of one, one row of each velocity that moves a link against the next.
+    /// A number of states that suffices for the rank: each state has one row for each velocity.
     fn enough(&self) -> u64 {
         let robot = &self.prepared.dense().robot;
         let mut moved = vec![0_u64; robot.velocities()];
@@ -222,12 +221,12 @@ impl<'p> Seen<'p> {
         order
     }
 
-    /// What an entry of a column is multiplied by to be one of another column.
+    /// The factor that converts an entry of one column to the units of another.
     fn ratio(&self, from: usize, to: usize) -> Big {
         Big::new(self.columns[from]) / Big::new(self.columns[to])
     }
 
-    /// The regressor at the state of that number.
+    /// The regressor at a state.
     fn at(&self, state: u64) -> Columns {
         let mut random = Random::new(self.seed ^ (state << 20));
         let mut drawn = |space, scale: f64| -> Vec<f64> {

@@ -1,7 +1,6 @@
-//! Whether accelerations can be asked of a robot at all.
+//! Conditioning of the mass matrix.
 //!
-//! In: a robot in matrices and a state. Out: how much elimination leaves of its mass matrix. It
-//! decides nothing.
+//! In: a robot in matrices and a state. Out: the smallest pivot of its mass matrix, relative to the diagonal entry.
 
 use homogen_codegen::Function;
 use homogen_codegen::space::Variable;
@@ -12,25 +11,25 @@ use crate::oracle::frame_0;
 
 use super::dense::Dense;
 
-/// A joint that all mass is nearer to than this part of the reach counts as carrying none.
+/// Lever arm, relative to the robot's size, below which a joint counts as carrying no mass.
 const NO_ARM: f64 = 1e-6;
 
-/// What no inertia is smaller than [kg m²], in whatever units a file is written.
-const NOTHING: f64 = 1e-40;
+/// Inertia below which a joint counts as carrying none, in any units [kg m²].
+const NEGLIGIBLE: f64 = 1e-40;
 
-/// The least that elimination leaves of a diagonal entry of the mass matrix, beside that entry: 1 of a
-/// diagonal matrix, 0 of a singular one, or where a joint carries nothing.
+/// The smallest pivot of the mass matrix, relative to its diagonal entry: 1 for a diagonal matrix, 0 for a singular
+/// one, or if a joint carries no mass.
 #[must_use]
 pub fn pivot(dense: &Dense, arguments: &Arguments) -> f64 {
     let count = arguments[Variable::Qd].len();
     let matrix = frame_0::evaluate(&dense.robot, Function::MassMatrix, 0, arguments);
     let mut rows: Vec<Vec<Big>> = matrix.chunks(count).map(<[Big]>::to_vec).collect();
     let arm = NO_ARM * dense.reach;
-    let nothing = Big::new(dense.mass * arm * arm + NOTHING);
+    let negligible = Big::new(dense.mass * arm * arm + NEGLIGIBLE);
     let mut least: f64 = 1.0;
     for k in 0..count {
         let entry = &matrix[k * count + k];
-        if *entry <= nothing || rows[k][k] <= Big::zero() {
+        if *entry <= negligible || rows[k][k] <= Big::zero() {
             return 0.0;
         }
         least = least.min((&rows[k][k] / entry).to_f64());

@@ -1,8 +1,8 @@
-//! A robot as its file has it, number by number, and what is asked of it.
+//! A random robot as its file has it, number by number, and a request.
 //!
-//! In: what [`grow`](super::grow) draws. Out: the noun that everything else here reads. The link a
-//! joint carries has the joint's number, the root is link 0; numbers stay when others are taken
-//! away, so that a smaller robot moves as the one before. It computes nothing but who carries whom.
+//! In: the choices of [`grow`](super::grow). Out: the robot that all other modules here read. A link has the number of
+//! its joint; the root is link 0. Numbers stay when other joints are removed, so that a smaller robot is at the same
+//! states.
 
 use crate::big::Big;
 
@@ -12,14 +12,14 @@ use super::written::{Reading, Written};
 /// A description and a request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Robot {
-    /// What link 0 weighs, which nothing feels.
+    /// The inertial of link 0, which has no effect on a fixed base.
     pub root: Option<Inertial>,
-    /// In the order of the text.
+    /// Joints and links, in the order of the text.
     pub bodies: Vec<Body>,
-    /// What is asked.
-    pub asked: Asked,
-    /// Through which reader it goes.
-    pub door: Door,
+    /// The request.
+    pub options: Options,
+    /// The reader that reads it.
+    pub front_end: FrontEnd,
 }
 
 /// A joint and the link that it carries.
@@ -27,21 +27,21 @@ pub struct Robot {
 pub struct Body {
     /// The number of both.
     pub id: usize,
-    /// The link it hangs on.
+    /// The parent link.
     pub parent: usize,
-    /// What it allows.
+    /// The motion that it allows.
     pub kind: Kind,
-    /// From the parent's frame to its own.
+    /// Its pose in the parent's frame.
     pub at: Placement,
-    /// In its own frame.
+    /// Its axis, in its own frame.
     pub axis: [Written; 3],
-    /// The joint that moves this one, where one does.
+    /// The mimicked joint, if it is a mimic joint.
     pub mimic: Option<Mimic>,
-    /// None where the link is described without.
+    /// `None` if the link has no inertial.
     pub inertial: Option<Inertial>,
 }
 
-/// What a joint allows.
+/// The motion that a joint allows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A rotation within limits.
@@ -50,101 +50,101 @@ pub enum Kind {
     Continuous,
     /// A translation.
     Prismatic,
-    /// Both, with a pitch.
+    /// Rotation and translation, coupled by a pitch.
     Screw(Written),
-    /// Both, each by itself.
+    /// Rotation and translation along one axis.
     Cylindrical,
-    /// Two rotations, the other one about this axis.
+    /// Two rotations, the second about this axis.
     Universal([Written; 3]),
     /// Three translations.
     Translation,
-    /// A plane across the axis.
+    /// Motion in the plane perpendicular to the axis.
     Planar,
     /// Any rotation.
     Spherical,
     /// Any motion.
     Floating,
-    /// Nothing.
+    /// None.
     Fixed,
 }
 
-/// Multiplier times the coordinate of another joint, and an offset.
+/// Displacement of a mimic joint: multiplier times the coordinate of the mimicked joint, plus offset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mimic {
-    /// The number of the other.
-    pub leader: usize,
-    /// What its coordinate is multiplied by.
+    /// The number of the mimicked joint.
+    pub mimicked: usize,
+    /// The multiplier.
     pub multiplier: Written,
-    /// What is added then.
+    /// The offset.
     pub offset: Written,
 }
 
-/// `xyz`, then `rpy`, then what only a text in Rust can say: turns about axes 0, 1 and 2.
+/// `xyz`, then `rpy`, then rotations about axes 0, 1 and 2, which only an inline description can have.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placement {
     /// A translation.
     pub xyz: [Written; 3],
     /// Roll, pitch and yaw.
     pub rpy: [Written; 3],
-    /// Rotations about the turned axes.
+    /// Further rotations, about the rotated axes.
     pub turns: Vec<(usize, Written)>,
 }
 
 /// Mass, centre of mass and inertia tensor: xx, xy, xz, yy, yz, zz.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertial {
-    /// Of the centre of mass, and of the axes of the tensor.
+    /// The pose of the centre of mass and of the axes of the tensor.
     pub at: Placement,
     /// Mass.
     pub mass: Written,
-    /// About the centre of mass.
+    /// The tensor about the centre of mass.
     pub tensor: [Written; 6],
 }
 
-/// Which reader takes the text.
+/// The reader of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Door {
+pub enum FrontEnd {
     /// URDF.
     Urdf,
-    /// Tokens of Rust.
+    /// An inline description, as tokens of Rust.
     Inline,
-    /// URDF, then a description whose numbers have lost their digits, as a program makes them.
+    /// URDF, with numbers that have lost their digits afterwards, as a program makes them.
     Computed,
 }
 
 /// A request.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Asked {
-    /// The link taken as fixed, or as free.
+pub struct Options {
+    /// The base link, fixed or floating.
     pub base: usize,
-    /// Whether it is free.
+    /// True if the base is floating.
     pub floating: bool,
-    /// The link that poses are of.
+    /// The end effector's link.
     pub tip: Option<usize>,
-    /// Whether all that does not move the tip is held.
+    /// True if all joints that do not move the end effector are locked.
     pub path_only: bool,
-    /// Joints held, some at a coordinate.
+    /// Locked joints; at zero if there is no position.
     pub lock: Vec<(usize, Option<Written>)>,
-    /// Links taken off.
+    /// Dropped links.
     pub drop: Vec<usize>,
     /// Further frames.
     pub frames: Vec<usize>,
-    /// Where it is not the usual one.
+    /// Gravity, if not the default.
     pub gravity: Option<[Written; 3]>,
-    /// Whether every angle is what it says.
+    /// True if angles are exactly as written.
     pub exact: bool,
-    /// Struct fields and what is in them, with zeros behind.
+    /// Struct fields and their values, padded with zeros.
     pub fields: Vec<(Field, [f64; NUMBERS])>,
-    /// Joints with a drive: armature, damping and friction at each of their velocities.
-    pub drives: Vec<(usize, [f64; 3])>,
-    /// Links on which the surroundings act, and whether they do in frame 0.
+    /// Joints with armature, damping and friction, the same for each of their velocities.
+    pub actuators: Vec<(usize, [f64; 3])>,
+    /// Links with external wrenches, and whether the wrenches are in frame 0.
     pub external: (Vec<usize>, bool),
 }
 
-/// As many numbers as the longest field holds.
+/// The length of the longest field.
 pub const NUMBERS: usize = 10;
 
-/// What a struct field stands for.
+/// The parameter that a struct field replaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Field {
     /// The mass of a link.
@@ -153,7 +153,7 @@ pub enum Field {
     Center(usize),
     /// The inertia of a link.
     Inertia(usize),
-    /// What a link carries besides.
+    /// A load on a link.
     Payload(usize),
     /// The origin of a joint.
     Origin(usize),
@@ -164,113 +164,116 @@ pub enum Field {
 }
 
 impl Robot {
-    /// The body of that number; none for the root.
+    /// The body of a number; `None` for the root.
     #[must_use]
     pub fn body(&self, id: usize) -> Option<&Body> {
         self.bodies.iter().find(|body| body.id == id)
     }
 
-    /// A link and those that it hangs on, up to the root.
+    /// A link and its ancestors, up to the root.
     pub fn upwards(&self, id: usize) -> impl Iterator<Item = usize> {
         std::iter::successors(Some(id), |&id| self.body(id).map(|body| body.parent))
     }
 
-    /// Whether a joint hangs on the base, with no link between them that was dropped.
+    /// True if a joint is below the base, with no dropped link between.
     #[must_use]
     pub fn models(&self, joint: usize) -> bool {
-        let base = self.asked.base;
+        let base = self.options.base;
         let mut below = self.upwards(joint).take_while(|&link| link != base);
         let reaches = self.upwards(joint).skip(1).any(|link| link == base);
-        reaches && below.all(|link| !self.asked.drop.contains(&link))
+        reaches && below.all(|link| !self.options.drop.contains(&link))
     }
 
-    /// Where a joint is held by its kind or by what is asked; none where it is not.
+    /// The position of a fixed or locked joint; `None` for others.
     #[must_use]
     pub fn locked(&self, body: &Body) -> Option<Big> {
         if body.kind == Kind::Fixed {
             return Some(Big::zero());
         }
-        let mut locks = self.asked.lock.iter();
+        let mut locks = self.options.lock.iter();
         let (_, at) = locks.find(|(joint, _)| *joint == body.id)?;
         Some(at.as_ref().map_or_else(Big::zero, Written::number))
     }
 
-    /// The joint that a joint follows, where it does.
+    /// The joint that a joint mimics, if it does.
     #[must_use]
-    pub fn leader<'r>(&'r self, body: &'r Body) -> Option<(&'r Body, &'r Mimic)> {
+    pub fn mimicked<'r>(&'r self, body: &'r Body) -> Option<(&'r Body, &'r Mimic)> {
         let mimic = body.mimic.as_ref()?;
         if self.locked(body).is_some() {
             return None;
         }
-        Some((self.body(mimic.leader)?, mimic))
+        Some((self.body(mimic.mimicked)?, mimic))
     }
 
-    /// A joint and those that move it, up to the one that has a coordinate.
-    pub fn leaders<'r>(&'r self, body: &'r Body) -> impl Iterator<Item = &'r Body> {
+    /// A joint and the chain of joints that it mimics.
+    pub fn mimic_chain<'r>(&'r self, body: &'r Body) -> impl Iterator<Item = &'r Body> {
         std::iter::successors(Some(body), |body| {
-            self.leader(body).map(|(leader, _)| leader)
+            self.mimicked(body).map(|(mimicked, _)| mimicked)
         })
     }
 
-    /// Whether a joint that is modelled and follows none has a coordinate, or is held.
+    /// True if a joint that mimics none has coordinates: it is modelled, not locked, and needed.
     #[must_use]
     pub fn is_free(&self, body: &Body) -> bool {
         if !self.models(body.id) || self.locked(body).is_some() {
             return false;
         }
-        let Some(tip) = self.asked.tip.filter(|_| self.asked.path_only) else {
+        let Some(tip) = self.options.tip.filter(|_| self.options.path_only) else {
             return true;
         };
         let mut path = self.upwards(tip).filter_map(|link| self.body(link));
         path.any(|on_path| {
-            self.models(on_path.id) && self.leaders(on_path).any(|leader| leader.id == body.id)
+            self.models(on_path.id)
+                && self
+                    .mimic_chain(on_path)
+                    .any(|mimicked| mimicked.id == body.id)
         })
     }
 
-    /// The numbers of the joints that have coordinates, in the order of the text.
+    /// The numbers of the joints with coordinates, in the order of the text.
     pub fn moving(&self) -> impl Iterator<Item = usize> {
-        let own = |body: &&Body| self.leader(body).is_none() && self.is_free(body);
+        let own = |body: &&Body| self.mimicked(body).is_none() && self.is_free(body);
         self.bodies.iter().filter(own).map(|body| body.id)
     }
 
-    /// Whether a joint between the base and a link moves.
+    /// True if a joint between the base and a link moves.
     #[must_use]
     pub fn moves(&self, link: usize) -> bool {
-        let mut below = self.upwards(link).take_while(|&at| at != self.asked.base);
+        let mut below = self.upwards(link).take_while(|&at| at != self.options.base);
         let moves = |body: &Body| Movement::of(self, body).is_motion();
-        self.asked.floating || below.any(|at| self.body(at).is_some_and(moves))
+        self.options.floating || below.any(|at| self.body(at).is_some_and(moves))
     }
 
-    /// The drives of joints that move, with the numbers of the joints.
-    pub fn drives(&self) -> impl Iterator<Item = (usize, [f64; 3])> {
+    /// Armature, damping and friction of joints that move, with the numbers of the joints.
+    pub fn actuators(&self) -> impl Iterator<Item = (usize, [f64; 3])> {
         let moves = |body: &Body| {
             body.kind != Kind::Fixed && self.models(body.id) && Movement::of(self, body).is_motion()
         };
-        let drives = self.asked.drives.iter().copied();
-        drives.filter(move |(id, _)| self.body(*id).is_some_and(moves))
+        let actuators = self.options.actuators.iter().copied();
+        actuators.filter(move |(id, _)| self.body(*id).is_some_and(moves))
     }
 
-    /// The links that move and on which the surroundings act.
+    /// The links that move and have external wrenches.
     pub fn acted_on(&self) -> impl Iterator<Item = usize> {
-        let links = self.asked.external.0.iter().copied();
-        let is_there = |id: usize| id == self.asked.base || self.models(id);
+        let links = self.options.external.0.iter().copied();
+        let is_there = |id: usize| id == self.options.base || self.models(id);
         links.filter(move |&id| is_there(id) && self.moves(id))
     }
 
-    /// What is in the field that stands for something, where one does.
+    /// The value of the field for a parameter, if there is one.
     #[must_use]
     pub fn field(&self, of: Field) -> Option<[f64; NUMBERS]> {
-        let mut fields = self.asked.fields.iter();
+        let mut fields = self.options.fields.iter();
         fields
             .find(|(field, _)| *field == of)
             .map(|(_, value)| *value)
     }
 
-    /// What its angles mean.
+    /// The interpretation of its angles.
     #[must_use]
     pub fn reading(&self) -> Reading {
-        match (self.door, self.asked.exact) {
-            (Door::Computed, _) => Reading::Computed,
+        match (self.front_end, self.options.exact) {
+            (FrontEnd::Computed, _) => Reading::Computed,
             (_, true) => Reading::Exact,
             (_, false) => Reading::Digits,
         }
@@ -278,7 +281,7 @@ impl Robot {
 }
 
 impl Kind {
-    /// Whether it has one coordinate, so that it can lead and follow.
+    /// True if it has one coordinate, so that it can mimic and be mimicked.
     #[must_use]
     pub const fn has_one_coordinate(&self) -> bool {
         matches!(
@@ -287,7 +290,7 @@ impl Kind {
         )
     }
 
-    /// What its coordinates are called behind the name of the joint, and its velocities.
+    /// The suffixes of its coordinates' and velocities' names behind the name of the joint.
     #[must_use]
     pub const fn entries(&self) -> [&'static [&'static str]; 2] {
         match self {
@@ -307,7 +310,7 @@ impl Kind {
 }
 
 impl Placement {
-    /// Where it is already.
+    /// No displacement.
     #[must_use]
     pub fn none() -> Self {
         Self {
@@ -325,7 +328,7 @@ impl Placement {
 }
 
 impl Field {
-    /// The link or joint that it is of.
+    /// The number of its link or joint.
     #[must_use]
     pub const fn of(self) -> Option<usize> {
         match self {
@@ -340,7 +343,7 @@ impl Field {
     }
 }
 
-/// A vector that is zero.
+/// A zero vector.
 #[must_use]
 pub fn zeros<const N: usize>() -> [Written; N] {
     [(); N].map(|()| Written::zero())

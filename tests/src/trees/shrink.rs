@@ -1,20 +1,19 @@
-//! The smallest robot that still fails.
+//! Reduction of a failing robot to the smallest one that still fails.
 //!
-//! In: a robot, and whether another one fails as it does. Out: one of which nothing more can be taken
-//! away: no joint, no field, no word of the request, no number that could be zero or shorter. It
-//! never looks at what fails.
+//! In: a robot, and a test for the same failure. Out: a robot of which nothing more can be removed: no joint, no field,
+//! no word of the request, no number that could be zero or shorter.
 
 use super::robot::{Body, Inertial, Kind, Robot, zeros};
 use super::written::Written;
 
-/// Takes away what can be.
+/// Removes all that the failure does not need.
 pub fn shrink(robot: &Robot, fails: impl Fn(&Robot) -> bool) -> Robot {
     let mut least = robot.clone();
     let mut go_on = true;
     while go_on {
         go_on = false;
         let mut at = 0;
-        // Smaller ones are made of the least so far: what was taken away shifts what is left.
+        // Candidates are made from the smallest robot so far; after a success the index points to the next one.
         while let Some(smaller) = smaller(&least).into_iter().nth(at) {
             if fails(&smaller) {
                 least = smaller;
@@ -27,7 +26,7 @@ pub fn shrink(robot: &Robot, fails: impl Fn(&Robot) -> bool) -> Robot {
     least
 }
 
-/// Robots with something less, the largest steps first.
+/// Robots with one thing removed, the largest steps first.
 fn smaller(robot: &Robot) -> Vec<Robot> {
     let mut smaller = Vec::new();
     let mut with = |change: &dyn Fn(&mut Robot)| {
@@ -44,7 +43,7 @@ fn smaller(robot: &Robot) -> Vec<Robot> {
     for body in robot.bodies.iter().filter(|body| body.parent == 0) {
         with(&|robot| become_root(robot, body.id));
     }
-    ask_less(robot, &mut with);
+    shrink_request(robot, &mut with);
     for (index, body) in robot.bodies.iter().enumerate() {
         let mut on_body = |change: &dyn Fn(&mut Body)| {
             with(&|robot| change(&mut robot.bodies[index]));
@@ -90,26 +89,26 @@ fn smaller(robot: &Robot) -> Vec<Robot> {
     smaller
 }
 
-/// Takes off a link that carries none.
+/// Removes a link without children.
 fn remove(robot: &mut Robot, id: usize) {
     robot.bodies.retain(|body| body.id != id);
     for body in &mut robot.bodies {
-        body.mimic.take_if(|mimic| mimic.leader == id);
+        body.mimic.take_if(|mimic| mimic.mimicked == id);
     }
-    let asked = &mut robot.asked;
-    if asked.base == id {
-        asked.base = 0;
+    let options = &mut robot.options;
+    if options.base == id {
+        options.base = 0;
     }
-    asked.tip = asked.tip.filter(|&tip| tip != id);
-    asked.lock.retain(|(joint, _)| *joint != id);
-    asked.drop.retain(|&link| link != id);
-    asked.frames.retain(|&link| link != id);
-    asked.fields.retain(|(field, _)| field.of() != Some(id));
-    asked.drives.retain(|(joint, _)| *joint != id);
-    asked.external.0.retain(|&link| link != id);
+    options.tip = options.tip.filter(|&tip| tip != id);
+    options.lock.retain(|(joint, _)| *joint != id);
+    options.drop.retain(|&link| link != id);
+    options.frames.retain(|&link| link != id);
+    options.fields.retain(|(field, _)| field.of() != Some(id));
+    options.actuators.retain(|(joint, _)| *joint != id);
+    options.external.0.retain(|&link| link != id);
 }
 
-/// Leaves of a robot what a link carries.
+/// Makes a link the root, and removes all but its descendants.
 fn become_root(robot: &mut Robot, id: usize) {
     let inboard: Vec<usize> = (robot.bodies.iter().map(|body| body.id))
         .filter(|&other| other == id || !robot.upwards(other).any(|link| link == id))
@@ -122,54 +121,54 @@ fn become_root(robot: &mut Robot, id: usize) {
     }
 }
 
-fn ask_less(robot: &Robot, with: &mut impl FnMut(&dyn Fn(&mut Robot))) {
+fn shrink_request(robot: &Robot, with: &mut impl FnMut(&dyn Fn(&mut Robot))) {
     if robot.root.is_some() {
         with(&|robot| robot.root = None);
     }
-    with(&|robot| robot.asked.floating = false);
-    with(&|robot| robot.asked.base = 0);
-    with(&|robot| robot.asked.tip = None);
-    with(&|robot| robot.asked.path_only = false);
-    with(&|robot| robot.asked.exact = false);
-    with(&|robot| robot.asked.gravity = None);
-    for k in 0..robot.asked.lock.len() {
+    with(&|robot| robot.options.floating = false);
+    with(&|robot| robot.options.base = 0);
+    with(&|robot| robot.options.tip = None);
+    with(&|robot| robot.options.path_only = false);
+    with(&|robot| robot.options.exact = false);
+    with(&|robot| robot.options.gravity = None);
+    for k in 0..robot.options.lock.len() {
         with(&|robot| {
-            robot.asked.lock.remove(k);
+            robot.options.lock.remove(k);
         });
-        with(&|robot| robot.asked.lock[k].1 = None);
+        with(&|robot| robot.options.lock[k].1 = None);
     }
-    for k in 0..robot.asked.drop.len() {
+    for k in 0..robot.options.drop.len() {
         with(&|robot| {
-            robot.asked.drop.remove(k);
-        });
-    }
-    for k in 0..robot.asked.frames.len() {
-        with(&|robot| {
-            robot.asked.frames.remove(k);
+            robot.options.drop.remove(k);
         });
     }
-    with(&|robot| robot.asked.external.1 = false);
-    for k in 0..robot.asked.external.0.len() {
+    for k in 0..robot.options.frames.len() {
         with(&|robot| {
-            robot.asked.external.0.remove(k);
+            robot.options.frames.remove(k);
         });
     }
-    for k in 0..robot.asked.drives.len() {
+    with(&|robot| robot.options.external.1 = false);
+    for k in 0..robot.options.external.0.len() {
         with(&|robot| {
-            robot.asked.drives.remove(k);
+            robot.options.external.0.remove(k);
+        });
+    }
+    for k in 0..robot.options.actuators.len() {
+        with(&|robot| {
+            robot.options.actuators.remove(k);
         });
         for part in 0..3 {
-            with(&|robot| robot.asked.drives[k].1[part] = 0.0);
+            with(&|robot| robot.options.actuators[k].1[part] = 0.0);
         }
     }
-    for k in 0..robot.asked.fields.len() {
+    for k in 0..robot.options.fields.len() {
         with(&|robot| {
-            robot.asked.fields.remove(k);
+            robot.options.fields.remove(k);
         });
     }
 }
 
-/// All numbers of a body but those of its axis.
+/// All numbers of a body except those of its axis.
 fn numbers(mut body: Body) -> Vec<Written> {
     let mut words = Vec::new();
     each(&mut body, |word| words.push(word.clone()));
@@ -202,7 +201,7 @@ fn zero(body: &mut Body, k: usize) {
     });
 }
 
-/// To one digit: of an angle in right angles nothing is left but a number.
+/// Shortens a number to one digit; a right angle is then an ordinary angle.
 fn shorten(body: &mut Body, k: usize) {
     let mut at = 0;
     each(body, |word| {

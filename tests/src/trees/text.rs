@@ -1,8 +1,7 @@
-//! A robot as the text that goes through a reader, and what comes out of it.
+//! A random robot as the text of a reader, and as the reader's result.
 //!
-//! In: a [`Robot`]. Out: URDF, or the tokens of `chain!`; the description and the request that the
-//! generator gets; the words by which a person finds a robot again that failed. It never computes
-//! with a number.
+//! In: a [`Robot`]. Out: URDF, or the tokens of `chain!`; the description and the request for the generator; a report
+//! of the robot for a person. It never computes with a number.
 
 use std::fmt::{self, Write};
 use std::path::Path;
@@ -13,30 +12,30 @@ use homogen_codegen::joint::drive::Part;
 use homogen_codegen::request::{Parameter, Request, Target};
 use quote::format_ident;
 
-use super::robot::{Asked, Body, Door, Field, Inertial, Kind, Placement, Robot};
+use super::robot::{Body, Field, FrontEnd, Inertial, Kind, Options, Placement, Robot};
 use super::written::Written;
 
-/// What the generator gets of a robot.
+/// The description and the request, read from the robot's text.
 ///
 /// # Errors
-/// What a reader complains of.
+/// Errors of the reader.
 ///
 /// # Panics
-/// Where the text is not even tokens.
+/// If the text cannot be split into tokens.
 pub fn read(robot: &Robot) -> Result<(Description, Request), Errors> {
     let mut errors = Errors::new();
-    let found = match robot.door {
-        Door::Urdf => description::read_text(&urdf(robot), "tree.urdf", None, &mut errors)
-            .map(|description| (description, request(&robot.asked))),
-        Door::Computed => description::read_text(&urdf(robot), "tree.urdf", None, &mut errors)
-            .map(|description| (computed(description), request(&robot.asked))),
-        Door::Inline => {
+    let found = match robot.front_end {
+        FrontEnd::Urdf => description::read_text(&urdf(robot), "tree.urdf", None, &mut errors)
+            .map(|description| (description, request(&robot.options))),
+        FrontEnd::Computed => description::read_text(&urdf(robot), "tree.urdf", None, &mut errors)
+            .map(|description| (computed(description), request(&robot.options))),
+        FrontEnd::Inline => {
             let tokens = chain(robot).parse().expect("the text is tokens");
             let item = inline::read(tokens, Path::new("nowhere"), &mut errors);
             item.and_then(|item| {
                 let request = Request {
-                    exact: robot.asked.exact,
-                    parameters: parameters(&robot.asked),
+                    exact: robot.options.exact,
+                    parameters: parameters(&robot.options),
                     ..item.request
                 };
                 item.description.map(|description| (description, request))
@@ -44,12 +43,14 @@ pub fn read(robot: &Robot) -> Result<(Description, Request), Errors> {
         }
     };
     match found {
-        Some((description, request)) => errors.into_result((description, loaded(robot, request))),
+        Some((description, request)) => {
+            errors.into_result((description, with_loads(robot, request)))
+        }
         None => Err(errors),
     }
 }
 
-/// The numbers as a program would have computed them.
+/// The description with numbers as a program computes them, without digits.
 fn computed(mut description: Description) -> Description {
     let unwritten = |number: &mut Number| number.resolution = 0.0;
     let unplaced = |steps: &mut Vec<Step>| {
@@ -82,38 +83,38 @@ fn computed(mut description: Description) -> Description {
     description
 }
 
-fn request(asked: &Asked) -> Request {
+fn request(options: &Options) -> Request {
     let link = |id: usize| format!("link{id}").as_str().into();
     let number = |word: &Written| Number {
         value: word.value(),
         ..Number::default()
     };
-    let lock = asked.lock.iter().map(|(joint, at)| {
+    let lock = options.lock.iter().map(|(joint, at)| {
         let name = format!("joint{joint}").as_str().into();
         (name, at.as_ref().map(number))
     });
     Request {
-        base: (asked.base > 0).then(|| link(asked.base)),
-        floating: asked.floating,
-        tip: asked.tip.map(link),
-        path_only: asked.path_only,
+        base: (options.base > 0).then(|| link(options.base)),
+        floating: options.floating,
+        tip: options.tip.map(link),
+        path_only: options.path_only,
         lock: lock.collect(),
-        drop: asked.drop.iter().map(|&id| link(id)).collect(),
-        frames: asked.frames.iter().map(|&id| link(id)).collect(),
-        gravity: (asked.gravity.as_ref()).map(|gravity| gravity.each_ref().map(number)),
-        exact: asked.exact,
-        parameters: parameters(asked),
+        drop: options.drop.iter().map(|&id| link(id)).collect(),
+        frames: options.frames.iter().map(|&id| link(id)).collect(),
+        gravity: (options.gravity.as_ref()).map(|gravity| gravity.each_ref().map(number)),
+        exact: options.exact,
+        parameters: parameters(options),
         ..Request::default()
     }
 }
 
-/// The request with drives at joints and actions on links.
-fn loaded(robot: &Robot, mut request: Request) -> Request {
-    for (id, drive) in robot.drives() {
+/// The request with armature, damping and friction of joints and external wrenches on links.
+fn with_loads(robot: &Robot, mut request: Request) -> Request {
+    for (id, numbers) in robot.actuators() {
         let parts = [Part::Armature, Part::Damping, Part::Friction];
         request
             .drives
-            .extend(parts.into_iter().zip(drive).map(|(part, value)| {
+            .extend(parts.into_iter().zip(numbers).map(|(part, value)| {
                 let number = Number {
                     value,
                     ..Number::default()
@@ -125,12 +126,12 @@ fn loaded(robot: &Robot, mut request: Request) -> Request {
     request.external = acted_on
         .map(|id| format!("link{id}").as_str().into())
         .collect();
-    request.external_in_frame_0 = robot.asked.external.1 && !request.external.is_empty();
+    request.external_in_frame_0 = robot.options.external.1 && !request.external.is_empty();
     request
 }
 
-fn parameters(asked: &Asked) -> Vec<Parameter> {
-    let fields = asked.fields.iter().enumerate();
+fn parameters(options: &Options) -> Vec<Parameter> {
+    let fields = options.fields.iter().enumerate();
     let parameter = |(index, (field, _)): (usize, &(Field, _))| Parameter {
         field: format_ident!("field_{index}"),
         target: match field {
@@ -147,7 +148,7 @@ fn parameters(asked: &Asked) -> Vec<Parameter> {
     fields.map(parameter).collect()
 }
 
-/// As URDF, which has no turns behind roll, pitch and yaw.
+/// The text in URDF, which has no rotations behind roll, pitch and yaw.
 #[must_use]
 pub fn urdf(robot: &Robot) -> String {
     let mut text = "<robot name=\"tree\">\n".to_owned();
@@ -202,7 +203,7 @@ fn urdf_joint(body: &Body) -> String {
     let mimic = body.mimic.as_ref().map(|mimic| {
         format!(
             "<mimic joint=\"joint{}\" multiplier=\"{}\" offset=\"{}\"/>",
-            mimic.leader, mimic.multiplier, mimic.offset
+            mimic.mimicked, mimic.multiplier, mimic.offset
         )
     });
     format!(
@@ -229,10 +230,10 @@ fn urdf_origin(at: &Placement) -> String {
     format!("<origin{text}/>")
 }
 
-/// As `chain!` has it, settings and all, but for fields and `exact`.
+/// The text for `chain!` with all settings except fields and `exact`.
 #[must_use]
 pub fn chain(robot: &Robot) -> String {
-    let mut text = format!("struct Tree {{ {} }}\n", settings(&robot.asked));
+    let mut text = format!("struct Tree {{ {} }}\n", settings(&robot.options));
     text.push_str(&chain_link(0, robot.root.as_ref()));
     for body in &robot.bodies {
         let axis = words(&body.axis, ", ");
@@ -263,7 +264,7 @@ pub fn chain(robot: &Robot) -> String {
             let _ = write!(
                 at,
                 ", mimic: joint{}, multiplier: {}, offset: {}",
-                mimic.leader, mimic.multiplier, mimic.offset
+                mimic.mimicked, mimic.multiplier, mimic.offset
             );
         }
         let _ = writeln!(
@@ -293,25 +294,25 @@ fn chain_link(id: usize, inertial: Option<&Inertial>) -> String {
     )
 }
 
-fn settings(asked: &Asked) -> String {
+fn settings(options: &Options) -> String {
     let mut settings = Vec::new();
     let links = |ids: &[usize]| {
         let ids: Vec<String> = ids.iter().map(|id| format!("link{id}")).collect();
         ids.join(", ")
     };
-    if asked.base > 0 {
-        settings.push(format!("base: link{}", asked.base));
+    if options.base > 0 {
+        settings.push(format!("base: link{}", options.base));
     }
-    if asked.floating {
+    if options.floating {
         settings.push("floating".to_owned());
     }
-    if let Some(tip) = asked.tip {
+    if let Some(tip) = options.tip {
         settings.push(format!("tip: link{tip}"));
     }
-    if asked.path_only {
+    if options.path_only {
         settings.push("path_only".to_owned());
     }
-    let locks = asked.lock.iter().map(|(joint, at)| match at {
+    let locks = options.lock.iter().map(|(joint, at)| match at {
         Some(at) => format!("joint{joint} = {at}"),
         None => format!("joint{joint}"),
     });
@@ -319,13 +320,13 @@ fn settings(asked: &Asked) -> String {
     if !locks.is_empty() {
         settings.push(format!("lock({})", locks.join(", ")));
     }
-    if !asked.drop.is_empty() {
-        settings.push(format!("drop({})", links(&asked.drop)));
+    if !options.drop.is_empty() {
+        settings.push(format!("drop({})", links(&options.drop)));
     }
-    if !asked.frames.is_empty() {
-        settings.push(format!("frames({})", links(&asked.frames)));
+    if !options.frames.is_empty() {
+        settings.push(format!("frames({})", links(&options.frames)));
     }
-    if let Some(gravity) = &asked.gravity {
+    if let Some(gravity) = &options.gravity {
         settings.push(format!("gravity: [{}]", words(gravity, ", ")));
     }
     settings.join(", ")
@@ -336,35 +337,35 @@ fn words(numbers: &[Written], between: &str) -> String {
     words.join(between)
 }
 
-/// What one needs to meet a robot again: its text, and its request in the words of attributes.
+/// The text of the robot, and its request in the words of attributes.
 impl fmt::Display for Robot {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.door {
-            Door::Urdf => write!(out, "{}", urdf(self))?,
-            Door::Computed => writeln!(out, "{}(read, then without digits)", urdf(self))?,
-            Door::Inline => write!(out, "{}", chain(self))?,
+        match self.front_end {
+            FrontEnd::Urdf => write!(out, "{}", urdf(self))?,
+            FrontEnd::Computed => writeln!(out, "{}(read, then without digits)", urdf(self))?,
+            FrontEnd::Inline => write!(out, "{}", chain(self))?,
         }
-        if self.door != Door::Inline {
-            writeln!(out, "#[robot({})]", settings(&self.asked))?;
+        if self.front_end != FrontEnd::Inline {
+            writeln!(out, "#[robot({})]", settings(&self.options))?;
         }
-        if self.asked.exact {
+        if self.options.exact {
             writeln!(out, "exact")?;
         }
-        for (field, value) in &self.asked.fields {
+        for (field, value) in &self.options.fields {
             writeln!(out, "field {field:?} = {value:?}")?;
         }
-        for (joint, [armature, damping, friction]) in self.drives() {
-            let drive =
+        for (joint, [armature, damping, friction]) in self.actuators() {
+            let numbers =
                 format!("armature {armature:?}, damping {damping:?}, friction {friction:?}");
-            writeln!(out, "drive of joint{joint}: {drive}")?;
+            writeln!(out, "joint{joint}: {numbers}")?;
         }
-        let frame = if self.asked.external.1 {
+        let frame = if self.options.external.1 {
             "frame 0"
         } else {
             "its frame"
         };
         for link in self.acted_on() {
-            writeln!(out, "action on link{link} in {frame}")?;
+            writeln!(out, "external wrench on link{link} in {frame}")?;
         }
         Ok(())
     }

@@ -1,36 +1,35 @@
-//! A number as a file has it: its digits.
+//! A number as written in a file.
 //!
-//! In: a value and how many digits a person or an exporter would write. Out: the word, and what it
-//! means, read here and by nothing of the generator: its value, whether its digits are those that a
-//! right angle rounds to, and whether it is what rounding left of zero.
+//! In: a value, and the number of digits to write. Out: the word, and its meaning, read independently of the generator:
+//! its value, whether its digits are those of a rounded right angle, and whether it is a residue in place of zero.
 
 use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 
 use crate::big::Big;
 
-/// One word: `0.1575`, `-1.6653e-16`, or a product or quotient such as `pi/2`, `2*pi/7` and `1/3` where the text is
-/// Rust.
+/// A word: `0.1575`, `-1.6653e-16`, or, in inline descriptions, a product or quotient such as `pi/2`, `2*pi/7` and
+/// `1/3`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written(String);
 
-/// What is nearer to zero or to a right angle was computed to be that: 2⁻⁵⁰.
+/// Distance from zero or from a right angle below which a number was computed to be that: 2⁻⁵⁰.
 const RESIDUE: f64 = 4.0 * f64::EPSILON;
 
-/// What digits count for.
+/// The interpretation of digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// An angle whose digits are those of a right angle is one; of angles, offsets and axes what is
-    /// below 2⁻⁵⁰ is zero.
+    /// An angle with the digits of a rounded right angle is one; angles, offsets and entries of axes below 2⁻⁵⁰ are
+    /// zero.
     Digits,
-    /// Every number is what it says.
+    /// Every number is exactly as written.
     Exact,
-    /// Only the value counts, which was computed: the `f64` nearest to a right angle is one.
+    /// Numbers were computed, not written: the `f64` nearest to a right angle is one.
     Computed,
 }
 
 impl Written {
-    /// As it stands.
+    /// A word.
     pub fn new(word: impl Into<String>) -> Self {
         Self(word.into())
     }
@@ -41,10 +40,10 @@ impl Written {
         Self::new("0")
     }
 
-    /// With so many digits in all, and an exponent where there are many zeros.
+    /// A value with so many significant digits, with an exponent if it is small or large.
     ///
     /// # Panics
-    /// Where the value is not finite.
+    /// If the value is not finite.
     #[must_use]
     pub fn digits(value: f64, digits: usize) -> Self {
         let word = format!("{value:.0$e}", digits.max(1) - 1);
@@ -53,7 +52,7 @@ impl Written {
         Self(if moderate { rounded.to_string() } else { word })
     }
 
-    /// With so many digits behind the point.
+    /// A value with so many decimals.
     #[must_use]
     pub fn decimals(value: f64, decimals: usize) -> Self {
         Self(format!("{value:.decimals$}"))
@@ -62,16 +61,16 @@ impl Written {
     /// The nearest `f64`.
     ///
     /// # Panics
-    /// Where it is no number.
+    /// If the word is not a number.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.number().to_f64()
     }
 
-    /// The number, of which each factor that is written in digits is the nearest `f64`.
+    /// The number; each factor that is written in digits is rounded to `f64`.
     ///
     /// # Panics
-    /// Where it is no number.
+    /// If the word is not a number.
     #[must_use]
     pub fn number(&self) -> Big {
         let factor = |word: &str| match word {
@@ -97,12 +96,12 @@ impl Written {
         product
     }
 
-    /// Whether it is a product or a quotient.
+    /// True for a product or quotient.
     fn is_computed(&self) -> bool {
         self.0.contains(['*', '/']) || self.0.ends_with("pi")
     }
 
-    /// What is meant of an offset, or of an entry of a direction times a power of two.
+    /// The number that an offset means, or an entry of a direction scaled by a power of two.
     #[must_use]
     pub fn meant(&self, reading: Reading, times: f64) -> Big {
         let residue = reading == Reading::Digits && (self.value() * times).abs() < RESIDUE;
@@ -113,7 +112,7 @@ impl Written {
         }
     }
 
-    /// Whether it is 0.
+    /// True for 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.value() == 0.0
@@ -147,7 +146,7 @@ impl Written {
         (sine(quarters), sine(quarters + 1))
     }
 
-    /// How many quarter turns it means; none where it is not a right angle.
+    /// The number of right angles that the angle means; `None` for other angles.
     #[must_use]
     pub fn quarters(&self, reading: Reading) -> Option<i64> {
         let value = self.value();
@@ -169,7 +168,7 @@ impl Written {
         (close || (value - meant).abs() <= f64::EPSILON * value.abs()).then_some(quarters as i64)
     }
 
-    /// How many digits stand behind the point, the exponent counted; none for a whole number.
+    /// The number of decimals, with the exponent; `None` if negative.
     fn written_decimals(&self) -> Option<usize> {
         let (mantissa, exponent) = self.0.split_once('e').unwrap_or((&self.0, "0"));
         let fraction = mantissa.split_once('.').map_or(0, |(_, rest)| rest.len());
@@ -189,7 +188,7 @@ mod tests {
     use super::{Reading, Written};
 
     #[test]
-    fn right_angles_are_known_by_their_digits() {
+    fn right_angles_are_recognised_by_their_digits() {
         for (word, quarters) in [
             ("1.57", Some(1)),
             ("1.5708", Some(1)),
@@ -220,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn residues_are_zero_where_digits_count() {
+    fn residues_are_zero_unless_exact() {
         let residue = Written::new("-1.6653e-16");
         let meant = |word: &Written, reading, times| word.meant(reading, times).to_f64();
         assert_eq!(meant(&residue, Reading::Digits, 1.0), 0.0);
@@ -230,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn digits_are_as_many_as_wanted() {
+    fn words_have_the_given_number_of_digits() {
         for (value, digits, word) in [
             (1.0 / 3.0, 3, "0.333"),
             (-1.6653e-16, 5, "-1.6653e-16"),

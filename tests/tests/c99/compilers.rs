@@ -1,7 +1,7 @@
-//! What is at hand to compile.
+//! Compilers that are installed.
 //!
-//! In: a robot. Out: its files in a folder, objects and programs of them, and what the programs give.
-//! A complaint of a compiler is a failure.
+//! In: a robot. Out: its files in a folder, objects and programs from them, and the programs' results. Any message of a
+//! compiler is a failure.
 
 use std::fmt;
 use std::fs::{self, File};
@@ -13,7 +13,7 @@ use homogen_codegen::Real;
 use crate::programs;
 use crate::robot::Robot;
 
-/// A folder of a test's own.
+/// The folder of a test.
 pub struct Folder(PathBuf);
 
 impl Folder {
@@ -33,7 +33,7 @@ impl Folder {
         fs::write(self.path(file), text).expect("a file");
     }
 
-    /// Writes the header, the source, and a program that calls all of it.
+    /// Writes the header, the source, and a program that calls all of its functions.
     pub fn write_c(&self, robot: &Robot, real: Real) {
         let source = robot.source(real);
         self.write("arm.h", &source.header);
@@ -47,17 +47,17 @@ impl Folder {
 #[derive(Clone, Copy)]
 pub struct C {
     name: &'static str,
-    /// What it needs to be told of its target.
+    /// Arguments for its target.
     target: &'static [&'static str],
 }
 
-/// The compiler that Rust links with: it is there wherever Rust is.
+/// The compiler that Rust links with, so it is always installed.
 const CC: C = C {
     name: "cc",
     target: &[],
 };
 
-/// Others.
+/// Other compilers.
 const MORE: [C; 2] = [
     C {
         name: "clang",
@@ -94,10 +94,10 @@ impl fmt::Display for C {
 }
 
 impl C {
-    /// All that there are.
+    /// All that are installed.
     ///
     /// # Panics
-    /// Where there is none at all.
+    /// If there is none.
     pub fn all() -> Vec<Self> {
         assert!(
             CC.is_here(),
@@ -113,13 +113,13 @@ impl C {
         [CC].into_iter().chain(more).collect()
     }
 
-    /// Those whose programs run here.
+    /// Those whose programs run on this machine.
     pub fn that_run() -> Vec<Self> {
         let all = Self::all().into_iter();
         all.filter(Self::runs_here).collect()
     }
 
-    /// Whether its programs run here.
+    /// True if its programs run on this machine.
     pub fn runs_here(&self) -> bool {
         self.target.is_empty()
     }
@@ -135,24 +135,24 @@ impl C {
         command
     }
 
-    /// Compiles a source without a complaint.
+    /// Compiles a source, without any message.
     pub fn object(&self, folder: &Folder, file: &str, options: &[&str]) -> PathBuf {
         let object = folder.path(&format!("{file}_{}.o", self.name));
         let mut command = self.command();
-        // Compilers would clear memory by a function of the library.
+        // Compilers may call `memset` of the C library.
         command.args(options).args(["-fno-builtin", "-c"]);
         succeed(command.arg(folder.path(file)).arg("-o").arg(&object));
         object
     }
 
-    /// Links an object with nothing at all: it calls no library.
+    /// Links an object alone: it calls no library.
     pub fn alone(&self, folder: &Folder, object: &Path) {
         let mut command = self.command();
         command.args(["-nostdlib", "-Wl,-e,0"]).arg(object);
         succeed(command.arg("-o").arg(folder.path("alone")));
     }
 
-    /// Links an object with a program that calls all of it.
+    /// Links an object with a program that calls all of its functions.
     pub fn program(&self, folder: &Folder, object: &Path) -> Program {
         let program = folder.path(&format!("main_{}", self.name));
         let mut command = self.command();
@@ -164,23 +164,26 @@ impl C {
         }
     }
 
-    /// Whether it is GCC, which tells more of its options than others do.
+    /// True for GCC, which states more of its options by macros than other compilers.
     pub fn is_gcc(&self) -> bool {
         let version = output(Command::new(self.name).arg("--version"));
         String::from_utf8_lossy(&version.stdout).contains("Free Software Foundation")
     }
 
-    /// What is said where options make the source one that does not compile.
+    /// The message when options make the source refuse to compile.
     pub fn refusal(&self, folder: &Folder, options: &[&str]) -> String {
         let mut command = self.command();
         command.args(options).arg("-fsyntax-only");
         let output = output(command.arg(folder.path("arm.c")));
-        assert!(!output.status.success(), "{self} takes it with {options:?}");
+        assert!(
+            !output.status.success(),
+            "{self} compiles it with {options:?}"
+        );
         String::from_utf8_lossy(&output.stderr).into_owned()
     }
 }
 
-/// The text of the source for a graphics processor, where a compiler for one is at hand.
+/// The assembly of the source for a graphics processor, if a compiler for one is installed.
 pub fn ptx(folder: &Folder) -> Option<String> {
     let targets = Command::new("clang").arg("-print-targets").output().ok()?;
     if !String::from_utf8_lossy(&targets.stdout).contains("nvptx64") {
@@ -194,7 +197,7 @@ pub fn ptx(folder: &Folder) -> Option<String> {
     Some(String::from_utf8_lossy(&succeed(&mut command)).into_owned())
 }
 
-/// Compiles the file in Rust and a program that calls all of it.
+/// Compiles the Rust file and a program that calls all of its functions.
 pub fn rust(folder: &Folder, robot: &Robot, real: Real) -> Program {
     folder.write("arm.rs", &robot.rust(real));
     folder.write("main.rs", &programs::rust(robot, real));
@@ -217,14 +220,14 @@ pub fn rust(folder: &Folder, robot: &Robot, real: Real) -> Program {
     }
 }
 
-/// A program that reads states and writes numbers.
+/// A program that reads states and writes results.
 pub struct Program {
     program: PathBuf,
     folder: PathBuf,
 }
 
 impl Program {
-    /// All numbers, as the machine has them.
+    /// The results, in the machine's bytes.
     pub fn run(&self, states: &[u8]) -> Vec<u8> {
         let input = self.folder.join("states");
         fs::write(&input, states).expect("a file");
@@ -239,13 +242,13 @@ fn output(command: &mut Command) -> Output {
     output.unwrap_or_else(|reason| panic!("{command:?}: {reason}"))
 }
 
-/// Runs to a good end without a word, and returns what it wrote.
+/// Runs a command, which must succeed without any message. Returns its output.
 fn succeed(command: &mut Command) -> Vec<u8> {
     let output = output(command);
-    let said = String::from_utf8_lossy(&output.stderr);
+    let message = String::from_utf8_lossy(&output.stderr);
     assert!(
-        output.status.success() && said.is_empty(),
-        "{command:?}\n{said}"
+        output.status.success() && message.is_empty(),
+        "{command:?}\n{message}"
     );
     output.stdout
 }

@@ -1,6 +1,5 @@
-//! Where products fuse with sums: the C of a processor that has the instruction against its program, run
-//! step by step in numbers that round a product and a sum once, with the runtime's sines as they are
-//! there.
+//! C for processors that fuse products with sums, compared bit for bit with its program run in numbers that round a
+//! product and a sum once, with the runtime's sines on such processors.
 
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Arithmetic, Input};
@@ -17,7 +16,7 @@ use crate::states;
 
 const STATES: usize = 1000;
 
-/// The numbers of all results in all states, as the machine has them.
+/// The numbers of all results at all states, in the machine's bytes.
 fn expected(robot: &Robot, real: Real, states: &[f64]) -> Vec<u8> {
     let request = Request {
         trigonometry: Trigonometry::Own,
@@ -56,8 +55,7 @@ fn expected(robot: &Robot, real: Real, states: &[f64]) -> Vec<u8> {
     bytes
 }
 
-/// The options with which a product and a sum are rounded once: by the library on every machine, by the
-/// instruction where this one has it.
+/// Compiler options that fuse: by the library's function on every machine, by the instruction if this machine has it.
 fn options(real: Real) -> Vec<Vec<&'static str>> {
     let library = match real {
         Real::F32 => "-DHOMOGEN_FMAF=fmaf",
@@ -74,8 +72,8 @@ fn options(real: Real) -> Vec<Vec<&'static str>> {
 }
 
 #[test]
-fn products_and_sums_are_rounded_once() {
-    let robot = Robot::that_ships("panda_class").on(Processor::X86_64V3);
+fn c_for_fusing_processors_rounds_product_and_sum_once() {
+    let robot = Robot::shipped("panda_class").on(Processor::X86_64V3);
     for real in [Real::F32, Real::F64] {
         let folder = Folder::new(&format!("fused_{real:?}"));
         folder.write_c(&robot, real);

@@ -1,7 +1,7 @@
-//! The C of a robot against the Rust file of the same, bit for bit, and against every compiler at hand.
+//! C files compared with the Rust file of the same robot, bit for bit, with every compiler that is installed.
 //!
-//! The two share the routine and nothing of its spelling: each is compiled by itself, with a program that
-//! reads states and writes results, and runs as a process of its own.
+//! Both come from the same routine, printed independently. Each is compiled by itself with a program that reads states
+//! and writes results, and runs as a process of its own.
 
 mod compilers;
 mod fused;
@@ -14,10 +14,10 @@ use homogen_codegen::Real;
 use compilers::{C, Folder, rust};
 use robot::Robot;
 
-/// How many states each function is called with.
+/// States with which each function is called.
 const STATES: usize = 10_000;
 
-/// Compiles a robot in both languages, and compares what they give.
+/// Compiles a robot in both languages and compares the results.
 fn agree(robot: &Robot) {
     let states = states::nasty(robot.inputs(), STATES);
     for real in [Real::F32, Real::F64] {
@@ -42,7 +42,7 @@ macro_rules! gives_the_bits_of_rust {
         #[test]
         $(#[$long])?
         fn $name() {
-            agree(&Robot::that_ships(stringify!($name)));
+            agree(&Robot::shipped(stringify!($name)));
         }
     )*};
 }
@@ -50,38 +50,38 @@ gives_the_bits_of_rust! {
     two_link;
     scara;
     panda_class;
-    #[ignore = "a minute of compilers, for what the others show"]
+    #[ignore = "a minute of compilers; other robots show the same"]
     stanford;
-    #[ignore = "a minute of compilers, for what the others show"]
+    #[ignore = "a minute of compilers; other robots show the same"]
     stanford_general;
-    #[ignore = "a minute of compilers, for what the others show"]
+    #[ignore = "a minute of compilers; other robots show the same"]
     puma560;
-    #[ignore = "a minute of compilers, for what the others show"]
+    #[ignore = "a minute of compilers; other robots show the same"]
     puma560_general;
-    #[ignore = "a minute of compilers, for what the others show"]
+    #[ignore = "a minute of compilers; other robots show the same"]
     ur5_class;
-    #[ignore = "a minute of compilers, for what the others show"]
+    #[ignore = "a minute of compilers; other robots show the same"]
     quadruped;
 }
 
 #[test]
-fn fields_frames_and_functions_that_share_their_work() {
+fn fields_frames_and_functions_generated_together_give_the_bits_of_rust() {
     agree(&Robot::with_fields());
 }
 
 #[test]
-fn joints_with_quaternions_and_joints_that_follow_others() {
-    agree(&Robot::with_every_kind_of_joint());
+fn quaternions_and_mimic_joints_give_the_bits_of_rust() {
+    agree(&Robot::with_quaternions());
 }
 
 #[test]
-fn a_robot_with_loops() {
+fn loops_give_the_bits_of_rust() {
     agree(&Robot::with_loops());
 }
 
-/// As standard output has them.
+/// The command line prints them so to standard output.
 #[test]
-fn header_and_source_are_one_text_where_one_follows_the_other() {
+fn header_and_source_compile_as_one_text() {
     let folder = Folder::new("whole");
     folder.write_c(&Robot::with_fields(), Real::F32);
     for compiler in C::all() {
@@ -89,10 +89,10 @@ fn header_and_source_are_one_text_where_one_follows_the_other() {
     }
 }
 
-/// Their last bits are the machine's own.
+/// Their last bits differ between machines.
 #[test]
-fn sines_of_the_platform() {
-    let robot = Robot::that_ships("two_link");
+fn the_platforms_sines_give_the_numbers_of_rust() {
+    let robot = Robot::shipped("two_link");
     let folder = Folder::new("platform");
     let states = states::everyday(robot.inputs(), 100);
     let states = states::bytes(&states, Real::F64);
@@ -113,7 +113,7 @@ fn sines_of_the_platform() {
 }
 
 #[test]
-fn what_would_change_the_bits_is_refused() {
+fn options_that_change_the_bits_are_refused() {
     let folder = Folder::new("refused");
     let associative = [
         "-fassociative-math",
@@ -121,24 +121,24 @@ fn what_would_change_the_bits_is_refused() {
         "-fno-trapping-math",
     ];
     for real in [Real::F32, Real::F64] {
-        folder.write_c(&Robot::that_ships("two_link"), real);
+        folder.write_c(&Robot::shipped("two_link"), real);
         for compiler in C::that_run() {
-            let said = compiler.refusal(&folder, &["-ffast-math"]);
-            assert!(said.contains("compile without -ffast-math"), "{said}");
+            let message = compiler.refusal(&folder, &["-ffast-math"]);
+            assert!(message.contains("compile without -ffast-math"), "{message}");
         }
         for compiler in C::all().iter().filter(|compiler| compiler.is_gcc()) {
-            let said = compiler.refusal(&folder, &associative);
-            assert!(said.contains("compile without -ffast-math"), "{said}");
+            let message = compiler.refusal(&folder, &associative);
+            assert!(message.contains("compile without -ffast-math"), "{message}");
         }
     }
 }
 
-/// Qualified as functions of a graphics processor are, which call each other and nothing else.
+/// With qualifiers of a graphics processor's functions, which call only each other.
 #[test]
-fn it_is_code_for_a_gpu() {
+fn the_code_compiles_for_a_gpu() {
     let folder = Folder::new("gpu");
     for real in [Real::F32, Real::F64] {
-        folder.write_c(&Robot::that_ships("two_link"), real);
+        folder.write_c(&Robot::shipped("two_link"), real);
         let Some(text) = compilers::ptx(&folder) else {
             println!("not tested without a clang that has the target nvptx64");
             return;
@@ -154,7 +154,7 @@ fn it_is_code_for_a_gpu() {
     }
 }
 
-/// Both files of a small robot, to be read.
+/// Both files of a small robot, for review.
 #[test]
 fn a_pendulum_with_a_field() {
     let source = Robot::pendulum().source(Real::F32);

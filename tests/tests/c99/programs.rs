@@ -1,16 +1,16 @@
 //! Programs that call every function of a robot.
 //!
-//! In: a robot, a type of number. Out: `main` in both languages: it reads states from its input, and
-//! writes the numbers of all results, as the machine has them.
+//! In: a robot, a scalar type. Out: `main` in both languages, which reads states from its input and writes the numbers
+//! of all results, in the machine's bytes.
 
 use std::fmt::Write;
 
 use homogen_codegen::space::Variable;
 use homogen_codegen::{Function, Real};
 
-use crate::robot::{Asked, Robot};
+use crate::robot::{Call, Robot};
 
-/// In Rust, beside `arm.rs`.
+/// The program in Rust, beside `arm.rs`.
 pub fn rust(robot: &Robot, real: Real) -> String {
     let number = match real {
         Real::F32 => "f32",
@@ -55,14 +55,14 @@ pub fn rust(robot: &Robot, real: Real) -> String {
         };
     }
     text.push_str("};\n");
-    if robot.asked.iter().any(|asked| asked.prepared) {
+    if robot.calls.iter().any(|call| call.prepared) {
         text.push_str("let prepared = arm.prepare();\n");
     }
-    for Asked {
+    for Call {
         functions,
         name,
         prepared,
-    } in &robot.asked
+    } in &robot.calls
     {
         let arguments = Variable::together(
             functions
@@ -99,7 +99,7 @@ pub fn rust(robot: &Robot, real: Real) -> String {
     text
 }
 
-/// In C, beside `arm.h` and `arm.c`.
+/// The program in C, beside `arm.h` and `arm.c`.
 pub fn c(robot: &Robot, real: Real) -> String {
     let number = match real {
         Real::F32 => "float",
@@ -122,20 +122,20 @@ pub fn c(robot: &Robot, real: Real) -> String {
         place += robot.spaces.len(variable.space());
     }
     if !robot.fields.is_empty() {
-        // Its members are numbers and nothing else, in the order of the fields.
+        // Its members are numbers, in the order of the fields.
         let _ = writeln!(
             text,
             "arm_robot robot; memcpy(&robot, state + {place}, sizeof robot);"
         );
     }
-    if robot.asked.iter().any(|asked| asked.prepared) {
+    if robot.calls.iter().any(|call| call.prepared) {
         text.push_str("arm_prepared prepared; arm_prepare(&robot, &prepared);\n");
     }
-    for Asked {
+    for Call {
         functions,
         name,
         prepared,
-    } in &robot.asked
+    } in &robot.calls
     {
         text.push_str("{\n");
         let [first, own] = if *prepared {
@@ -144,13 +144,13 @@ pub fn c(robot: &Robot, real: Real) -> String {
             ["&robot", ""]
         };
         let robot_first = (!robot.fields.is_empty()).then(|| first.to_owned());
-        let mut handed: Vec<String> = robot_first.into_iter().collect();
+        let mut passed: Vec<String> = robot_first.into_iter().collect();
         let arguments = Variable::together(
             functions
                 .iter()
                 .map(|function| function.arguments().to_vec()),
         );
-        handed.extend(arguments.iter().map(|of| of.name().to_owned()));
+        passed.extend(arguments.iter().map(|of| of.name().to_owned()));
         let results: Vec<(String, String)> = functions
             .iter()
             .flat_map(|function| results(*function, robot))
@@ -158,9 +158,9 @@ pub fn c(robot: &Robot, real: Real) -> String {
         for (result, lengths) in &results {
             let _ = writeln!(text, "{number} {result}{lengths};");
             let address = if lengths.is_empty() { "&" } else { "" };
-            handed.push(format!("{address}{result}"));
+            passed.push(format!("{address}{result}"));
         }
-        let _ = writeln!(text, "arm_{own}{name}({});", handed.join(", "));
+        let _ = writeln!(text, "arm_{own}{name}({});", passed.join(", "));
         for (result, _) in &results {
             let _ = writeln!(text, "fwrite(&{result}, sizeof {result}, 1, stdout);");
         }
@@ -186,7 +186,7 @@ pub fn c(robot: &Robot, real: Real) -> String {
     text
 }
 
-/// The results of a function, each with its lengths: `[2][6]`, or nothing for a number.
+/// The results of a function, each with its lengths: `[2][6]`, or empty for a number.
 fn results(function: Function, robot: &Robot) -> Vec<(String, String)> {
     let parts = function.result().parts().map(|(part, quantity)| {
         let lengths = quantity.lengths(&robot.spaces).into_iter();

@@ -1,6 +1,6 @@
-//! What is written in both languages.
+//! Robots that are printed in both languages.
 //!
-//! In: descriptions. Out: robots with what is asked of them. It never compiles anything.
+//! In: descriptions. Out: robots with requests, and their files.
 
 use homogen_codegen::description::{Description, Name, read_file, read_text};
 use homogen_codegen::error::Errors;
@@ -12,31 +12,31 @@ use homogen_codegen::space::{Spaces, Variable};
 use homogen_codegen::{Builder, Function, Processor, Real, Target};
 use quote::format_ident;
 
-/// One function as it is asked for: several that share their work, the frame that it is of.
-pub struct Asked {
-    /// What it computes.
+/// A generated function, of one function or of several that share their work, in one frame.
+pub struct Call {
+    /// The functions that it computes.
     pub functions: Vec<Function>,
     /// Its name in Rust, and in C behind the prefix.
     pub name: String,
-    /// Whether it is that of the robot once prepared.
+    /// True for the method of the prepared robot.
     pub prepared: bool,
 }
 
-/// A robot and what is asked of it.
+/// A robot with its request.
 pub struct Robot {
     /// The name of its files.
     pub name: String,
-    /// What is called.
-    pub asked: Vec<Asked>,
-    /// What arguments and results are over.
+    /// The generated functions.
+    pub calls: Vec<Call>,
+    /// The spaces of arguments and results.
     pub spaces: Spaces,
-    /// The fields and how many numbers each has.
+    /// The fields, each with its number of entries.
     pub fields: Vec<(String, usize)>,
     description: Description,
     request: Request,
 }
 
-/// The link whose frame poses are of, where a robot has more than one end.
+/// The end effector of a robot with more than one end.
 fn tip(robot: &str) -> Option<Name> {
     (robot == "quadruped").then(|| named("hr_foot"))
 }
@@ -54,7 +54,7 @@ impl Robot {
         let chain = chain
             .unwrap_or_else(|errors| panic!("{errors}"))
             .identified();
-        let mut asked = Vec::new();
+        let mut calls = Vec::new();
         for functions in request.items(!chain.loops.is_empty()) {
             let names: Vec<_> = functions.iter().map(|function| function.name()).collect();
             let name = names.join("_and_");
@@ -66,7 +66,7 @@ impl Robot {
                 .into_iter()
                 .take(1 + usize::from(request.prepare))
             {
-                asked.extend(names.iter().map(|name| Asked {
+                calls.extend(names.iter().map(|name| Call {
                     functions: functions.clone(),
                     name: name.clone(),
                     prepared,
@@ -77,7 +77,7 @@ impl Robot {
         let fields = fields.map(|field| (field.field.to_string(), field.target.entries()));
         Self {
             name: name.to_owned(),
-            asked,
+            calls,
             spaces: chain.spaces().clone(),
             fields: fields.collect(),
             description,
@@ -85,8 +85,8 @@ impl Robot {
         }
     }
 
-    /// One of those that ship, with all functions.
-    pub fn that_ships(name: &str) -> Self {
+    /// A robot that ships, with all functions.
+    pub fn shipped(name: &str) -> Self {
         let functions = Function::ALL.into_iter().map(|function| vec![function]);
         let request = Request {
             tip: tip(name),
@@ -96,8 +96,7 @@ impl Robot {
         Self::new(name, described(name), request)
     }
 
-    /// Two links with numbers that are free at run time, one of them never read, and a further frame; and the
-    /// same once prepared.
+    /// Two links with several fields, one of them never read, a further frame, and `prepare`.
     pub fn with_fields() -> Self {
         let field = |name: &str, target| Parameter {
             field: format_ident!("{name}"),
@@ -128,14 +127,14 @@ impl Robot {
         Self::new("fields", described("two_link"), request)
     }
 
-    /// The same with the sines of the library.
+    /// The same robot with the sines of the C library.
     pub fn with_platform_sines(mut self) -> Self {
         self.request.formulation.sines = Sines::Platform;
         self
     }
 
-    /// One whose coordinates are not its velocities, with all functions.
-    pub fn with_every_kind_of_joint() -> Self {
+    /// A robot with fewer velocities than coordinates, with all functions.
+    pub fn with_quaternions() -> Self {
         let link = |name: &str| {
             format!(
                 r#"<link name="{name}"><inertial><origin xyz="0.1 0.02 -0.03"/><mass value="2"/>
@@ -150,7 +149,7 @@ impl Robot {
                 <axis xyz="0 0 1"/>{more}</joint>"#
             )
         };
-        let follows = r#"<mimic joint="to fore" multiplier="-0.7" offset="0.1"/>"#;
+        let mimic = r#"<mimic joint="to fore" multiplier="-0.7" offset="0.1"/>"#;
         let text = [
             r#"<robot name="every joint"><link name="world"/>"#.to_owned(),
             ["trunk", "upper", "slab", "fore", "hand"]
@@ -160,7 +159,7 @@ impl Robot {
             joint("spherical", ["trunk", "upper"], ""),
             joint("planar", ["upper", "slab"], ""),
             joint("continuous", ["slab", "fore"], ""),
-            joint("continuous", ["fore", "hand"], follows),
+            joint("continuous", ["fore", "hand"], mimic),
             "</robot>".to_owned(),
         ];
         let functions = Function::ALL.into_iter().map(|function| vec![function]);
@@ -175,7 +174,7 @@ impl Robot {
         )
     }
 
-    /// A slider-crank that a rod holds as well, with all functions of loops and one of others.
+    /// A slider-crank with an additional rod, with all functions of loops and forward dynamics.
     pub fn with_loops() -> Self {
         let link = |name: &str, at: f64| {
             format!(
@@ -215,7 +214,7 @@ impl Robot {
         Self::new("slider_crank", description, request)
     }
 
-    /// A pendulum with a bob that can be changed.
+    /// A pendulum with a field for the mass of its bob.
     pub fn pendulum() -> Self {
         let text = r#"<robot name="pendulum">
             <link name="stand"/>
@@ -245,13 +244,13 @@ impl Robot {
         Self::new("pendulum", read("pendulum.urdf", text), request)
     }
 
-    /// The same for a processor.
+    /// The same robot for a processor.
     pub fn on(mut self, processor: Processor) -> Self {
         self.request.processor = processor;
         self
     }
 
-    /// What is asked for, in a type of number.
+    /// The request, in a scalar type.
     pub fn request(&self, real: Real) -> Request {
         Request {
             scalar: real,
@@ -283,16 +282,16 @@ impl Robot {
         source.unwrap_or_else(|errors| panic!("{errors}"))
     }
 
-    /// How many numbers a state has: of each argument, then of each field.
+    /// The number of inputs of a state: those of each argument, then those of each field.
     pub fn inputs(&self) -> usize {
         let arguments = Variable::ALL.into_iter();
         let arguments = arguments.map(|variable| self.spaces.len(variable.space()));
         arguments.sum::<usize>() + self.fields.iter().map(|(_, size)| size).sum::<usize>()
     }
 
-    /// How many numbers all functions return together.
+    /// The number of results of all functions.
     pub fn outputs(&self) -> usize {
-        let functions = self.asked.iter().flat_map(|asked| &asked.functions);
+        let functions = self.calls.iter().flat_map(|call| &call.functions);
         let sizes = functions.map(|function| function.result().size(&self.spaces));
         let [coordinates, velocities] =
             [Variable::Q, Variable::Qd].map(|of| self.spaces.len(of.space()));
@@ -304,7 +303,7 @@ impl Robot {
         sizes.sum::<usize>() + steps
     }
 
-    /// Whether it has functions of configurations, which are asked for with no field.
+    /// True if it has `integrate` and the like, which the programs call only without fields.
     pub fn has_steps(&self) -> bool {
         self.spaces.quaternions().next().is_some()
     }

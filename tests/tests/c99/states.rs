@@ -1,21 +1,20 @@
-//! States, and numbers beside numbers.
+//! States as bytes, and comparison of results.
 //!
-//! In: how many numbers, of which type. Out: the same ones on every machine; and whether two lists have the
-//! same bits.
+//! In: counts, a scalar type. Out: the same states on every machine; a failure if two results differ in a bit.
 
 use std::array::from_fn;
 
 use homogen_codegen::Real;
 use homogen_tests::states::{NASTY, Random};
 
-/// So many states with so many numbers, which both types hold.
+/// So many states, with numbers that are exact in both types.
 pub fn everyday(numbers: usize, states: usize) -> Vec<f64> {
     let mut random = Random::new(17);
     let all = 0..numbers * states;
     all.map(|_| 4.0 * random.unit()).collect()
 }
 
-/// The same; of every third state, a third is nasty.
+/// The same, with adverse numbers for a third of the entries of every third state.
 pub fn nasty(numbers: usize, states: usize) -> Vec<f64> {
     let mut random = Random::new(18);
     let mut all = everyday(numbers, states);
@@ -29,7 +28,7 @@ pub fn nasty(numbers: usize, states: usize) -> Vec<f64> {
     all
 }
 
-/// Numbers as the machine has them in their type.
+/// Numbers in the machine's bytes of their type.
 pub fn bytes(numbers: &[f64], real: Real) -> Vec<u8> {
     let mut bytes = Vec::new();
     for number in numbers {
@@ -42,8 +41,8 @@ pub fn bytes(numbers: &[f64], real: Real) -> Vec<u8> {
     bytes
 }
 
-/// Fails with the first number whose bits differ, of so many a state; NaN is NaN, since neither language
-/// tells its bits.
+/// Fails at the first number whose bits differ; `size` is the count of numbers in a state. All NaN are equal, since
+/// neither language specifies their bits.
 pub fn same(found: &[u8], expected: &[u8], size: usize, real: Real, what: &str) {
     assert_eq!(found.len(), expected.len(), "{what}");
     let width = bytes(&[0.0], real).len();
@@ -61,7 +60,7 @@ pub fn same(found: &[u8], expected: &[u8], size: usize, real: Real, what: &str) 
     }
 }
 
-/// Numbers of double precision.
+/// The numbers in bytes of double precision.
 pub fn numbers(bytes: &[u8]) -> Vec<f64> {
     let numbers = bytes.chunks_exact(8);
     numbers
@@ -69,7 +68,7 @@ pub fn numbers(bytes: &[u8]) -> Vec<f64> {
         .collect()
 }
 
-/// The bits of a number, one pattern for every NaN.
+/// The bits of a number, the same for every NaN.
 fn bits(bytes: &[u8], real: Real) -> u64 {
     match real {
         Real::F32 => {

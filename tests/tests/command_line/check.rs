@@ -54,7 +54,7 @@ fn tells_what_became_of_the_description() {
     assert_eq!(arm["warnings"][0]["column"], 5);
     let message = arm["warnings"][0]["message"].as_str().unwrap();
     assert!(
-        message.starts_with("no body has the inertia of link \"upper\""),
+        message.starts_with("the inertia of link \"upper\""),
         "{message}"
     );
     let shoulder = &arm["details"]["joints"][0];
@@ -94,12 +94,12 @@ tip hand
   elbow at 0
 1 link left out
   camera
-1 angle taken for a right angle
+1 angle read as a right angle
   15:18: 1.5708 of shoulder is π/2
 1 warning
-warning: <stdin>:4:5: no body has the inertia of link \"upper\": a second moment about its centre \
+warning: <stdin>:4:5: the inertia of link \"upper\" is not physical: a second moment about its centre \
 of mass is -5.000e-2 kg m² (-33.3 % of the largest)
-  hint: computed as given; correct the file, or refuse such files with strict
+  hint: used as given: correct the file, or make this an error with strict
 ";
     assert_eq!(answer.output, expected);
     assert_eq!((&*answer.remarks, answer.code), ("", 0));
@@ -109,7 +109,7 @@ of mass is -5.000e-2 kg m² (-33.3 % of the largest)
 fn strict_refuses_what_is_doubtful() {
     let remarks = refused("check - --strict", ARM);
     assert!(
-        remarks.starts_with("error: <stdin>:4:5: no body has the inertia"),
+        remarks.starts_with("error: <stdin>:4:5: the inertia of link"),
         "{remarks}"
     );
     assert!(remarks.contains("(refused: strict)"), "{remarks}");

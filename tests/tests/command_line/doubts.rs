@@ -204,8 +204,8 @@ fn a_joint_that_follows_a_fixed_one_is_named_where_nothing_moves() {
     let follower = "<joint name=\"k\" type=\"revolute\"><axis xyz=\"0 0 1\"/><parent link=\"b\"/><child link=\"c\"/><mimic joint=\"j\"/></joint><link name=\"c\"/></robot>";
     let text = jointed("fixed", "").replace("</robot>", follower);
     let refused = homogen("check -", &text);
-    let error = "no joint of \"r\" moves: joint \"k\" follows joint \"j\", which is fixed\n  \
-                 hint: let \"k\" follow a joint that moves, or leave <mimic> out\n";
+    let error = "no joint of \"r\" moves: joint \"k\" mimics joint \"j\", which is fixed\n  \
+                 hint: let \"k\" mimic a moving joint, or leave <mimic> out\n";
     assert!(refused.remarks.contains(error), "{}", refused.remarks);
 }
 
@@ -218,7 +218,7 @@ fn a_plane_and_a_quaternion_of_right_angles_are_told() {
     let checked = homogen("check -", &text).output;
     for line in [
         "    0  j: planar (j.x, j.y, j.angle), x along z, y along x, from a to b, carries 1 kg\n",
-        "1 angle taken for a right angle\n  3:20: 0.7071068 0 0 0.7071068 of j is √½ 0 0 √½\n",
+        "1 angle read as a right angle\n  3:20: 0.7071068 0 0 0.7071068 of j is √½ 0 0 √½\n",
     ] {
         assert!(checked.contains(line), "{checked}");
     }

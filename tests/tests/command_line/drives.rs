@@ -55,17 +55,18 @@ fn signs_are_counted() {
 fn mistakes_and_doubts_are_told() {
     let usage = homogen("check - --damping shoulder", ARM);
     assert_eq!(usage.code, 2);
-    let message = "a joint and its number have = between them";
+    let message = "write JOINT=NUMBER";
     assert!(usage.remarks.contains(message), "{}", usage.remarks);
     assert_eq!(
         refused("check - --friction=mount=1 --armature nobody=1", ARM),
         "error: joint \"mount\" is fixed and has no friction\n\
-         error: there is no joint \"nobody\"\n"
+         error: there is no joint \"nobody\"\n  \
+         hint: joints: \"shoulder\", \"elbow\", \"slide\" and \"mount\"\n"
     );
     let doubtful = homogen("check - --friction --rotors", ARM);
     assert_eq!(doubtful.code, 0);
-    let any = "is asked for, and no joint that moves is described with any";
-    for what in ["friction", "an armature"] {
+    let any = "is requested, but no moving joint has it in the description";
+    for what in ["friction", "armature"] {
         let doubt = format!("{what} {any}");
         assert!(doubtful.output.contains(&doubt), "{}", doubtful.output);
     }

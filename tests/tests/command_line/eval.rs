@@ -165,7 +165,7 @@ fn wants_json() {
     assert!(
         answer
             .remarks
-            .starts_with("error: states.json: there is no list \"states\"\n")
+            .starts_with("error: states.json: the list \"states\" is missing\n")
     );
     assert!(answer.remarks.contains("  hint: write {\"states\":"));
     let answer = eval("--function bias", r#"{"states":[{"q":[0,0,0]}]}"#);
@@ -193,7 +193,7 @@ fn a_byte_order_mark_is_no_part_of_the_states() {
 fn states_in_utf_16_are_told_by_name() {
     let states: String = "{\"states\":[]}".chars().flat_map(|c| [c, '\0']).collect();
     let answer = eval("--function bias", &states);
-    let expected = "error: states.json is written in UTF-16\n  hint: save it as UTF-8\n";
+    let expected = "error: states.json is UTF-16\n  hint: save it as UTF-8\n";
     assert_eq!(answer.remarks, expected);
 }
 

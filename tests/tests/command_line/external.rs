@@ -74,8 +74,8 @@ fn mistakes_are_told() {
     }
     assert_eq!(
         refused("count - --functions gravity --external hand", ARM),
-        "error: actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for\n  \
-         hint: leave them out, or ask for inverse_dynamics or forward_dynamics\n"
+        "error: external wrenches enter inverse and forward dynamics and their derivatives, but none of these is generated\n  \
+         hint: leave them out, or generate inverse_dynamics or forward_dynamics\n"
     );
     assert_eq!(homogen("count - --external-in-frame-0", ARM).code, 2);
 }

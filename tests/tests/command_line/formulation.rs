@@ -105,7 +105,7 @@ fn a_form_that_loses_too_much_is_generated_and_doubted() {
         TOP_HEAVY,
     );
     assert!(
-        written.output.contains("/// Doubts: "),
+        written.output.contains("/// Warnings: "),
         "{}",
         written.output
     );

@@ -54,7 +54,7 @@ fn writes_a_header_for_c() {
         assert!(header.contains(declaration), "{header}");
     }
     assert_eq!(answer.output.matches("pub extern \"C\" fn arm_").count(), 2);
-    assert!(refused("generate - --extern-c 2nd", ARM).contains("no name in C"));
+    assert!(refused("generate - --extern-c 2nd", ARM).contains("cannot begin a name in C"));
 }
 
 #[test]
@@ -94,13 +94,16 @@ fn options_that_only_rust_has_are_told_together() {
         ARM,
     );
     for part in [
-        "--c-header is the header of functions that are written in Rust",
-        "can be named in Rust only",
+        "--c-header is for functions written in Rust",
+        "`sin_cos` is for Rust only",
     ] {
         assert!(said.contains(part), "{said}");
     }
     let said = refused("generate - --language c -o arm.h", ARM);
-    assert!(said.contains("arm.h is the name of the header"), "{said}");
+    assert!(
+        said.contains("arm.h would overwrite its own header"),
+        "{said}"
+    );
 }
 
 /// The options of the command in the head of a file, behind the name of the description.
@@ -138,7 +141,7 @@ fn fields_that_cannot_be_are_told() {
     for (options, part) in [
         ("--field m=mass_of", "`mass_of` needs a name: mass_of:hand"),
         ("--field m=mas_of:hand", "did you mean \"mass_of\"?"),
-        ("--field m", "have = between them"),
+        ("--field m", "write FIELD=WORD:NAME"),
         ("--field m=mass_of:hand --range m=3", "FIELD=LEAST..MOST"),
     ] {
         let answer = homogen(&format!("generate - {options}"), ARM);
@@ -146,7 +149,7 @@ fn fields_that_cannot_be_are_told() {
         assert!(answer.remarks.contains(part), "{}", answer.remarks);
     }
     let said = refused("generate - --range m=0..1", ARM);
-    assert!(said.contains("none is called `m`"), "{said}");
+    assert!(said.contains("needs a --field with the name `m`"), "{said}");
     let said = refused("generate - --field m=mass_of:hand --range m=-1..1", ARM);
     assert!(said.contains("has negative masses"), "{said}");
 }

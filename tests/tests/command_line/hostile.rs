@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::homogen;
 
-/// What no output may hold as it is: controls, what turns the direction of text, what has no width.
+/// Characters that no output may contain unescaped: controls, marks of direction, characters without width.
 fn is_hidden(letter: char) -> bool {
     let alone = [
         '\u{7f}', '\u{ad}', '\u{61c}', '\u{200b}', '\u{200c}', '\u{200d}', '\u{200e}', '\u{200f}',

@@ -1,4 +1,4 @@
-//! What the program `homogen` says, to people and to programs.
+//! Output of the program `homogen`, for people and for programs.
 //!
 //! In: arguments and standard input. Out: the answer, word for word where others rely on it. A file a
 //! command, one for the formulation; here is what holds for all.
@@ -71,7 +71,7 @@ fn keys(object: &Value) -> Vec<&str> {
     object.keys().map(String::as_str).collect()
 }
 
-/// What standard error has of an answer that is a mistake.
+/// The standard error of an answer with mistakes.
 fn refused(arguments: &str, input: &str) -> String {
     let answer = homogen(arguments, input);
     assert_eq!((&*answer.output, answer.code), ("", 1), "{arguments}");
@@ -117,7 +117,7 @@ fn a_file_that_is_not_there() {
     );
     assert_eq!(
         refused("eval - --function gravity --states -", ARM),
-        "error: description and states cannot both be standard input\n"
+        "error: the description and the states cannot both be standard input\n"
     );
 }
 
@@ -128,15 +128,15 @@ fn arguments_that_make_no_sense() {
             "count - --functions mass_matix",
             "did you mean \"mass_matrix\"? known functions: forward",
         ),
-        ("count - --functions bias+bias", "bias is asked for twice"),
+        ("count - --functions bias+bias", "bias occurs twice"),
         (
             "check - --gravity 0,0",
-            "gravity is three numbers with commas between them, or none",
+            "write gravity as three numbers with commas, or none",
         ),
         ("check - --gravity 0,0,inf", "`inf` is not a finite number"),
         (
             "count - --processor cortex-m5",
-            "there is no such processor\n  hint: did you mean \"cortex-m4\"? known processors: portable,",
+            "unknown processor\n  hint: did you mean \"cortex-m4\"? known processors: portable,",
         ),
         ("check - --lock elbow=bent", "`bent` is not a number"),
         ("eval - --function gravity", "--states <FILE>"),
@@ -191,7 +191,7 @@ fn a_long_robot_is_checked_and_one_of_reasonable_size_generated() {
 fn what_is_too_large_for_a_robot_is_refused() {
     let expected = "\
 error: <stdin>:1:14: the robot has 5001 joints, and at most 5000 can be modelled
-  hint: choose a base further out, or drop what is not needed
+  hint: choose a base further out, or drop links that are not needed
 ";
     let longer = snake(5001);
     let told = refused("check -", &longer);

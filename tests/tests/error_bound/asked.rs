@@ -1,4 +1,4 @@
-//! The robots whose bounds are held against errors.
+//! The robots whose bounds are compared with errors.
 //!
 //! In: a name, options. Out: descriptions with requests, and chains.
 
@@ -7,16 +7,16 @@ use homogen_codegen::description::{Description, Name, read_file, read_text};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::request::{Parameter, Request, Target};
-use homogen_tests::drives::driven;
+use homogen_tests::drives::with_actuators;
 use homogen_tests::subjects::{Subject, subject};
 use quote::format_ident;
 
 use crate::jointed;
 
-/// A number that is a field, and the link or the joint that it is of.
+/// A parameter that is a field, and its link or joint.
 pub type Free = (fn(Name) -> Target, &'static str);
 
-/// A robot, and how it is asked for.
+/// A robot and its options.
 #[derive(Clone, Copy)]
 pub struct Asked {
     pub robot: &'static str,
@@ -24,19 +24,18 @@ pub struct Asked {
     pub formulation: Formulation,
     /// Links whose masses are fields.
     pub loads: &'static [&'static str],
-    /// Other numbers that are fields, each of a link or a joint.
+    /// Other parameters that are fields.
     pub free: &'static [Free],
-    /// Whether its joints have drives, and the surroundings act on its tip.
-    pub driven: bool,
-    /// Whether its root is free.
+    /// True if its joints have armature, damping and friction, and its end effector an external wrench.
+    pub has_actuators: bool,
+    /// True if its base is floating.
     pub floating: bool,
-    /// How many times the worst error that was measured a bound may be.
+    /// The largest allowed ratio of a bound to the worst measured error.
     pub farthest: f64,
 }
 
-/// As a robot is asked for without options. The farthest bound is 129 times the worst error, of the
-/// bias of the seven-joint arm: rounding errors of opposite signs cancel, which a bound cannot count
-/// on.
+/// A robot with default options. The largest ratio of a bound to the worst error is 129, for the bias of the
+/// seven-joint arm: rounding errors of opposite signs cancel, and a bound must assume that they do not.
 pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
     Asked {
         robot,
@@ -44,13 +43,14 @@ pub fn asked(robot: &'static str, tip: &'static str) -> Asked {
         formulation: Formulation::default(),
         loads: &[],
         free: &[],
-        driven: false,
+        has_actuators: false,
         floating: false,
         farthest: 150.0,
     }
 }
 
-/// A robot that ships, by its name, one with joints of other kinds, or one made to be hard, by its label.
+/// The description and request of a robot that ships, of one with other types of joints, or of a hard case by its
+/// label.
 pub fn described(asked: Asked) -> (Description, Request) {
     let (description, request) = as_asked(asked);
     let chain = chain::build(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
@@ -99,10 +99,10 @@ fn as_asked(asked: Asked) -> (Description, Request) {
         floating: asked.floating,
         ..Request::default()
     };
-    let request = if asked.driven {
+    let request = if asked.has_actuators {
         Request {
             external: vec![Name::from(asked.tip)],
-            ..driven(&description, request)
+            ..with_actuators(&description, request)
         }
     } else {
         request

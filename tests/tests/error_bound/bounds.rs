@@ -1,7 +1,7 @@
-//! Bounds beside the worst errors that were measured.
+//! Comparison of bounds with the worst measured errors.
 //!
-//! In: the bounds of a function, the errors of its results. Out: whether none is beyond its bound and
-//! none of the bounds far beyond, and a table of both.
+//! In: the bounds of a function, the errors of its results. Out: true if all errors are within their bounds and no
+//! bound is far above them; a table of both.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use homogen_codegen::Function;
 use homogen_codegen::accuracy::Bound;
 use homogen_codegen::chain::Chain;
 
-/// The worst of the errors of a function's results that a bound is of.
+/// The worst error of the results to which a bound applies.
 fn worst_of(chain: &Chain, function: Function, bound: &Bound, errors: &[f64]) -> f64 {
     let (result, spaces) = (function.result(), chain.spaces());
     let name = |k: usize| {
@@ -22,14 +22,14 @@ fn worst_of(chain: &Chain, function: Function, bound: &Bound, errors: &[f64]) ->
     own.fold(0.0, |most, (_, (_, &error))| most.max(error))
 }
 
-/// The number of a bound that is of one type.
+/// The value of a bound in one type.
 pub fn number(bound: &Bound) -> f64 {
     let number = bound.double.or(bound.single);
-    number.expect("it is of one type")
+    number.expect("a bound in one type")
 }
 
-/// Whether no joint's error is beyond its bound, and the worst bound of each unit no farther from the
-/// worst error than that; in a table.
+/// True if the errors of all joints are within their bounds, and the largest bound of each unit is at most `farthest`
+/// times the worst error. Appends both to a table.
 pub fn holds(
     chain: &Chain,
     function: Function,
@@ -45,14 +45,14 @@ pub fn holds(
     for unit in units {
         let (mut most, mut worst) = (0.0_f64, 0.0_f64);
         for bound in bounds.iter().filter(|bound| bound.unit == unit) {
-            let (promised, found) = (number(bound), worst_of(chain, function, bound, errors));
-            holds &= found <= promised;
-            if found > promised {
+            let (bounded, found) = (number(bound), worst_of(chain, function, bound, errors));
+            holds &= found <= bounded;
+            if found > bounded {
                 writeln!(table, "{bound:?}: {found:.1e}").expect("a string takes everything");
             }
-            (most, worst) = (most.max(promised), worst.max(found));
+            (most, worst) = (most.max(bounded), worst.max(found));
         }
-        // What is exact may have been bounded as if its numbers were not.
+        // Exact results may have a bound for rounded numbers.
         holds &= most <= farthest * worst || worst == 0.0;
         let name = function.name();
         writeln!(table, "{name:20} {unit:6} {worst:9.1e} of {most:9.1e}")

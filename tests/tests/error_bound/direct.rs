@@ -1,7 +1,7 @@
-//! Functions whose results are bounded themselves.
+//! Functions with bounds of their results.
 //!
-//! In: a robot, a type of number. Out: nothing but a failed assertion where a result of any of them is
-//! farther from 106 bits than its bound, or a bound far from the worst.
+//! In: a robot, a scalar type. Out: a failed assertion if the difference of a result from its value in 106 bits exceeds
+//! its bound, or if a bound is far above the worst error.
 
 use homogen_codegen::Function;
 use homogen_codegen::accuracy::{self, Accuracy, Means};
@@ -20,30 +20,29 @@ use crate::asked::{Asked, chain_of};
 use crate::bounds::holds;
 use crate::states::{STATES, state};
 
-/// The functions whose results have a bound.
+/// The functions with a bound of their results.
 fn functions() -> Vec<Function> {
     let all = Function::ALL.into_iter();
     all.filter(|function| !(function.solves() || function.is_constrained()))
         .collect()
 }
 
-/// How many times the worst error a bound may be: of what is made of screws and their rates, or has a column for
-/// each parameter, more terms cancel; 770 times, of the rate of a momentum.
+/// The largest allowed ratio of a bound to the worst error. It is larger where more terms cancel: in results from
+/// screws and their rates, and in those with a column for each parameter; 770 for the centroidal momentum bias.
 fn farthest(asked: Asked, function: Function) -> f64 {
     use Function::{
-        Acceleration, Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity,
-        InverseDynamics, MassMatrix, SpatialJacobian, Velocity,
+        Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics,
+        MassMatrix, SpatialJacobian, TipAcceleration, TipVelocity,
     };
     match function {
-        ForwardKinematics | SpatialJacobian | BodyJacobian | GeometricJacobian | Velocity
-        | Acceleration | InverseDynamics | Gravity | Bias | MassMatrix => asked.farthest,
+        ForwardKinematics | SpatialJacobian | BodyJacobian | GeometricJacobian | TipVelocity
+        | TipAcceleration | InverseDynamics | Gravity | Bias | MassMatrix => asked.farthest,
         _ if asked.floating => 500.0,
         _ => 6.0 * asked.farthest,
     }
 }
 
-/// The worst error of each result of some programs, whose exact results are given one after the
-/// other.
+/// The worst error of each result of several programs; `exact` has all their exact results, one after the other.
 fn measure<T: Tested>(
     programs: &[Program],
     exact: &Evaluation<Double>,
@@ -68,7 +67,7 @@ fn measure<T: Tested>(
     worst
 }
 
-/// Every function of a robot in one type.
+/// Checks every function of a robot in one type.
 pub fn check<T: Tested>(asked: Asked) {
     let chain = chain_of(asked);
     let graph = chain.graph.clone();
@@ -91,7 +90,7 @@ pub fn check<T: Tested>(asked: Asked) {
     });
     let programs: Vec<Program> = programs.collect();
     let mut measured = measure::<T>(&programs, &exact, &chain);
-    // A number that the type has is bounded as if it had to be rounded.
+    // The bound of an exact literal is that of a rounded one.
     for (program, measured) in programs.iter().zip(&mut measured) {
         for (result, error) in program.results.iter().zip(measured) {
             if matches!(result, Operand::Literal(_)) {
@@ -108,10 +107,10 @@ pub fn check<T: Tested>(asked: Asked) {
             ..Means::default()
         };
         let accuracy = accuracy::of(&chain, &[*function], program, means);
-        let Some(Accuracy::Within(promise)) = accuracy else {
+        let Some(Accuracy::Within(bound)) = accuracy else {
             panic!("{function:?}: {accuracy:?}");
         };
-        let (bounds, farthest) = (&promise.bounds, farthest(asked, *function));
+        let (bounds, farthest) = (&bound.bounds, farthest(asked, *function));
         all &= holds(&chain, *function, bounds, measured, farthest, &mut table);
     }
     println!("{table}");

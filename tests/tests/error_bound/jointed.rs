@@ -1,10 +1,10 @@
-//! Robots whose joints have quaternions, move in a plane, follow others, or stand in a row without inertia between.
+//! Robots with quaternions, planar joints, mimic joints, or links without inertia between joints.
 //!
-//! In: a name. Out: a description, each kind of these joints in the middle of it.
+//! In: a name. Out: a description with such joints in the middle.
 
 use std::fmt::Write;
 
-/// A joint and the link that it carries: type, where it is, axis and what else is said of it, mass.
+/// A joint and the link that it carries: parent, type, origin, axis, further elements, mass.
 type Row = (
     &'static str,
     &'static str,
@@ -14,26 +14,40 @@ type Row = (
     f64,
 );
 
-/// Two fingers on a wrist that slide as one, and a thumb that a rack turns.
+/// Two fingers on coupled prismatic joints at a wrist, and a thumb that mimics one of them.
 const GRIPPER: &[Row] = &[
     ("base", "revolute", "0 0.1 0.2", "0 0 1", LIMIT, 0.6),
     ("l1", "revolute", "0 0.05 0.3", "0 1 0", LIMIT, 0.4),
-    ("l2", "prismatic", "0 0.03 0.1", "0 1 0", SLIDE, 0.05),
-    ("l2", "prismatic", "0 -0.03 0.1", "0 1 0", FOLLOWS, 0.05),
-    ("l2", "revolute", "0.04 0 0.08", "1 0 0", TURNS, 0.04),
-    ("l5", "revolute", "0 0 0.05", "0.6 0 0.8", TURNS_BACK, 0.02),
+    ("l2", "prismatic", "0 0.03 0.1", "0 1 0", FINGER, 0.05),
+    (
+        "l2",
+        "prismatic",
+        "0 -0.03 0.1",
+        "0 1 0",
+        MIMIC_FINGER,
+        0.05,
+    ),
+    ("l2", "revolute", "0.04 0 0.08", "1 0 0", MIMIC_THUMB, 0.04),
+    (
+        "l5",
+        "revolute",
+        "0 0 0.05",
+        "0.6 0 0.8",
+        MIMIC_OF_THUMB,
+        0.02,
+    ),
 ];
 
 const LIMIT: &str = r#"<limit lower="-2" upper="2" velocity="3" effort="9"/>"#;
-const SLIDE: &str = r#"<limit lower="0" upper="0.04" velocity="0.3" effort="9"/>"#;
-const FOLLOWS: &str = r#"<limit lower="-1" upper="1" velocity="3" effort="9"/>
+const FINGER: &str = r#"<limit lower="0" upper="0.04" velocity="0.3" effort="9"/>"#;
+const MIMIC_FINGER: &str = r#"<limit lower="-1" upper="1" velocity="3" effort="9"/>
     <mimic joint="j3" multiplier="-1" offset="0.002"/>"#;
-const TURNS: &str = r#"<limit lower="-3" upper="3" velocity="9" effort="9"/>
+const MIMIC_THUMB: &str = r#"<limit lower="-3" upper="3" velocity="9" effort="9"/>
     <mimic joint="j3" multiplier="25" offset="0.1"/>"#;
-const TURNS_BACK: &str = r#"<limit lower="-3" upper="3" velocity="9" effort="9"/>
+const MIMIC_OF_THUMB: &str = r#"<limit lower="-3" upper="3" velocity="9" effort="9"/>
     <mimic joint="j5" multiplier="-0.5" offset="0"/>"#;
 
-/// A puck in a plane, an arm on it whose shoulder is a ball, and what flies about the puck with a slide on it.
+/// A planar joint, a ball joint with an arm, and a floating joint with a prismatic one.
 const EVERY_POSTURE: &[Row] = &[
     ("base", "planar", "0.2 0 0.1", "0 0.6 0.8", "", 3.0),
     ("l1", "spherical", "0.1 -0.2 0.3", "0 0 1", "", 2.0),
@@ -42,8 +56,8 @@ const EVERY_POSTURE: &[Row] = &[
     ("l4", "prismatic", "0 0 -0.1", "0 0.6 0.8", LIMIT, 0.3),
 ];
 
-/// A platform on two slides without a mass of their own, and on it a shaft in a Cardan joint that carries a bolt, a
-/// stage of three slides, and a head on two turns, the first of which moves next to nothing.
+/// A platform on two prismatic joints with massless links; on it, a shaft on a universal joint that carries a bolt, a
+/// stage with three translations, and a head on two revolute joints, the first with a nearly massless link.
 const NOTHING_BETWEEN: &[Row] = &[
     ("base", "prismatic", "0.2 0 0.1", "1 0 0", LIMIT, 0.0),
     ("l1", "prismatic", "0 0 0.2", "0 0.8 0.6", LIMIT, 0.0),
@@ -57,7 +71,7 @@ const NOTHING_BETWEEN: &[Row] = &[
 
 const CARDAN: &str = r#"<axis2 xyz="0 0.8 0.6"/>"#;
 
-/// The description of a robot of this name, where it is one of these.
+/// The description of a robot of this name; `None` if it is not one of these.
 pub fn text(name: &str) -> Option<String> {
     let rows = match name {
         "gripper" => GRIPPER,

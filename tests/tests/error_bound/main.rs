@@ -1,9 +1,8 @@
-//! The error that stands in the doc comment of each function, against the one that is measured.
+//! Printed error bounds of all functions, compared with measured errors.
 //!
-//! In: every robot that ships, and random states of the range that its bounds are for, ends of the
-//! range among them. Out: that no error is beyond its bound, and no bound far beyond the errors.
-//! Programs run as the generated code does, on a target that fuses products with sums and on one that
-//! does not; the truth is the same function in the frames of the description, with 106 bits.
+//! In: every robot that ships, at random states in the range of the bounds, ends of the range among them. Out: errors
+//! are within their bounds, and bounds are not far above the errors. Programs run as generated code does, with and
+//! without fused products; the truth is the same function in the frames of the description, in 106 bits.
 
 mod asked;
 mod bounds;
@@ -61,14 +60,14 @@ robot!(ur5_class, "tool0");
 robot!(panda_class, "link8");
 robot!(quadruped, "hr_foot");
 
-/// Joints that follow others, of which each velocity moves several.
+/// Mimic joints: a velocity moves several joints.
 #[test]
 fn gripper() {
     check_both(asked("gripper", "l6"));
 }
 
-/// What joints move is known from the bodies at the ends of a row where none between has inertia: in double precision
-/// as well as solutions take.
+/// Bounds of velocities come from the bodies at the ends of a row of massless links. Solutions are bounded in double
+/// precision only.
 #[test]
 fn with_nothing_between_joints() {
     let asked = with_nothing_between();
@@ -88,8 +87,8 @@ fn with_nothing_between() -> Asked {
     }
 }
 
-/// Within 500 times the worst error with a floating base; within 1,400 where joints with quaternions are carried by
-/// others, and too much in single precision for accelerations.
+/// Bounds are up to 500 times the worst error with a floating base, and up to 1,400 times if joints with quaternions
+/// are carried by others; accelerations are not bounded then in single precision.
 #[test]
 fn with_quaternions_and_in_a_plane() {
     for asked in with_postures() {
@@ -102,7 +101,7 @@ fn with_quaternions_and_in_a_plane() {
     let [free, every] = with_postures();
     check_solved::<F64>(free);
     check_solved::<Fused64>(free);
-    // The inverse of the other one's mass matrix is made of articulated bodies, below.
+    // The articulated inverse of the other robot is tested below.
     let every = Asked {
         farthest: BY_BODIES,
         ..every
@@ -111,7 +110,7 @@ fn with_quaternions_and_in_a_plane() {
     assert!(check_accelerations::<Fused64>(every));
 }
 
-/// How many times the worst error bounds are that are made of articulated bodies where quaternions are carried.
+/// Largest allowed ratio of bound to error for the articulated-body algorithm with carried quaternions.
 const BY_BODIES: f64 = 3500.0;
 
 fn with_postures() -> [Asked; 2] {
@@ -128,7 +127,7 @@ fn with_postures() -> [Asked; 2] {
     ]
 }
 
-/// Arms on a floating base: within 500 times the worst error.
+/// Bounds of arms on a floating base are up to 500 times the worst error.
 #[test]
 fn on_a_floating_base() {
     for (robot, tip) in [("ur5_class", "tool0"), ("puma560_general", "tool")] {
@@ -148,8 +147,8 @@ fn panda() -> Asked {
     asked("panda_class", "link8")
 }
 
-/// Differences of large sums are not bounded as well as they come out: 5300 times the worst error where
-/// products are fused; what is lost of M is then too much in single precision for a solution.
+/// Differences of large sums have loose bounds: up to 5300 times the worst error with fused products. The bounded loss
+/// of M is then too large for solutions in single precision.
 #[test]
 fn in_frame_0() {
     let asked = Asked {
@@ -195,8 +194,7 @@ fn with_the_parameters_of_the_description() {
     });
 }
 
-/// Of most robots in double precision alone: what the inertias of two bodies tell of a correction
-/// is too little for single precision.
+/// For most robots in double precision only: the bound of a correction is too loose in single precision.
 #[test]
 fn refined() {
     let refined = |refinements, robot, tip| Asked {
@@ -224,8 +222,8 @@ fn refined() {
     }
 }
 
-/// What articulated inertias are is not followed entry by entry: up to 2800 times the worst error; of 16
-/// joints in a row, which would all have to be fastest and err the same way, 130000 times.
+/// Articulated inertias are not bounded entry by entry: bounds are up to 2800 times the worst error, and up to 130000
+/// times for 16 joints in a row, all of which would need the worst rounding at full speed.
 #[test]
 fn by_articulated_bodies() {
     let (in_both, in_double) = ([true; 2], [true, false]);
@@ -236,7 +234,7 @@ fn by_articulated_bodies() {
         ("puma560_general", "tool", 1000.0, in_both),
         ("panda_class", "link8", 1500.0, in_double),
         ("quadruped", "hr_foot", 1000.0, in_both),
-        // What slides has no mass of its own.
+        // The link of the prismatic joint has no mass of its own.
         ("lift/6", "", 1000.0, in_double),
         ("spatial/16", "", 2e5, in_double),
         ("heavy_tip/1e6", "", 1500.0, in_double),
@@ -258,7 +256,7 @@ fn by_articulated_bodies() {
     }
 }
 
-/// Whether there are bounds in double and in single precision is told as well.
+/// `bounded`: true for double and for single precision if bounds must exist.
 fn check_articulated(asked: Asked, bounded: [bool; 2]) {
     let asked = Asked {
         formulation: Formulation {
@@ -289,7 +287,7 @@ fn check_articulated(asked: Asked, bounded: [bool; 2]) {
     }
 }
 
-/// Whether accelerations, the inverse and the derivatives have bounds.
+/// True for accelerations, the inverse and the derivatives if they have bounds.
 fn check_solved_by_bodies<T: Tested>(asked: Asked) -> [bool; 3] {
     [
         check_accelerations::<T>(asked),
@@ -298,12 +296,12 @@ fn check_solved_by_bodies<T: Tested>(asked: Asked) -> [bool; 3] {
     ]
 }
 
-/// What friction, armatures and actions from outside round is counted, in every form of forward dynamics.
+/// Bounds include the rounding of armature, friction and external wrenches, with every algorithm of forward dynamics.
 #[test]
-fn with_drives_and_actions() {
+fn with_actuators_and_external_wrenches() {
     for (robot, tip) in [("stanford_general", "tool"), ("panda_class", "link8")] {
         check_both(Asked {
-            driven: true,
+            has_actuators: true,
             farthest: 250.0,
             ..asked(robot, tip)
         });
@@ -316,7 +314,7 @@ fn with_drives_and_actions() {
                     forward: Some(forward),
                     ..Formulation::default()
                 },
-                driven: true,
+                has_actuators: true,
                 farthest,
                 ..asked(robot, tip)
             };
@@ -326,9 +324,9 @@ fn with_drives_and_actions() {
     }
 }
 
-/// Solutions have no bound with inertias or turns that are known at run time only.
+/// Solutions have no bound with run-time inertias or rotations.
 #[test]
-fn with_payloads_inertias_and_placements_that_are_known_at_run_time() {
+fn with_run_time_payloads_inertias_and_placements() {
     for (free, farthest) in [
         (
             &[
@@ -337,7 +335,7 @@ fn with_payloads_inertias_and_placements_that_are_known_at_run_time() {
             ][..],
             500.0,
         ),
-        // Of a turn that may be any it is not known that its columns are orthogonal.
+        // The bound does not use that the columns of a run-time rotation are orthogonal.
         (&[(Target::PlacementOf, "joint4")], 4000.0),
     ] {
         let asked = Asked {
@@ -354,7 +352,7 @@ fn with_payloads_inertias_and_placements_that_are_known_at_run_time() {
 }
 
 #[test]
-fn with_masses_that_are_known_at_run_time() {
+fn with_run_time_masses() {
     check_both(Asked {
         loads: &["link3", "link8"],
         ..panda()

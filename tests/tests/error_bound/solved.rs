@@ -1,7 +1,7 @@
-//! Functions that solve something: what is bounded is by how much what they were given is another.
+//! Solutions with the mass matrix: backward error bounds.
 //!
-//! In: a robot, a type of number. Out: nothing but a failed assertion where the τ that accelerations need
-//! misses the given τ by more than its bound, or the inverse of M what its bound lets it be off by.
+//! In: a robot, a scalar type. Out: a failed assertion if the torques that computed accelerations need differ from the
+//! given ones by more than their bound, or if M⁻¹ has a larger error than its bound allows.
 
 use homogen_codegen::accuracy::mobility::mobility;
 use homogen_codegen::accuracy::{Accuracy, Bound};
@@ -22,16 +22,16 @@ use crate::asked::{Asked, chain_of, described};
 use crate::bounds::{holds, number};
 use crate::states::{STATES, state};
 
-/// The program of a function that solves something, and the bounds of what was given, if there are any.
+/// The program of a solution, and its backward bounds, if there are any.
 fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Vec<Bound>)> {
     let (program, bounds) = all_solved(asked, &[function], scalar);
     let mut bounds = bounds.into_iter();
-    let found = bounds.next().expect("something is said");
+    let found = bounds.next().expect("one accuracy");
     assert!(bounds.next().is_none(), "{function:?} is one solution");
     found.map(|bounds| (program, bounds))
 }
 
-/// The same of functions that solve several things: for each the bounds, if there are any.
+/// The same for functions with several solutions: the bounds of each, if there are any.
 fn all_solved(
     asked: Asked,
     functions: &[Function],
@@ -54,16 +54,14 @@ fn all_solved(
         .accuracy
         .into_iter()
         .map(|accuracy| match accuracy {
-            Accuracy::Backward(_, promise) | Accuracy::BesideDiagonal(promise) => {
-                Some(promise.bounds)
-            }
+            Accuracy::Backward(_, bound) | Accuracy::BesideDiagonal(bound) => Some(bound.bounds),
             Accuracy::Unknown(_) => None,
             other @ Accuracy::Within(_) => panic!("{other:?}"),
         });
     (generated.program, bounds.collect())
 }
 
-/// What a function computes, with 106 bits.
+/// A function in 106 bits, in the frames of the description.
 fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
@@ -74,7 +72,7 @@ fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     Evaluation::of(&graph, &results)
 }
 
-/// An input of a state that has these accelerations.
+/// An input of the state with these accelerations.
 fn moving(state: &impl Fn(Input) -> f64, qdd: impl Fn(usize) -> f64, input: Input) -> Double {
     Double::from(match input {
         Input::Variable(Variable::Qdd, k) => qdd(usize::from(k)),
@@ -82,8 +80,8 @@ fn moving(state: &impl Fn(Input) -> f64, qdd: impl Fn(usize) -> f64, input: Inpu
     })
 }
 
-/// τ that accelerations of a state need, as inverse dynamics has them, and what a program makes of it. What it finds
-/// may be somewhat larger, and is to be within the range: nine tenths are wanted.
+/// The torques of a state's accelerations, and the program's result for them. Accelerations are scaled by 0.9, so that
+/// results are within the range too.
 fn of_needed<T: Tested>(
     program: &Program,
     needed: &Evaluation<Double>,
@@ -101,8 +99,8 @@ fn of_needed<T: Tested>(
     (tau, found)
 }
 
-/// Forward dynamics of τ that the inverse of a state needs, and by how much the τ that its result
-/// needs is another; whether there are bounds.
+/// Checks forward dynamics: the difference of the torques that its result needs from the given ones. Returns true if
+/// there are bounds.
 pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     let Some((program, bounds)) = solved(asked, Function::ForwardDynamics, T::REAL) else {
         return false;
@@ -121,7 +119,7 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
             let error = (needed - Double::from(tau.to_f64())).to_f64().abs();
             assert!(
                 error.is_finite(),
-                "{}: accelerations that are no number",
+                "{}: accelerations are not finite",
                 asked.robot
             );
             *worst = worst.max(error);
@@ -129,7 +127,7 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     }
 
     let mut table = format!("{} in {}\n", asked.robot, T::NAME);
-    // Twice as far as other bounds: 163 times, of the seven-joint arm in f32.
+    // Twice the ratio of other bounds: 163, for the seven-joint arm in f32.
     let farthest = 2.0 * asked.farthest;
     let holds = holds(&chain, function, &bounds, &worst, farthest, &mut table);
     println!("{table}");
@@ -137,14 +135,14 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     true
 }
 
-/// A column of the derivatives of accelerations, in a state.
+/// A column of the derivatives of accelerations at a state.
 struct Column<'a> {
-    /// What it is solved with, by rows.
+    /// The matrix of the equations, by rows.
     matrix: &'a [Double],
     found: Vec<f64>,
-    /// What changes of q or q̇ do to the torques that produce the accelerations found, and what that may be off by.
+    /// ∂τ of inverse dynamics at the computed accelerations, and the bound of its error.
     changes: Vec<Double>,
-    off: Vec<f64>,
+    bounds: Vec<f64>,
 }
 
 impl Column<'_> {
@@ -154,50 +152,50 @@ impl Column<'_> {
     }
 }
 
-/// Derivatives of accelerations of τ that the inverse of a state needs: by how much M times each column misses what
-/// changes of q and q̇ do to the torques that produce the accelerations found, beside what both may be off by.
+/// Checks derivatives of accelerations: M times each column plus ∂τ of inverse dynamics is within the sum of the bounds
+/// of both.
 pub fn check_derivatives<T: Tested>(asked: Asked) {
     let of_mass = |column: &Column<'_>, row: usize, lost: &[f64]| {
         let terms = column.row(row).iter().zip(&column.found);
-        let missed = terms.fold(column.changes[row], |sum, (m, x)| {
+        let residual = terms.fold(column.changes[row], |sum, (m, x)| {
             sum + *m * Double::from(*x)
         });
         let lost = &lost[row * column.found.len()..];
         let terms = lost.iter().zip(&column.found);
-        let most = terms.fold(column.off[row], |most, (lost, x)| most + lost * x.abs());
-        (missed, most)
+        let most = terms.fold(column.bounds[row], |most, (lost, x)| most + lost * x.abs());
+        (residual, most)
     };
     let farthest = 8.0 * asked.farthest;
     let found = check_columns::<T>(asked, Function::MassMatrix, farthest, of_mass);
     assert!(found, "{}: M is provably regular", asked.robot);
 }
 
-/// So many times as far as other bounds is that of an inverse made of articulated bodies from the worst error: up to
-/// 54000 times of seven joints in a row, where what each inertia loses would have to take energy from the same motion.
+/// Factor of the allowed ratio of bound to error for the articulated inverse: up to 54000 for seven joints in a row,
+/// where the losses of all inertias would have to take energy from the same motion.
 const BY_BODIES: f64 = 40.0;
 
-/// The same where the inverse of M is made of articulated bodies: by how much each column misses M⁻¹ times these
-/// changes, beside what both may be off by; whether there are bounds.
+/// Checks derivatives of accelerations by the articulated inverse: each column plus M⁻¹ ∂τ is within the sum of the
+/// bounds of both. Returns true if there are bounds.
 pub fn check_articulated_derivatives<T: Tested>(asked: Asked) -> bool {
     let of_inverse = |column: &Column<'_>, row: usize, shares: &[f64]| {
         let (inverse, count) = (column.row(row), column.found.len());
         let terms = inverse.iter().zip(&column.changes);
         let found = Double::from(column.found[row]);
-        let missed = terms.fold(found, |sum, (entry, change)| sum + *entry * *change);
+        let residual = terms.fold(found, |sum, (entry, change)| sum + *entry * *change);
         let most = (0..count).map(|k| {
             let diagonals = inverse[row].to_f64() * column.row(k)[k].to_f64();
             let lost = shares[row * count + k] * diagonals.sqrt();
-            let change = column.changes[k].to_f64().abs() + column.off[k];
-            inverse[k].to_f64().abs() * column.off[k] + lost * change
+            let change = column.changes[k].to_f64().abs() + column.bounds[k];
+            inverse[k].to_f64().abs() * column.bounds[k] + lost * change
         });
-        (missed, most.sum())
+        (residual, most.sum())
     };
     let farthest = BY_BODIES * asked.farthest;
     check_columns::<T>(asked, Function::MassMatrixInverse, farthest, of_inverse)
 }
 
-/// That no column misses its changes by more than it may, as `compared` has both for a row from what its matrix may be
-/// off by, and not by far less; whether there are bounds.
+/// Compares the residual of each column with its bound, both from `compared` for a row and the bounds of the matrix's
+/// entries. The worst ratio must be at least 1 / `farthest`. Returns true if there are bounds.
 fn check_columns<T: Tested>(
     asked: Asked,
     matrix: Function,
@@ -209,7 +207,7 @@ fn check_columns<T: Tested>(
         Function::ForwardDynamicsDerivatives,
     ];
     let (program, bounds) = all_solved(asked, &functions, T::REAL);
-    let [Some(_), Some(changes_off), Some(lost)] = &*bounds else {
+    let [Some(_), Some(change_bounds), Some(lost)] = &*bounds else {
         return false;
     };
     let chain = chain_of(asked);
@@ -219,7 +217,7 @@ fn check_columns<T: Tested>(
     let count = chain.spaces().velocities.len();
     let range = Range::of(&chain);
     let mut random = Random::new(43);
-    let changes_off = of_entries(&chain, function, changes_off);
+    let change_bounds = of_entries(&chain, function, change_bounds);
     let lost = of_entries(&chain, matrix, lost);
     let mut worst = 0.0_f64;
     for _ in 0..STATES / 4 {
@@ -230,22 +228,22 @@ fn check_columns<T: Tested>(
             .map(|exactly| exactly.at(|input| moving(&state, |k| qdd[k].to_f64(), input)));
         let squares = changes
             .chunks(count * count)
-            .zip(changes_off.chunks(count * count));
-        for ((changes, off), found) in squares.zip(found.chunks(count * count)) {
+            .zip(change_bounds.chunks(count * count));
+        for ((changes, bounds), found) in squares.zip(found.chunks(count * count)) {
             for column in 0..count {
                 let entries = (column..count * count).step_by(count);
                 let column = Column {
                     matrix: &exact,
                     found: entries.clone().map(|k| found[k].to_f64()).collect(),
                     changes: entries.clone().map(|k| changes[k]).collect(),
-                    off: entries.map(|k| off[k]).collect(),
+                    bounds: entries.map(|k| bounds[k]).collect(),
                 };
                 for row in 0..count {
-                    let (missed, most) = compared(&column, row, &lost);
-                    let share = missed.to_f64().abs() / most;
+                    let (residual, most) = compared(&column, row, &lost);
+                    let share = residual.to_f64().abs() / most;
                     assert!(
                         share.is_finite(),
-                        "{}: derivatives that are no number",
+                        "{}: derivatives are not finite",
                         asked.robot
                     );
                     worst = worst.max(share);
@@ -254,19 +252,19 @@ fn check_columns<T: Tested>(
         }
     }
     let (robot, name) = (asked.robot, T::NAME);
-    println!("{robot} {name}: derivatives {worst:.1e} of what they may be off by");
+    println!("{robot} {name}: derivatives {worst:.1e} of their bound");
     assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
     true
 }
 
-/// For each result of a function the bound that holds of it.
+/// The bound of each result of a function.
 fn of_entries(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f64> {
     let (result, spaces) = (function.result(), chain.spaces());
     let units = result.units(spaces).into_iter().enumerate();
     let of_entry = units.map(|(k, unit)| {
         let owner = result.owner(spaces, k);
         let joint = owner.map(|(space, entry)| &spaces.entries(space)[entry].name);
-        // A bound in relation to others is of any unit.
+        // A relative bound has unit 1.
         let of =
             |bound: &&Bound| ["1", unit].contains(&bound.unit) && bound.joint.as_ref() == joint;
         let bound = bounds.iter().find(of).map(number);
@@ -275,8 +273,7 @@ fn of_entries(chain: &Chain, function: Function, bounds: &[Bound]) -> Vec<f64> {
     of_entry.collect()
 }
 
-/// That no velocity is faster than its bound for the energy that the robot has: diagonal entries of the inverse of
-/// the mass matrix.
+/// Checks the bounds of velocities by the kinetic energy: the diagonal entries of M⁻¹.
 pub fn check_mobility(asked: Asked) {
     let chain = chain_of(asked);
     let count = chain.spaces().velocities.len();
@@ -294,16 +291,16 @@ pub fn check_mobility(asked: Asked) {
     }
 }
 
-/// The inverse of the mass matrix. Where each column solves a matrix that is off by up to B, its
-/// entries are off by up to |M⁻¹| B |M⁻¹|, to first order.
+/// Checks M⁻¹. If each column solves a matrix with an error up to B, entries have errors up to |M⁻¹| B |M⁻¹|, to first
+/// order.
 pub fn check_inverse<T: Tested>(asked: Asked) {
     let found = solved(asked, Function::MassMatrixInverse, T::REAL);
     let (program, bounds) = found.expect("M is provably regular");
     let chain = chain_of(asked);
     let count = chain.spaces().velocities.len();
     let lost = of_entries(&chain, Function::MassMatrix, &bounds);
-    // 590 times by default, of the seven-joint arm.
-    // Eight times as far as other bounds: it is one number for entries of all sizes.
+    // Eight times the ratio of other bounds, since one number bounds entries of all sizes: 590 with default options,
+    // for the seven-joint arm.
     let farthest = 8.0 * asked.farthest;
     check_entries::<T>(
         &chain,
@@ -318,8 +315,8 @@ pub fn check_inverse<T: Tested>(asked: Asked) {
     );
 }
 
-/// The inverse of the mass matrix where it is refined: each column is that of a unit force which is off by up to B,
-/// so that its entries down to the diagonal are off by up to |M⁻¹| B; whether there are bounds.
+/// Checks the refined M⁻¹: each column is exact for a unit force with an error up to B, so its entries down to the
+/// diagonal have errors up to |M⁻¹| B. Returns true if there are bounds.
 pub fn check_refined_inverse<T: Tested>(asked: Asked) -> bool {
     let Some((program, bounds)) = solved(asked, Function::MassMatrixInverse, T::REAL) else {
         return false;
@@ -332,7 +329,7 @@ pub fn check_refined_inverse<T: Tested>(asked: Asked) -> bool {
         &program,
         (47, asked.robot, farthest),
         |size, row, column| {
-            // What stands below the diagonal is of the column that it stands above it in.
+            // An entry below the diagonal is the one above it in the other column.
             let row = row.min(column);
             let terms = lost.iter().enumerate();
             terms.map(|(k, lost)| size(row, k) * lost).sum()
@@ -341,8 +338,8 @@ pub fn check_refined_inverse<T: Tested>(asked: Asked) -> bool {
     true
 }
 
-/// The inverse of the mass matrix by articulated bodies: entries are off by so much of the roots of the diagonal ones
-/// of their rows and columns; whether there are bounds.
+/// Checks M⁻¹ by the articulated-body algorithm: errors are a share of the roots of the diagonal entries of row and
+/// column. Returns true if there are bounds.
 pub fn check_articulated_inverse<T: Tested>(asked: Asked) -> bool {
     let Some((program, bounds)) = solved(asked, Function::MassMatrixInverse, T::REAL) else {
         return false;
@@ -362,7 +359,7 @@ pub fn check_articulated_inverse<T: Tested>(asked: Asked) -> bool {
     true
 }
 
-/// That entries of M⁻¹ are off by no more than `most` says, from the sizes of all, and not far less.
+/// Compares errors of M⁻¹ with the bound `most`. The worst ratio must be at least 1 / `farthest`.
 fn check_entries<T: Tested>(
     chain: &Chain,
     program: &Program,
@@ -385,6 +382,6 @@ fn check_entries<T: Tested>(
         }
     }
     let name = T::NAME;
-    println!("{robot} {name}: {worst:.1e} of what the inverse may be off by");
+    println!("{robot} {name}: {worst:.1e} of the bound of the inverse");
     assert!(worst <= 1.0 && farthest * worst >= 1.0, "{worst:e}");
 }

@@ -1,7 +1,6 @@
-//! States within the range that bounds are for.
+//! Random states in the range of the bounds.
 //!
-//! In: a chain, a range of it, random numbers. Out: inputs that are numbers of a type, ends of the range among
-//! them.
+//! In: a chain, its range, random numbers. Out: inputs that are exact in a type, ends of the range among them.
 
 use homogen_codegen::chain::{Chain, Position};
 use homogen_codegen::expression::Input;
@@ -12,10 +11,10 @@ use homogen_codegen::space::{Arguments, Variable};
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
 
-/// How many states are tried, for each robot and type.
+/// States for each robot and type.
 pub const STATES: usize = 1000;
 
-/// A number of the type, within a range and near another.
+/// A number of the type nearest to another, within a range.
 fn within<T: Tested>(x: f64, [lo, hi]: [f64; 2]) -> f64 {
     let near = T::literal(x).to_f64();
     let step = 2.0 * T::ROUNDOFF * near.abs();
@@ -23,8 +22,8 @@ fn within<T: Tested>(x: f64, [lo, hi]: [f64; 2]) -> f64 {
     T::literal(if back < lo { back + step } else { back }).to_f64()
 }
 
-/// Every input somewhere in its range, one in three at an end of it. Fields are of `f64`; all others
-/// are numbers of the type, and quaternions of length 1 but for that.
+/// Every input in its range, one in three at an end. Fields are of `f64`, all others exact in the type, quaternions
+/// normalised but for that.
 pub fn state<T: Tested>(
     chain: &Chain,
     range: &Range,
@@ -33,7 +32,7 @@ pub fn state<T: Tested>(
     let mut any = |[lo, hi]: [f64; 2]| match random.below(6) {
         0 => lo,
         1 => hi,
-        // Three numbers, so that it has all its digits.
+        // Three random numbers, for a full mantissa.
         _ => {
             let mut more = |less: f64| (0..3).fold(0.0, |x, _| random.unit() + less * x);
             lo + (hi - lo) * 0.5 * (1.0 + more(2.0_f64.powi(-24)))

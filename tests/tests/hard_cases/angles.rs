@@ -1,4 +1,4 @@
-//! Angles of many turns, and sums of angles.
+//! Angles of many full turns, and sums of angles.
 
 use homogen_codegen::Function;
 use homogen_codegen::formulation::Angles;
@@ -22,18 +22,18 @@ use Function::{ForwardKinematics, InverseDynamics};
 
 pub const CASES: &[Case] = &[BIG_ID, BIG_FK, PARALLEL_ID, PARALLEL_FK];
 
-/// The most is 4.2 u of torques and 5.4 u of poses, as at any angle.
+/// The worst are 4.2 u of torques and 5.4 u of poses, as for small angles.
 const BIG_ID: Case = Case::scaled("big_angles", InverseDynamics, 10.0);
 const BIG_FK: Case = Case::scaled("big_angles/pose", ForwardKinematics, 10.0);
 
-/// By measures that do not know the program: its own S would grow with the distance of the normals. The
-/// most is 26 u of torques and 8 u of poses, no more on one side of the switch than on the other.
+/// Measured independently of the program, since its S grows with the length of the common normals. The worst are 26 u
+/// of torques and 8 u of poses, on both sides of the switch.
 const PARALLEL_ID: Case =
     Case::scaled("axes_nearly_parallel", InverseDynamics, 60.0).measured_by(Metric::Carried);
 const PARALLEL_FK: Case =
     Case::scaled("axes_nearly_parallel/pose", ForwardKinematics, 16.0).measured_by(Metric::Reach);
 
-/// Angles of 10² to 10⁸ rad, a half of them next to multiples of π/2.
+/// An angle of 10² to 10⁸ rad; every other one is next to a multiple of π/2.
 fn big_angle(random: &mut Random) -> f64 {
     let angle = of_size(random, 2.0, 8.0);
     if random.chance(2) {
@@ -44,7 +44,7 @@ fn big_angle(random: &mut Random) -> f64 {
     }
 }
 
-/// Torques and poses of the given angles, not of those that they are a multiple of 2π away from.
+/// Torques and poses at large angles.
 #[test]
 fn big_angles() {
     for (label, joints) in [("panda_class/0", 7), ("ur5_class/0", 6), ("spatial/6", 6)] {
@@ -58,8 +58,8 @@ fn big_angles() {
     }
 }
 
-/// Axes so nearly parallel that their common normal is far away, on both sides of the angle of 0.1002 rad at
-/// which the generator leaves it alone.
+/// Axes so nearly parallel that their common normal is far away, on both sides of 0.1002 rad, below which the generator
+/// does not use it.
 #[test]
 fn axes_nearly_parallel() {
     for twist in ["1e-15", "1e-9", "1e-3", "0.1001", "0.1002", "0.3"] {
@@ -71,8 +71,7 @@ fn axes_nearly_parallel() {
     }
 }
 
-/// Sines and cosines of the given angles, within 2 units of the last place; that they are within 0.92 is
-/// held elsewhere.
+/// Sines and cosines of large angles within 2 ulp; another test has the limit of 0.92 ulp.
 #[test]
 fn big_angles_sines() {
     let mut random = Random::new(23);
@@ -94,13 +93,12 @@ fn check_sines<T: Tested>(angle: f64, sine: &Big, cosine: &Big) {
     assert!(worst <= 2.0, "{angle:e} in {}: {worst} ulp", T::NAME);
 }
 
-/// A pose by the code that the generator makes where it may sum the angles of parallel axes, and by the
-/// code that turns by one after the other, where two angles nearly cancel at up to 10⁶ rad. The sum is
-/// rounded before it is turned, once an angle after the first, so that rotations are off by 2 u of the
-/// angles and no more, since what cancels is exact; products are off by a few u at any angle.
+/// Poses with merged angles of parallel axes, and with one rotation after the other, where two angles up to 10⁶ rad
+/// nearly cancel. Each sum of angles is rounded before its sine, so rotations have errors of 2 u of the angles; what
+/// cancels is exact. Products of rotations have errors of a few u at any angle.
 #[test]
 fn merged_angle() {
-    // The turns before the parallel axes, how many these are, and how long the arm is [m].
+    // The number of joints before the parallel axes, the number of parallel axes, and the length of the arm [m].
     for (label, before, parallel, reach) in [("planar/2", 0, 2, 2.0), ("ur5_class/0", 1, 3, 1.3)] {
         let chain = subject(label).chain();
         let joints = chain.joints.len();
@@ -118,7 +116,7 @@ fn merged_angle() {
             )
         };
         let (merged, products) = (made(Angles::Merged), made(Angles::Apart));
-        // One turns by sums, the other by coordinates alone.
+        // Sines of sums in one, of coordinates alone in the other.
         let sums = |program: &Program| {
             let sums = |angle: &&Operand| matches!(angle, Operand::Step(_));
             program.angles.iter().filter(sums).count()
@@ -161,7 +159,7 @@ fn merged_angle() {
     }
 }
 
-/// The largest errors of two programs for a pose, in u of 1 for rotations and of the reach \[m\] for
+/// The largest errors of two programs for a pose, in u, relative to 1 for rotations and to the robot's size \[m\] for
 /// translations.
 fn absolute<T: Tested>(
     programs: [&Program; 2],

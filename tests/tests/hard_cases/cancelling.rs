@@ -1,4 +1,4 @@
-//! States in which what is added up nearly cancels, or outweighs everything else.
+//! States at which large terms nearly cancel, or dominate everything else.
 
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
@@ -19,17 +19,17 @@ use Function::{Bias, Gravity, InverseDynamics};
 
 pub const CASES: &[Case] = &[BALANCED, FALLING, FAST_ID, FAST_BIAS, CANCEL];
 
-/// The most is 6.6 u.
+/// The worst is 6.6 u.
 const BALANCED: Case = Case::scaled("gravity_balanced", Gravity, 10.0);
-/// The most is 0.37 u: what is left is the rounding of gravity to the type.
+/// The worst is 0.37 u, the rounding of gravity to the type.
 const FALLING: Case = Case::scaled("gravity_balanced/falling", InverseDynamics, 2.0);
-/// The most is 3.3 u.
+/// The worst is 3.3 u.
 const FAST_ID: Case = Case::scaled("spin_fast", InverseDynamics, 10.0);
 const FAST_BIAS: Case = Case::scaled("spin_fast/bias", Bias, 10.0);
-/// The most is 3.0 u.
+/// The worst is 3.0 u.
 const CANCEL: Case = Case::scaled("coriolis_cancel", Bias, 10.0);
 
-/// All links upright or hanging, but for up to 10⁻¹² … 10⁻² rad; and in free fall with the base.
+/// All links upright or hanging, to 10⁻¹² … 10⁻² rad; and in free fall with the base.
 #[test]
 fn gravity_balanced() {
     let upright = |arguments: &mut Arguments, random: &mut Random, first: usize| {
@@ -64,7 +64,7 @@ fn gravity_balanced() {
     }
 }
 
-/// Rates of 10³ to 10⁴ rad/s, whose squares dwarf gravity.
+/// Rates of 10³ to 10⁴ rad/s, at which gravity is negligible.
 #[test]
 fn spin_fast() {
     for (label, joints) in [("panda_class/0", 7), ("spatial/6", 6), ("planar/6", 6)] {
@@ -80,8 +80,8 @@ fn spin_fast() {
     }
 }
 
-/// Rates at which the torque of the first joint vanishes: it is a quadratic polynomial of any one of
-/// them, of which a root is taken.
+/// Rates at which the first joint's torque vanishes: a root of the quadratic polynomial that it is of the rate of one
+/// joint.
 #[test]
 fn coriolis_cancel() {
     for (label, joints) in [
@@ -99,10 +99,10 @@ fn coriolis_cancel() {
             })
         });
     }
-    some_torque_is_cancelled(&homogen_tests::subjects::subject("floating/4").chain());
+    some_torques_are_cancelled(&homogen_tests::subjects::subject("floating/4").chain());
 }
 
-/// The torques that velocities and gravity ask for, as they are described.
+/// The program of the bias torques, in the layout of the description.
 fn bias(chain: &Chain) -> Program {
     program_by(
         chain,
@@ -113,7 +113,7 @@ fn bias(chain: &Chain) -> Program {
     )
 }
 
-/// A rate of a joint at which the first torque is zero.
+/// A rate of a joint at which the first torque is zero, if there is one.
 fn root(bias: &Program, arguments: &Arguments, of: usize) -> Option<f64> {
     let at = |rate: f64| {
         let mut arguments = arguments.clone();
@@ -132,8 +132,8 @@ fn root(bias: &Program, arguments: &Arguments, of: usize) -> Option<f64> {
         .filter(|root| root.abs() < 1e6)
 }
 
-/// The construction does what it says: most such torques lose five digits of S.
-fn some_torque_is_cancelled(chain: &Chain) {
+/// The states are hard: most such torques lose five digits of S.
+fn some_torques_are_cancelled(chain: &Chain) {
     let bias = bias(chain);
     let mut random = Random::new(27);
     let mut cancelled = 0;

@@ -1,7 +1,6 @@
-//! How a hard case is judged.
+//! Measurement of hard cases.
 //!
-//! In: a case, a robot, states. Out: a table of errors, and a failed test where one is beyond the
-//! limit. It never chooses states.
+//! In: a case, a robot, states. Out: a table of errors; a failed test if an error exceeds its limit.
 
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::Evaluation;
@@ -21,85 +20,85 @@ use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
-/// What is measured, and what it may be.
+/// A quantity to measure, and its limit.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
-    /// The hard case, and the part of it.
+    /// The name of the hard case, and of a part of it.
     pub name: &'static str,
     pub function: Function,
-    pub form: Form,
+    pub algorithm: Algorithm,
     pub metric: Metric,
-    /// The largest error [u] in double and in single precision, of every type of it; none where it
-    /// is not for this form.
+    /// The largest allowed error [u] in double and in single precision, for every type of it; `None` if the case is not
+    /// for this precision.
     pub limits: [Option<f64>; 2],
-    /// What the limits are multiplied by.
+    /// The factor of the limits.
     pub growth: Growth,
 }
 
-/// How a function is computed.
+/// The algorithm and layout of a function.
 #[derive(Clone, Copy, Debug)]
-pub enum Form {
-    /// As the generator would, which chooses.
+pub enum Algorithm {
+    /// The generator's choice.
     Generated,
-    /// In frames and with parameters of that layout.
-    Laid(Layout),
-    /// By the mass matrix, refined so often.
+    /// The default algorithm in a layout.
+    WithLayout(Layout),
+    /// The factored mass matrix, with so many refinements.
     Refined(usize),
-    /// By the articulated-body recursion.
+    /// The articulated-body algorithm.
     Articulated,
 }
 
-/// What an error is measured by.
+/// The size that an error is relative to.
 #[derive(Clone, Copy, Debug)]
 pub enum Metric {
-    /// Each result by its own S.
+    /// S of each result.
     Scaled,
-    /// Each torque by the sum of the sizes of what the bodies ask of the joint.
+    /// For each torque, the sum of the sizes of its bodies' terms.
     Carried,
-    /// Rotations by 1, translations by the sum of all lengths.
+    /// 1 for rotations, the sum of all lengths for translations.
     Reach,
-    /// All by the largest result.
+    /// The largest result.
     Relative,
-    /// The torques that the accelerations need, each by its own S.
+    /// Backward: S of each torque that the accelerations need.
     Backward,
 }
 
-/// How a limit grows.
+/// Growth of a limit with the number of joints.
 #[derive(Clone, Copy, Debug)]
 pub enum Growth {
     Constant,
-    /// With the number of joints.
+    /// Proportional to it.
     Joints,
-    /// With its square root, as errors that go either way add up.
+    /// Proportional to its square root, as independent errors add up.
     Root,
 }
 
 impl Case {
-    /// Scaled errors of a function as it is generated.
+    /// Scaled errors of a function as generated.
     pub const fn scaled(name: &'static str, function: Function, limit: f64) -> Self {
         Self {
             name,
             function,
-            form: Form::Generated,
+            algorithm: Algorithm::Generated,
             metric: Metric::Scaled,
             limits: [Some(limit); 2],
             growth: Growth::Constant,
         }
     }
 
-    /// Relative errors of forward dynamics in a form, in double precision.
-    pub const fn solved(name: &'static str, form: Form, limit: f64) -> Self {
+    /// Relative errors of forward dynamics by an algorithm, in double precision.
+    pub const fn solved(name: &'static str, algorithm: Algorithm, limit: f64) -> Self {
         Self {
             name,
             function: Function::ForwardDynamics,
-            form,
+            algorithm,
             metric: Metric::Relative,
             limits: [Some(limit), None],
             growth: Growth::Constant,
         }
     }
 
-    /// Also in single precision.
+    /// Adds a limit in single precision.
     pub const fn in_single(self, limit: f64) -> Self {
         let [double, _] = self.limits;
         Self {
@@ -116,7 +115,7 @@ impl Case {
         Self { growth, ..self }
     }
 
-    /// The limit in a type, for so many joints.
+    /// The limit in a type, for a number of joints.
     pub fn limit<T: Tested>(&self, joints: usize) -> Option<f64> {
         let [double, single] = self.limits;
         let limit = match T::REAL {
@@ -139,34 +138,34 @@ impl Case {
             ..Way::PLAIN
         };
         let by = |layout, way| program_by(chain, &functions, FrameId::FIRST, layout, way);
-        match self.form {
-            Form::Generated => program(chain, &functions, FrameId::FIRST, scalar)
+        match self.algorithm {
+            Algorithm::Generated => program(chain, &functions, FrameId::FIRST, scalar)
                 .unwrap_or_else(|errors| panic!("{}: {errors}", self.name)),
-            Form::Laid(layout) => by(layout, Way::PLAIN),
-            Form::Refined(refinements) => {
+            Algorithm::WithLayout(layout) => by(layout, Way::PLAIN),
+            Algorithm::Refined(refinements) => {
                 by(Layout::DESCRIBED, way(Forward::MassMatrix { refinements }))
             }
-            Form::Articulated => by(Layout::DESCRIBED, way(Forward::Articulated)),
+            Algorithm::Articulated => by(Layout::DESCRIBED, way(Forward::Articulated)),
         }
     }
 }
 
-/// Arguments and what is known of the function there.
+/// Arguments, with the true values of the function.
 pub struct State {
     arguments: Arguments,
     truth: Vec<Big>,
-    /// What [`Metric::Carried`] measures by.
+    /// The sizes for [`Metric::Carried`].
     carried: Vec<f64>,
 }
 
-/// A robot ready to be judged: the truth about a function of it.
+/// A robot with the true values of one of its functions.
 pub struct Bench {
     label: String,
     pub chain: Chain,
     robot: Robot,
     function: Function,
     truth: Evaluation<Big>,
-    /// Inverse dynamics and its S, where forward dynamics is judged.
+    /// Inverse dynamics and a program for its S, if the function is forward dynamics.
     torques: Option<(Evaluation<Big>, Program)>,
 }
 
@@ -195,12 +194,12 @@ impl Bench {
         }
     }
 
-    /// How many joints move.
+    /// The number of joints that move.
     pub fn joints(&self) -> usize {
         self.chain.joints.len()
     }
 
-    /// The sum of the lengths of all links.
+    /// The sum of the lengths of all links \[m\].
     fn reach(&self) -> f64 {
         let lengths = self.robot.bodies.iter().map(|body| {
             let squares = body.placement.column().map(|x| x.to_f64().powi(2));
@@ -213,7 +212,7 @@ impl Bench {
         link_frames::evaluate(&self.truth, arguments)
     }
 
-    /// Finds out all about a state that a case needs.
+    /// Computes the true values and sizes that a case needs at a state.
     pub fn prepare(&self, case: &Case, arguments: Arguments) -> State {
         let carried = match case.metric {
             Metric::Carried => frame_0::torque_sizes(&self.robot, &arguments),
@@ -275,7 +274,7 @@ impl Bench {
         case.program(&self.chain, T::REAL)
     }
 
-    /// The errors of a case at some states.
+    /// The errors of a case at several states.
     pub fn measure<T: Tested>(
         &self,
         case: &Case,
@@ -291,7 +290,7 @@ impl Bench {
     }
 }
 
-/// Judges cases of one function and one kind of metric by states of a robot in all types.
+/// Measures cases of one function and one metric, at states of a robot, in all types.
 pub fn judge(cases: &[&Case], label: &str, states: impl Fn(&Chain) -> Vec<Arguments>) {
     let bench = Bench::new(label, cases[0].function);
     let states: Vec<State> = states(&bench.chain)
@@ -316,7 +315,7 @@ pub fn judge(cases: &[&Case], label: &str, states: impl Fn(&Chain) -> Vec<Argume
     assert!(beyond.is_empty(), "beyond the limit:\n{beyond}");
 }
 
-/// Measures in one type and returns what is beyond the limit, as a line of the table of worst inputs.
+/// Measures in one type. Returns the worst input as a line of the table of worst inputs if it exceeds the limit.
 fn judge_in<T: Tested>(case: &Case, bench: &Bench, program: &Program, states: &[State]) -> String {
     let Some(limit) = case.limit::<T>(bench.joints()) else {
         return String::new();

@@ -1,8 +1,8 @@
-//! Mass matrices that are badly conditioned, or singular.
+//! Mass matrices that are ill-conditioned or singular.
 //!
-//! Errors are beside the largest acceleration, since forward dynamics has no other S than its condition.
-//! What the condition takes from the accelerations it does not take from the torques that they need:
-//! the backward error is a few u whatever the form and the robot.
+//! Errors are relative to the largest acceleration; S of forward dynamics is not defined. Ill-conditioning makes
+//! accelerations inaccurate, but not the torques that they need: the backward error is a few u for every algorithm and
+//! robot.
 
 use homogen_codegen::Function::{ForwardDynamics, InverseDynamics, MassMatrixInverse};
 use homogen_codegen::Real;
@@ -12,10 +12,10 @@ use homogen_tests::arguments::Arguments;
 use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 
-use crate::case::{Case, Form, Metric, judge};
+use crate::case::{Algorithm, Case, Metric, judge};
 use crate::states::{of_size, states};
 
-use Form::{Articulated, Generated, Refined};
+use Algorithm::{Articulated, Generated, Refined};
 
 pub const CASES: &[Case] = &[
     STRAIGHT[0],
@@ -60,8 +60,8 @@ pub const CASES: &[Case] = &[
     SHIPPED_BACKWARD,
 ];
 
-/// Once refined in double precision, twice in single; and articulated bodies.
-const fn forms(names: [&'static str; 3], limit: f64) -> [Case; 3] {
+/// One refinement in double precision, two in both; and the articulated-body algorithm.
+const fn algorithms(names: [&'static str; 3], limit: f64) -> [Case; 3] {
     let [once, twice, articulated] = names;
     [
         Case::solved(once, Refined(1), limit),
@@ -70,8 +70,8 @@ const fn forms(names: [&'static str; 3], limit: f64) -> [Case; 3] {
     ]
 }
 
-/// Aimed at 20 u a joint; the most is 29 u, of two joints, and more joints are no worse.
-const STRAIGHT: [Case; 3] = forms(
+/// The target was 20 u per joint. The worst is 29 u, of two joints; more joints are no worse.
+const STRAIGHT: [Case; 3] = algorithms(
     [
         "chain_fd_straight",
         "chain_fd_straight/twice",
@@ -79,7 +79,7 @@ const STRAIGHT: [Case; 3] = forms(
     ],
     60.0,
 );
-const RANDOM: [Case; 3] = forms(
+const RANDOM: [Case; 3] = algorithms(
     [
         "chain_fd_random",
         "chain_fd_random/twice",
@@ -88,18 +88,17 @@ const RANDOM: [Case; 3] = forms(
     60.0,
 );
 
-/// The most is 7.5 u once refined. Aimed at 10 u in single precision, which two refinements miss in one
-/// state, fused, by 2.4 u: the matrix alone is off by 0.8 % there, each refinement leaves such a part of
-/// the error before it, and a third one leaves 8.6 u. Articulated bodies lose what the ratio of the
-/// masses is.
+/// The worst is 7.5 u with one refinement. The target in single precision was 10 u; two refinements miss it in one
+/// state, fused, by 2.4 u: the factors alone have an error of 0.8 % there, each refinement multiplies the error by
+/// that, and a third one leaves 8.6 u. Articulated bodies lose the ratio of the masses.
 const TIP: [Case; 4] = [
     Case::solved("fd_tip_heavy", Refined(1), 100.0),
     Case::solved("fd_tip_heavy/twice", Refined(2), 100.0).in_single(13.0),
     Case::solved("fd_tip_heavy/thrice", Refined(3), 10.0).in_single(10.0),
     Case::solved("fd_tip_heavy/articulated", Articulated, 2e4).in_single(2e4),
 ];
-/// Straight, the matrix alone is off by 3.1 % in single precision, 5.3·10⁵ u, of which two refinements
-/// leave 690 u = 0.031³, and a third one 29 u; in double precision one is enough.
+/// In a straight configuration the factors alone have an error of 3.1 % in single precision, 5.3·10⁵ u. Two refinements
+/// leave 690 u = 0.031³, a third one 29 u. One is enough in double precision.
 const TIP_STRAIGHT: [Case; 2] = [
     Case::solved("fd_tip_heavy/straight", Refined(2), 20.0).in_single(1e3),
     Case::solved("fd_tip_heavy/straight_thrice", Refined(3), 20.0).in_single(40.0),
@@ -110,36 +109,35 @@ const HEAVIER: [Case; 3] = [
     Case::solved("fd_tip_heavy/1e6/articulated", Articulated, 1e7),
 ];
 
-/// The most is 9.4 u refined. Articulated bodies have 2.5 u in the middle and 9 u in 99 of 100 states, and
-/// a long tail, which in 12,000 states ended at 37 u: where it does, at 27 u here, one rounding of the
-/// robot's numbers, sines and cosines moves exact accelerations by 34 u.
+/// The worst is 9.4 u with refinements. Articulated bodies have a median of 2.5 u, a 99th percentile of 9 u, and a
+/// worst of 37 u in 12,000 states. At the worst state here, 27 u, one rounding of the robot's numbers, sines and
+/// cosines changes exact accelerations by 34 u.
 const BASE: [Case; 3] = [
     Case::solved("fd_base_heavy", Refined(1), 20.0),
     Case::solved("fd_base_heavy/twice", Refined(2), 20.0).in_single(20.0),
     Case::solved("fd_base_heavy/articulated", Articulated, 40.0).in_single(40.0),
 ];
-/// The most is 16.1 u refined. Articulated bodies end at 28 u, where one rounding of the robot's numbers,
-/// sines and cosines moves exact accelerations by 100 u.
+/// The worst is 16.1 u with refinements. The worst of articulated bodies is 28 u, at a state where one rounding of the
+/// robot's numbers, sines and cosines changes exact accelerations by 100 u.
 const SHRINKING: [Case; 3] = [
     Case::solved("fd_shrinking", Refined(1), 20.0),
     Case::solved("fd_shrinking/twice", Refined(2), 20.0).in_single(20.0),
     Case::solved("fd_shrinking/articulated", Articulated, 35.0).in_single(35.0),
 ];
-/// The most is 28 u of six rods; of twelve, no form with a mass matrix is any good.
+/// The worst is 28 u, of six rods. For twelve rods every factored mass matrix is inaccurate.
 const GROWING: Case = Case::solved("fd_growing", Refined(2), 100.0);
-/// Aimed at 10⁶ u; the most is 2,500 u, of twelve rods.
+/// The target was 10⁶ u; the worst is 2,500 u, of twelve rods.
 const GROWING_ARTICULATED: Case =
     Case::solved("fd_growing/articulated", Articulated, 5e3).in_single(5e3);
-/// Aimed at 100 u and 10⁴ u; the most is 217 u of the matrix and 700 u of articulated bodies. The matrix
-/// keeps to 22 u in 99 of 100 states. In the last one of them one rounding of the robot's numbers, sines and
-/// cosines moves exact accelerations by 2·10⁸ u, and a third refinement leaves 104 u still: its torques
-/// are rounded as well.
+/// The targets were 100 u and 10⁴ u; the worst are 217 u of the factors and 700 u of articulated bodies. The 99th
+/// percentile of the factors is 22 u. At their worst state one rounding of the robot's numbers, sines and cosines
+/// changes exact accelerations by 2·10⁸ u; a third refinement leaves 104 u, since its torques are rounded too.
 const SHORT: [Case; 2] = [
     Case::solved("fd_short_link", Refined(2), 250.0),
     Case::solved("fd_short_link/articulated", Articulated, 2e3).in_single(2e3),
 ];
-/// The most is 41 u.
-const WRIST: [Case; 3] = forms(
+/// The worst is 41 u.
+const WRIST: [Case; 3] = algorithms(
     [
         "massless_wrist",
         "massless_wrist/twice",
@@ -147,8 +145,8 @@ const WRIST: [Case; 3] = forms(
     ],
     100.0,
 );
-/// The most is 16.7 u.
-const ROD: [Case; 3] = forms(
+/// The worst is 16.7 u.
+const ROD: [Case; 3] = algorithms(
     [
         "thin_rod/solved",
         "thin_rod/solved_twice",
@@ -158,39 +156,39 @@ const ROD: [Case; 3] = forms(
 );
 const ROD_TORQUES: Case = Case::scaled("thin_rod", InverseDynamics, 10.0);
 
-/// The most is 4.0 u of the matrix alone, 1.9 u refined and 2.2 u of articulated bodies.
+/// The worst are 4.0 u of the factors alone, 1.9 u with refinements, and 2.2 u of articulated bodies.
 const BACKWARD: [Case; 3] = [
     backward("fd_backward", Refined(0), 10.0),
     backward("fd_backward/once", Refined(1), 5.0),
     backward("fd_backward/articulated", Articulated, 5.0),
 ];
 
-const fn backward(name: &'static str, form: Form, limit: f64) -> Case {
-    Case::solved(name, form, limit)
+const fn backward(name: &'static str, algorithm: Algorithm, limit: f64) -> Case {
+    Case::solved(name, algorithm, limit)
         .in_single(limit)
         .measured_by(Metric::Backward)
 }
 
-/// What is promised of the form that is taken, of forward dynamics and of the inverse of the mass matrix.
+/// The guarantee for the generator's choice, for forward dynamics and for the inverse of the mass matrix.
 const GENERATED: Case = Case::solved("fd_generated", Generated, 100.0).in_single(100.0);
 const INVERTED: Case = Case {
     name: "mass_matrix_inverse",
     function: MassMatrixInverse,
     ..GENERATED
 };
-/// The most is 4,000 u, of twelve rods and of a short link in single precision; of any form that is.
+/// The worst is 4,000 u, of twelve rods and of a short link in single precision, and as much for every other algorithm.
 const BEST: Case = Case::solved("fd_generated/best", Generated, 1e4).in_single(1e4);
 
-/// The most is 72 u, of the arm of seven joints, and 6.1 u of torques, of the quadruped.
+/// The worst are 72 u, of the arm of seven joints, and 6.1 u of torques, of the quadruped.
 const SHIPPED: Case = Case::solved("fd_shipped", Generated, 100.0).in_single(100.0);
 const SHIPPED_BACKWARD: Case = backward("fd_shipped/backward", Generated, 15.0);
 
-/// Any posture.
+/// Random configurations.
 fn anywhere(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
     move |chain| states(count, chain.joints.len(), |_, _| ())
 }
 
-/// Straight but for up to 10⁻⁸ … 10⁻² rad.
+/// Straight configurations, to 10⁻⁸ … 10⁻² rad.
 fn straight(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
     move |chain| {
         states(count, chain.joints.len(), |arguments, random| {
@@ -199,7 +197,7 @@ fn straight(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
     }
 }
 
-/// Refuses at generation, under the name of a joint and with the reason.
+/// Asserts that the generator refuses, with the name of a joint and the reason.
 fn assert_refused(label: &str, scalar: Real, reason: &str) {
     let chain = subject(label).chain();
     for function in [ForwardDynamics, MassMatrixInverse] {
@@ -226,7 +224,7 @@ fn chain_fd_straight() {
             straight(count),
         );
     }
-    // Here single precision is left with 3,500 u after two refinements.
+    // In single precision, 3,500 u remain after two refinements.
     judge(&[once, articulated], "planar/32", straight(30));
 }
 
@@ -242,7 +240,7 @@ fn chain_fd_random() {
     judge(&[once, twice, articulated], "planar/32", anywhere(12));
 }
 
-/// A last rod of 1 t, and of 1,000 t, which single precision cannot bear; nor a payload of 1 t at 10 m.
+/// A last rod of 1 t, and one of 1,000 t, which is refused in single precision, as is a payload of 1 t at 10 m.
 #[test]
 fn fd_tip_heavy() {
     let [once, twice, thrice, articulated] = &TIP;
@@ -274,7 +272,7 @@ fn fd_shrinking() {
     }
 }
 
-/// The matrix as long as it is any good; articulated bodies further.
+/// Factors as long as they are accurate; articulated bodies for more rods.
 #[test]
 fn fd_growing() {
     for links in [4, 6] {
@@ -292,8 +290,8 @@ fn fd_short_link() {
     judge(&[&SHORT[0], &SHORT[1]], "short_link/1e-4", straight(510));
 }
 
-/// Links without mass between joints about one line, which nothing could hold, and the same with 10⁻⁶ kg m²;
-/// and such links with axes across each other, which are singular in one posture only.
+/// Massless links between joints about one line, which is refused; the same with 10⁻⁶ kg m²; and massless links with
+/// perpendicular axes, singular in one configuration only.
 #[test]
 fn massless_wrist() {
     let cases = [&WRIST[0], &WRIST[1], &WRIST[2]];
@@ -313,8 +311,8 @@ fn massless_wrist() {
     }
 }
 
-/// Rods without a moment of inertia about themselves: exact in torques, of no matter for axes across them,
-/// and singular about an axis along the last.
+/// Rods without a moment of inertia about their own axis: exact torques; accelerations too unless the last joint is
+/// about the rod's axis, which is refused.
 #[test]
 fn thin_rod() {
     for label in ["thin_rod/0", "thin_rod/1e-12", "rolling_rod/1e-12"] {
@@ -327,7 +325,7 @@ fn thin_rod() {
     }
 }
 
-/// The accelerations found are those of torques a few u away, also where half of their digits are lost.
+/// Computed accelerations are exact for torques that differ by a few u, even if they lose half of their digits.
 #[test]
 fn fd_backward() {
     let cases = [&BACKWARD[0], &BACKWARD[1], &BACKWARD[2]];
@@ -344,7 +342,7 @@ fn fd_backward() {
     }
 }
 
-/// What the generator chooses, of robots for which one form or another is good enough.
+/// The generator's choice, for robots with an accurate algorithm.
 #[test]
 fn fd_generated() {
     for (label, count) in [
@@ -401,7 +399,7 @@ fn fd_generated() {
     }
 }
 
-/// What it chooses where no form is as good as that, but some leave half of all digits.
+/// The generator's choice, for robots without an accurate algorithm, though one leaves half of all digits.
 #[test]
 fn fd_generated_best() {
     for label in ["growing/12", "short_link/1e-2", "short_link/1e-4"] {
@@ -418,7 +416,7 @@ fn fd_generated_best() {
     }
 }
 
-/// Every robot that ships, as it is generated.
+/// Every robot that ships, as generated.
 #[test]
 fn fd_shipped() {
     for label in [

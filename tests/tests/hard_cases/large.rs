@@ -1,4 +1,4 @@
-//! Far from the origin, and of many joints.
+//! Large distances from the origin, and many joints.
 
 use homogen::generic;
 use homogen_codegen::Function;
@@ -14,16 +14,16 @@ use Function::{Bias, ForwardKinematics, Gravity, InverseDynamics, MassMatrix};
 
 pub const CASES: &[Case] = &[FAR_ID, FAR_GRAVITY, FAR_BIAS, FAR_MASS, FK, ID];
 
-/// The most is 3.1 u, the same at every distance.
+/// The worst is 3.1 u, the same at every distance.
 const FAR_ID: Case = Case::scaled("base_far_d", InverseDynamics, 10.0);
 const FAR_GRAVITY: Case = Case::scaled("base_far_d/gravity", Gravity, 10.0);
 const FAR_BIAS: Case = Case::scaled("base_far_d/bias", Bias, 10.0);
 const FAR_MASS: Case = Case::scaled("base_far_d/mass_matrix", MassMatrix, 10.0);
-/// Aimed at 4 u a joint; the most is 2.1 u times the root of their number.
+/// The target was 4 u per joint; the worst is 2.1 u times the square root of the number of joints.
 const FK: Case = Case::scaled("chain_fk_n", ForwardKinematics, 4.0)
     .measured_by(Metric::Reach)
     .growing(Growth::Root);
-/// The most is 5.8 u a joint, of eight, and less of more.
+/// The worst is 5.8 u per joint, of eight joints, and less for more.
 const ID: Case = Case::scaled("chain_id_n", InverseDynamics, 10.0)
     .measured_by(Metric::Carried)
     .growing(Growth::Joints);
@@ -44,7 +44,7 @@ fn base_far_d() {
     }
 }
 
-/// What frame 0 loses, and why nothing is generated in it: the square of the distance.
+/// The loss of frame 0, which grows with the square of the distance; the reason why link frames are the default.
 #[test]
 fn base_far_d_in_frame_0() {
     let worst = |distance: f64| {
@@ -69,7 +69,7 @@ fn base_far_d_in_frame_0() {
     }
     assert!(
         errors[2] > 1e-9,
-        "frame 0 is no worse than that: {errors:?}"
+        "frame 0 is more accurate than documented: {errors:?}"
     );
 }
 

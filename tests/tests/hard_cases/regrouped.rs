@@ -1,4 +1,4 @@
-//! Base parameters against those of the description.
+//! Base parameters compared with the parameters of the description.
 
 use homogen_codegen::Function::{self, InverseDynamics};
 use homogen_codegen::layout::Layout;
@@ -8,7 +8,7 @@ use homogen_codegen::space::FrameId;
 use homogen_tests::metrics;
 use homogen_tests::tested::{F32, F64, Tested};
 
-use crate::case::{Bench, Case, Form, judge};
+use crate::case::{Algorithm, Bench, Case, judge};
 use crate::states::states;
 
 pub const CASES: &[Case] = &[RAW, REGROUPED];
@@ -20,16 +20,16 @@ const BASE: Layout = Layout {
 
 const fn by(name: &'static str, layout: Layout) -> Case {
     Case {
-        form: Form::Laid(layout),
+        algorithm: Algorithm::WithLayout(layout),
         ..Case::scaled(name, InverseDynamics, 10.0)
     }
 }
 
-/// The most is 3.5 u of base parameters and 3.1 u of those of the description.
+/// The worst are 3.5 u of base parameters and 3.1 u of the description's.
 const RAW: Case = by("regrouped_par/raw", Layout::DESCRIBED);
 const REGROUPED: Case = by("regrouped_par", BASE);
 
-/// A payload of 1 kg, 1 t and 10⁶ kg at 10 m: most of what is regrouped is its.
+/// A payload of 1 kg, 1 t and 10⁶ kg at 10 m, which dominates the base parameters.
 #[test]
 fn regrouped_par() {
     for mass in ["1", "1e3", "1e6"] {
@@ -41,7 +41,7 @@ fn regrouped_par() {
     assert_no_worse::<F32>("payload/1e3");
 }
 
-/// Beside the S of the raw parameters, too: what regrouping moves about does not make sums larger.
+/// Errors relative to S of the description's parameters: regrouping does not make sums larger.
 fn assert_no_worse<T: Tested>(label: &str) {
     const FUNCTIONS: [Function; 1] = [InverseDynamics];
     let bench = Bench::new(label, InverseDynamics);

@@ -1,11 +1,10 @@
-//! States for the hard cases: the ordinary ones, and those that stand still or creep.
+//! States of the hard cases: random ones, some at rest, some with subnormal rates.
 
 use homogen_codegen::space::Variable;
 use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::states::Random;
 
-/// States of so many joints, each changed as the case has it before every sixth is brought to rest
-/// and every sixth made to creep.
+/// States changed by the case; then every sixth is brought to rest, and every sixth gets subnormal rates.
 pub fn states(
     count: usize,
     joints: usize,
@@ -17,7 +16,7 @@ pub fn states(
         change(&mut arguments, &mut random);
         match k % 6 {
             4 => arguments[Variable::Qd].fill(0.0),
-            // Of single precision and of double precision: multiples of 2⁻¹⁴⁹ and of 2⁻¹⁰⁷⁴.
+            // Multiples of the smallest numbers of single and of double precision, 2⁻¹⁴⁹ and 2⁻¹⁰⁷⁴.
             5 => {
                 let smallest = if k % 12 == 5 {
                     2_f64.powi(-149)
@@ -35,7 +34,7 @@ pub fn states(
     (0..count).map(each).collect()
 }
 
-/// A number of either sign whose size is 10 to a power between two, exact in single precision.
+/// A number of either sign with a decimal exponent in a range, exact in single precision.
 pub fn of_size(random: &mut Random, least: f64, most: f64) -> f64 {
     let exponent = least + (most - least) * (random.unit() + 1.0) / 2.0;
     let sign = if random.chance(2) { 1.0 } else { -1.0 };

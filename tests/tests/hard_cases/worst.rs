@@ -1,8 +1,7 @@
-//! The worst inputs that were found, measured again.
+//! The worst known inputs, measured again.
 //!
-//! In: `worst_inputs.txt`, whose lines name a case, a robot and a type of number, and list the
-//! arguments in hexadecimal. Out: a failed test where one has got beyond its limit, or where a case has no
-//! line.
+//! In: `worst_inputs.txt`; each line has a case, a robot, a scalar type, and the arguments in hexadecimal. Out: a
+//! failed test if an error exceeds its limit, or if a case has no line.
 
 use std::collections::BTreeSet;
 
@@ -27,7 +26,7 @@ fn cases() -> impl Iterator<Item = &'static Case> {
 }
 
 #[test]
-fn worst_inputs_again() {
+fn the_worst_known_inputs_stay_within_their_limits() {
     let mut without: BTreeSet<&str> = cases().map(|case| case.name).collect();
     for line in TABLE.lines().filter(|line| !line.starts_with('#')) {
         let mut words = line.splitn(4, ' ');
@@ -43,7 +42,7 @@ fn worst_inputs_again() {
             "flushed" => again::<Flushed>(case, &bench, arguments),
             "f32_fused" => again::<Fused32>(case, &bench, arguments),
             "f64_fused" => again::<Fused64>(case, &bench, arguments),
-            _ => panic!("{of} is no type"),
+            _ => panic!("{of} is not a type"),
         }
         without.remove(name);
     }
@@ -63,7 +62,7 @@ fn again<T: Tested>(case: &Case, bench: &Bench, arguments: Arguments) {
         .expect("the case has this type");
     let name = case.name;
     assert!(error <= limit, "{name}, {}: {error} u at {line}", T::NAME);
-    // An input that is exact by now is worth nothing as a test.
+    // An input without an error tests nothing.
     assert!(
         metrics::largest([error]) > 0.0,
         "{name}, {}: {line}",

@@ -1,7 +1,7 @@
-//! Arms whose Jacobian loses its rank: two axes of the wrist in one line, the elbow straight.
+//! Arms at and near singular configurations: two wrist axes in one line, a straight elbow.
 //!
-//! In: postures at and near the singular ones. Out: errors of the generated Jacobians, and by how much
-//! solutions of A q̇ = W contradict the exact matrix, plain and damped.
+//! In: configurations. Out: errors of the generated Jacobians, and residuals of solutions of A q̇ = W with the exact
+//! matrix, plain and damped.
 
 use std::array::from_fn;
 use std::iter::once;
@@ -20,16 +20,16 @@ use crate::exact_arm::{Column, ExactArm, at, reach};
 use crate::measure::{Number, direction, hold, size, units, vector};
 use crate::worst::{DAMPED, PANDA, PUMA};
 
-/// An arm in postures of which joint `bent` is at and near the angle `singular`.
+/// A singularity of an arm: joint `bent` at the angle `singular`.
 struct Bent {
     bent: usize,
     singular: f64,
 }
 
 impl Bent {
-    fn postures<T: Number, const N: usize>(&self, seed: u64, count: u32) -> Vec<[T; N]> {
+    fn configurations<T: Number, const N: usize>(&self, seed: u64, count: u32) -> Vec<[T; N]> {
         let mut random = Random::new(seed);
-        let posture = |k| {
+        let configuration = |k| {
             let mut q = from_fn(|_| T::constant(3.0 * random.unit()));
             let away = match k % 5 {
                 0 => T::constant(0.0),
@@ -39,11 +39,11 @@ impl Bent {
             q[self.bent] = T::constant(self.singular) + away;
             q
         };
-        (0..count).map(posture).collect()
+        (0..count).map(configuration).collect()
     }
 }
 
-/// The worst entry of the three Jacobians, in u beside 1 for axes and beside the reach for lengths.
+/// The worst entry of the three Jacobians, in u, relative to 1 for axes and to the arm's size for lengths.
 fn entries<R, T: Number, const N: usize>(robot: &R, q: &[T; N], exact: &ExactArm, reach: f64) -> f64
 where
     R: SpatialJacobian<N, T> + GeometricJacobian<N, T> + BodyJacobian<N, T>,
@@ -85,9 +85,9 @@ fn on_a_moving_base<const N: usize, const M: usize, const F: usize>(
     Chain::new(joints, [tip], chain.gravity)
 }
 
-/// The rates that keep the tip still while the base moves. Where the rank is full: by how much they
-/// do not, in u beside the speeds that should add up to nothing. Where it is lost to rounding: how much
-/// of what remains the joints could still take away.
+/// The rates that keep the end effector at rest while the base moves. With full rank: its remaining velocity, in u of
+/// the velocities that should add up to zero. With a rank lost to rounding: the part of the remaining velocity that the
+/// joints could still remove.
 fn still_tip<T: Number, const N: usize, const M: usize, const F: usize>(
     chain: &Chain<N, F>,
     q: &[T; N],
@@ -110,7 +110,7 @@ fn still_tip<T: Number, const N: usize, const M: usize, const F: usize>(
     if !found.values.iter().all(|x| x.is_finite()) {
         return [f64::NAN; 2];
     }
-    // The length by which the runtime weighs metres against radians.
+    // The length by which the runtime scales metres against radians.
     let length = Big::new(reach(chain)) + norm(&arm.tip.t);
     let (u, b) = (exact(base.u()), exact(base.b()));
     let first: Column = [u.clone(), add(&b, &cross(&u, &arm.tip.t))];
@@ -149,11 +149,11 @@ fn product(x: &[Big; 6], y: &[Big; 6]) -> Big {
     products.fold(Big::zero(), |sum, product| sum + product)
 }
 
-/// Posture, speed wanted, λ.
+/// Configuration, wanted velocity, λ.
 type Damped<T> = [T; 13];
 
-/// The damped rates q̇ = (AᵗA + λ²)⁻¹ Aᵗ W by nalgebra's QR of the stacked matrix (A; λ), from the
-/// generated Jacobian: what remains of the normal equations, in u.
+/// The residual of the normal equations, in u, for damped rates q̇ = (AᵗA + λ²)⁻¹ Aᵗ W by nalgebra's QR of the stacked
+/// matrix (A; λ) of the generated Jacobian.
 fn damped_error<T: Number + RealField>(state: &Damped<T>) -> f64 {
     let [q, speed]: [[T; 6]; 2] = from_fn(|i| from_fn(|k| state[6 * i + k]));
     let lambda = state[12];
@@ -170,8 +170,8 @@ fn damped_error<T: Number + RealField>(state: &Damped<T>) -> f64 {
     });
     let right = SVector::<T, 12>::from_fn(|i, _| speed.get(i).copied().unwrap_or(zero));
     let factors = stacked.qr();
-    let turned = factors.q().transpose() * right;
-    let Some(rates) = factors.r().solve_upper_triangular(&turned) else {
+    let rotated = factors.q().transpose() * right;
+    let Some(rates) = factors.r().solve_upper_triangular(&rotated) else {
         return f64::NAN;
     };
     let rates: [Big; 6] = from_fn(|k| rates[k].big());
@@ -193,12 +193,12 @@ fn damped_error<T: Number + RealField>(state: &Damped<T>) -> f64 {
     }
     let seen = (columns.iter().zip(&rates))
         .map(|(column, rate)| (product(column, &gap) + &lambda * &lambda * rate).abs());
-    let weight = (rates.iter().chain(&speed)).fold(Big::zero(), |sum, x| sum + x.abs());
-    let unit = weight * Big::new(T::UNIT) + Big::new(T::UNDERFLOW);
+    let size = (rates.iter().chain(&speed)).fold(Big::zero(), |sum, x| sum + x.abs());
+    let unit = size * Big::new(T::UNIT) + Big::new(T::UNDERFLOW);
     (seen.fold(Big::zero(), Big::max) / unit).to_f64()
 }
 
-/// A rate: none, subnormal, or ordinary.
+/// A rate: zero, subnormal, or ordinary.
 fn rate<T: Number>(random: &mut Random) -> T {
     let subnormal = T::MIN_POSITIVE * T::constant(random.unit());
     *random.choose(&[
@@ -209,30 +209,35 @@ fn rate<T: Number>(random: &mut Random) -> T {
     ])
 }
 
-/// Both arms, each at its singular joint. Met: 4.3 u for the entries of J and 4.7 u for the rates, held
-/// with twice as much. Where the rank is lost to rounding the rates are exact for a matrix that differs
-/// by as much as the threshold of the rank, 64 ε = 128 u: met 25, held with 64.
+/// Both arms near their singularities. The worst are 4.3 u for J and 4.7 u for rates; the limits are twice as large.
+/// With a rank lost to rounding, rates are exact for a matrix that differs by the threshold of the rank, 64 ε = 128 u:
+/// the worst is 25, the limit 64.
 fn near_singular<T: Number>(puma: &Bent, panda: &Bent) {
     let limits = [("J", 8.0), ("rates", 10.0), ("rates, rank lost", 64.0)];
     let chain = Puma560::chain();
-    hold(limits, &PUMA, &puma.postures::<T, 6>(10, 500), |q| {
+    hold(limits, &PUMA, &puma.configurations::<T, 6>(10, 500), |q| {
         let arm = at(&chain, q);
         let [full, lost] = still_tip::<T, 6, 7, _>(&chain, q, &arm);
         [entries(&Puma560, q, &arm, reach(&chain)), full, lost]
     });
     let chain = PandaClass::chain();
-    hold(limits, &PANDA, &panda.postures::<T, 7>(11, 500), |q| {
-        let arm = at(&chain, q);
-        let [full, lost] = still_tip::<T, 7, 8, _>(&chain, q, &arm);
-        [entries(&PandaClass, q, &arm, reach(&chain)), full, lost]
-    });
+    hold(
+        limits,
+        &PANDA,
+        &panda.configurations::<T, 7>(11, 500),
+        |q| {
+            let arm = at(&chain, q);
+            let [full, lost] = still_tip::<T, 7, 8, _>(&chain, q, &arm);
+            [entries(&PandaClass, q, &arm, reach(&chain)), full, lost]
+        },
+    );
 }
 
-/// Damped solutions for the arm with six joints, in the types that nalgebra takes.
+/// Damped solutions for the arm of six joints, in the types that nalgebra supports.
 fn damped<T: Number + RealField>(bent: &Bent) {
     let mut random = Random::new(12);
-    let postures = bent.postures::<T, 6>(13, 500);
-    let states: Vec<Damped<T>> = (postures.iter())
+    let configurations = bent.configurations::<T, 6>(13, 500);
+    let states: Vec<Damped<T>> = (configurations.iter())
         .map(|q| {
             let speed: T = rate(&mut random);
             let lambda = size::<T>(&mut random, -6.0, -1.0);
@@ -243,14 +248,14 @@ fn damped<T: Number + RealField>(bent: &Bent) {
             })
         })
         .collect();
-    // Met: 5.2 u; held with twice as much.
+    // The worst is 5.2 u; the limit is twice as large.
     hold([("damped rates", 10.0)], &DAMPED, &states, |state| {
         [damped_error(state)]
     });
 }
 
-/// The angle of the elbow at which the next joint is furthest from the shoulder: `inner` is the pose of
-/// the elbow in the shoulder's frame, `outer` that of the next joint in the elbow's.
+/// The angle of the elbow at which the next joint is farthest from the shoulder. `inner` is the pose of the elbow in
+/// the shoulder's frame, `outer` that of the next joint in the elbow's.
 fn straight(inner: &Pose<f64>, outer: &Pose<f64>) -> f64 {
     let from_shoulder = homogen::vector::transposed_product(inner.rotation(), inner.translation());
     let angle = |[x, y, _]: [f64; 3]| y.atan2(x);
@@ -274,14 +279,14 @@ fn puma_elbow() -> Bent {
 
 fn panda_elbow() -> Bent {
     let joints = PandaClass::chain().joints;
-    // The third joint turns about the line from the shoulder.
+    // The axis of the third joint is the line from the shoulder.
     let inner = joints[2].placement * joints[3].placement;
     let singular = straight(&inner, &joints[4].placement);
     Bent { bent: 3, singular }
 }
 
-/// The rank is lost at the singular angle, and back a hundredth of a radian away from it; the other
-/// joints are far from anything singular.
+/// Asserts that the rank is lost at the singular angle and full 0.01 rad away from it; the other joints are far from
+/// singularities.
 fn flagged<T: Number>(puma: &Bent) {
     let closed = ClosedChain::tip_at(Puma560::chain(), Pose::identity());
     for (away, is_singular) in [

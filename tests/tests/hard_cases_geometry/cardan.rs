@@ -1,7 +1,7 @@
-//! Cardan and Euler angles at and near their singular middle angles, all twelve sequences.
+//! Cardan and Euler angles at and near their singular middle angles, for all twelve sequences.
 //!
-//! In: exact rotations rounded to the type, and angular velocities. Out: how far the rotation of the
-//! angles found is from the one given, and the angular velocity of the rates found.
+//! In: exact rotations rounded to the type, and angular velocities. Out: the distance of the rotation by the computed
+//! angles from the given one, and of the angular velocity by the computed rates.
 
 use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -17,7 +17,7 @@ use crate::exact::{
 use crate::measure::{Number, direction, hold, size};
 use crate::worst::CARDAN;
 
-/// The number of the sequence, α, β, γ, ω.
+/// The index of the sequence, α, β, γ, ω.
 type State<T> = [T; 7];
 
 fn states<T: Number>() -> Vec<State<T>> {
@@ -67,8 +67,8 @@ fn elementary(axis: usize, angle: &Big) -> Matrix {
     )
 }
 
-/// The rotations by the first angle, by the first two, by all three.
-fn turned(sequence: Sequence, angles: &[Big; 3]) -> [Matrix; 3] {
+/// The rotations by the first angle, by the first two, and by all three.
+fn rotations(sequence: Sequence, angles: &[Big; 3]) -> [Matrix; 3] {
     let [i, j, k] = sequence.axes();
     let first = elementary(i, &angles[0]);
     let second = product(&first, &elementary(j, &angles[1]));
@@ -76,21 +76,21 @@ fn turned(sequence: Sequence, angles: &[Big; 3]) -> [Matrix; 3] {
     [first, second, third]
 }
 
-/// R of the angles that were found for R, in u.
+/// The error of R by the angles that were computed for R, in u.
 fn angles_error<T: Number>(&[number, alpha, beta, gamma, ..]: &State<T>) -> f64 {
     let sequence = sequence(number);
-    let [.., r] = turned(sequence, &exact([alpha, beta, gamma]));
+    let [.., r] = rotations(sequence, &exact([alpha, beta, gamma]));
     let r = nearest_matrix::<T>(&r);
     let found = from_rotation(sequence, &r);
     if !found.iter().all(|x| x.is_finite()) {
         return f64::NAN;
     }
-    let [.., rebuilt] = turned(sequence, &exact(found));
+    let [.., rebuilt] = rotations(sequence, &exact(found));
     (distance(&rebuilt, &exact_matrix(&r)) / Big::new(T::UNIT)).to_f64()
 }
 
-/// ω of the rates that were found for ω, beside the magnitudes that it is a sum of, in u; 0 where the
-/// rates are refused, which they may be only at the singular angle.
+/// The error of ω by the rates that were computed for ω, in u of its terms; 0 if the rates are refused at the singular
+/// angle, infinite if elsewhere.
 fn rates_error<T: Number>(&[number, alpha, beta, gamma, x, y, z]: &State<T>) -> f64 {
     let sequence = sequence(number);
     let angles = exact([alpha, beta, gamma]);
@@ -104,7 +104,7 @@ fn rates_error<T: Number>(&[number, alpha, beta, gamma, x, y, z]: &State<T>) -> 
         return f64::NAN;
     }
     let [i, j, k] = sequence.axes();
-    let [first, second, _] = turned(sequence, &angles);
+    let [first, second, _] = rotations(sequence, &angles);
     let column = |x: &Matrix, k: usize| from_fn(|i| x[i][k].clone());
     let axes = [elementary(i, &Big::zero()), first, second];
     let axes = [
@@ -126,7 +126,7 @@ fn rates_error<T: Number>(&[number, alpha, beta, gamma, x, y, z]: &State<T>) -> 
 }
 
 fn gimbal<T: Number>() {
-    // Met: 4.1 and 1.1 u; held with about twice as much.
+    // The worst are 4.1 and 1.1 u; the limits are about twice as large.
     let limits = [("cardan_gimbal, R", 8.0), ("cardan_gimbal, rates", 2.0)];
     hold(limits, &CARDAN, &states::<T>(), |state| {
         [angles_error(state), rates_error(state)]

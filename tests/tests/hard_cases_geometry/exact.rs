@@ -1,7 +1,6 @@
-//! Vectors, rotations and screws in numbers of 256 bits.
+//! Vectors, rotations and screws in 256 bits.
 //!
-//! In: exact values. Out: the formulas of the paper in their plainest form; nothing here is shared with
-//! the runtime, nor written as it is there.
+//! In: exact values. Out: the formulas of the paper in their plainest form, independent of the runtime.
 
 use std::array::from_fn;
 
@@ -9,22 +8,22 @@ use homogen_tests::big::Big;
 
 use crate::measure::Number;
 
-/// Three numbers.
+/// A vector of three numbers.
 pub type Vector = [Big; 3];
-/// Rows.
+/// A matrix, row by row.
 pub type Matrix = [[Big; 3]; 3];
 
-/// The exact values of some numbers.
+/// Exact values of several numbers.
 pub fn exact<T: Number, const K: usize>(v: [T; K]) -> [Big; K] {
     v.map(Number::big)
 }
 
-/// The exact values of a matrix.
+/// Exact values of a matrix.
 pub fn exact_matrix<T: Number>(x: &[[T; 3]; 3]) -> Matrix {
     x.map(exact)
 }
 
-/// The numbers nearest to a matrix.
+/// A matrix rounded to a type.
 pub fn nearest_matrix<T: Number>(x: &Matrix) -> [[T; 3]; 3] {
     from_fn(|i| from_fn(|j| T::nearest(&x[i][j])))
 }
@@ -45,7 +44,7 @@ pub fn cross(a: &Vector, b: &Vector) -> Vector {
     [entry(1, 2), entry(2, 0), entry(0, 1)]
 }
 
-/// The sums of the magnitudes that a × b is a difference of.
+/// The sizes of the terms of a × b.
 pub fn cross_size(a: &Vector, b: &Vector) -> Vector {
     let entry = |j: usize, k: usize| (&a[j] * &b[k]).abs() + (&a[k] * &b[j]).abs();
     [entry(1, 2), entry(2, 0), entry(0, 1)]
@@ -87,14 +86,14 @@ pub fn distance(x: &Matrix, y: &Matrix) -> Big {
     differences.fold(Big::zero(), |most, (x, y)| most.max((x - y).abs()))
 }
 
-/// sin φ and 1 − cos φ, both of half the angle.
+/// sin φ and 1 − cos φ, from half the angle.
 pub fn sine_versine(phi: &Big) -> (Big, Big) {
     let (sine, cosine) = (phi / Big::new(2.0)).sin_cos();
     let double = Big::new(2.0) * &sine;
     (&double * cosine, double * sine)
 }
 
-/// φ − sin φ; by its series where the difference would lose bits.
+/// φ − sin φ, by its series where the difference would cancel.
 pub fn excess(phi: &Big) -> Big {
     if phi.abs() > Big::one() {
         return phi - phi.sin_cos().0;
@@ -112,7 +111,7 @@ pub fn excess(phi: &Big) -> Big {
     sum
 }
 
-/// R = I + u̲ sin φ + u̲² (1 − cos φ) for u as it is, with u̲² = u uᵗ − |u|² I.
+/// R = I + u̲ sin φ + u̲² (1 − cos φ) for u of any length, with u̲² = u uᵗ − |u|² I.
 pub fn rotation(u: &Vector, phi: &Big) -> Matrix {
     let (sine, versine) = sine_versine(phi);
     let [x, y, z] = scale(&sine, u);
@@ -128,7 +127,7 @@ pub fn rotation(u: &Vector, phi: &Big) -> Matrix {
     })
 }
 
-/// t = b φ + u × b (1 − cos φ) + u × (u × b) (φ − sin φ), and the magnitudes that it is a sum of.
+/// t = b φ + u × b (1 − cos φ) + u × (u × b) (φ − sin φ), and the sizes of its terms.
 pub fn translation(u: &Vector, b: &Vector, phi: &Big) -> (Vector, Vector) {
     let ((_, versine), excess) = (sine_versine(phi), excess(phi));
     let across = cross(u, b);
@@ -144,8 +143,8 @@ pub fn translation(u: &Vector, b: &Vector, phi: &Big) -> (Vector, Vector) {
     (t, add(&sum, &scale(&excess.abs(), &back)))
 }
 
-/// The rotation nearest to a matrix with a positive determinant: its polar factor, by Newton's
-/// iteration X ← ½ (X + X⁻ᵗ), which doubles the digits (Higham 1986).
+/// The rotation nearest to a matrix with positive determinant: its polar factor, by Newton's iteration
+/// X ← ½ (X + X⁻ᵗ), which converges quadratically (Higham 1986).
 pub fn nearest_rotation(x: &Matrix) -> Matrix {
     let half = Big::new(0.5);
     (0..10).fold(x.clone(), |x, _| {
@@ -157,8 +156,7 @@ pub fn nearest_rotation(x: &Matrix) -> Matrix {
     })
 }
 
-/// The axis and the angle in [0, π] of a rotation, by the longest column of the quaternion's outer
-/// product.
+/// Axis and angle in [0, π] of a rotation, from the longest column of the quaternion's outer product.
 pub fn axis_angle(r: &Matrix) -> (Vector, Big) {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = r;
     let one = Big::one;

@@ -1,8 +1,7 @@
-//! The Jacobians of an arm in numbers of 256 bits.
+//! Jacobians of an arm in 256 bits.
 //!
-//! In: a chain of revolute joints as data, and a posture. Out: the columns of its three Jacobians, each
-//! axis crossed with the vector to the pole, as a textbook has it. It shares nothing with the runtime
-//! but the description.
+//! In: a chain of revolute joints as data, and a configuration. Out: the columns of its three Jacobians by the
+//! textbook's cross products of axes and lever arms, independent of the runtime.
 
 use std::array::from_fn;
 
@@ -11,18 +10,18 @@ use homogen::{Chain, Pose, Screw};
 use crate::exact::{Matrix, Vector, add, cross, dot, exact, exact_matrix, product, sub, transpose};
 use crate::measure::Number;
 
-/// A column: u, and b at the pole.
+/// A column: u, and b at the reference point.
 pub type Column = [Vector; 2];
 
-/// An arm at a posture.
+/// An arm in a configuration.
 pub struct ExactArm {
-    /// The pose of the tip.
+    /// The pose of the end effector.
     pub tip: Place,
-    /// About the origin of frame 0, in its axes.
+    /// The spatial Jacobian: reference point and axes of frame 0.
     pub spatial: Vec<Column>,
-    /// About the tip, in the axes of frame 0.
+    /// The geometric Jacobian: reference point at the end effector, axes of frame 0.
     pub geometric: Vec<Column>,
-    /// About the tip, in its axes.
+    /// The body Jacobian: reference point and axes of the end effector.
     pub body: Vec<Column>,
 }
 
@@ -35,10 +34,10 @@ pub struct Place {
     pub t: Vector,
 }
 
-/// The arm at a posture.
+/// The Jacobians of an arm in a configuration.
 ///
 /// # Panics
-/// Where a joint does not turn about the z axis of its frame.
+/// If the axis of a joint is not the z axis of its frame.
 pub fn at<T: Number, const N: usize, const F: usize>(chain: &Chain<N, F>, q: &[T; N]) -> ExactArm {
     let identity = exact_matrix(Pose::<f64>::identity().rotation());
     let base = Place {
@@ -51,16 +50,16 @@ pub fn at<T: Number, const N: usize, const F: usize>(chain: &Chain<N, F>, q: &[T
         let parent = joint.parent.map_or(&base, |k| &places[k]);
         let mut place = moved(parent, &joint.placement);
         let (sine, cosine) = q.big().sin_cos();
-        let turned = |[x, y, z]: Vector| [&x * &cosine + &y * &sine, y * &cosine - x * &sine, z];
-        place.r = place.r.map(turned);
+        let rotate = |[x, y, z]: Vector| [&x * &cosine + &y * &sine, y * &cosine - x * &sine, z];
+        place.r = place.r.map(rotate);
         places.push(place);
     }
     let end = chain.tip();
     let tip = moved(end.body.map_or(&base, |k| &places[k]), &end.placement);
-    let about = |pole: &Vector| -> Vec<Column> {
+    let about = |origin: &Vector| -> Vec<Column> {
         let column = |place: &Place| {
             let u = from_fn(|i| place.r[i][2].clone());
-            let b = cross(&sub(&place.t, pole), &u);
+            let b = cross(&sub(&place.t, origin), &u);
             [u, b]
         };
         places.iter().map(column).collect()
@@ -69,7 +68,7 @@ pub fn at<T: Number, const N: usize, const F: usize>(chain: &Chain<N, F>, q: &[T
     let back = transpose(&tip.r);
     let body = geometric
         .iter()
-        .map(|column| column.each_ref().map(|v| turn(&back, v)));
+        .map(|column| column.each_ref().map(|v| rotated(&back, v)));
     let body = body.collect();
     ExactArm {
         tip,
@@ -79,7 +78,7 @@ pub fn at<T: Number, const N: usize, const F: usize>(chain: &Chain<N, F>, q: &[T
     }
 }
 
-/// A length that no entry of b exceeds: the sum of all distances between joints.
+/// The sum of all distances between joints, a bound of the entries of b \[m\].
 pub fn reach<const N: usize, const F: usize>(chain: &Chain<N, F>) -> f64 {
     let places = chain.joints.iter().map(|joint| joint.placement);
     let places = places.chain([chain.tip().placement]);
@@ -88,14 +87,14 @@ pub fn reach<const N: usize, const F: usize>(chain: &Chain<N, F>) -> f64 {
         .sum()
 }
 
-/// M₀ₖ of a frame placed in another.
+/// The pose of a frame that is placed in another.
 fn moved(place: &Place, by: &Pose<f64>) -> Place {
     Place {
         r: product(&place.r, &exact_matrix(by.rotation())),
-        t: add(&place.t, &turn(&place.r, &exact(by.translation()))),
+        t: add(&place.t, &rotated(&place.r, &exact(by.translation()))),
     }
 }
 
-fn turn(x: &Matrix, v: &Vector) -> Vector {
+fn rotated(x: &Matrix, v: &Vector) -> Vector {
     from_fn(|i| dot(&x[i], v))
 }

@@ -1,7 +1,6 @@
 //! Q = exp(L φ) of tiny motions.
 //!
-//! In: screws and angles from the smallest numbers to 0.1 rad and beyond. Out: errors of R − I and t,
-//! entry by entry.
+//! In: screws, and angles from the smallest numbers to 0.1 rad and beyond. Out: errors of R − I and t, entry by entry.
 
 use homogen::Screw;
 use homogen::vector::{add, cross, negate, scale};
@@ -33,9 +32,8 @@ fn states<T: Number>() -> Vec<State<T>> {
     states
 }
 
-/// The worst entry of R − I and of t, each beside the sum of the sizes of its terms: where those cancel, no
-/// sum of rounded terms is right to a part of what is left. The diagonal of R holds 1 beside what is tiny, so that its
-/// error counts beside 1.
+/// The worst entry of R − I and of t, relative to the sum of the sizes of its terms, which may cancel. Errors of the
+/// diagonal of R are relative to 1.
 fn error<T: Number>(&[ux, uy, uz, bx, by, bz, phi]: &State<T>) -> f64 {
     let (u, b) = ([ux, uy, uz], [bx, by, bz]);
     let q = Screw::new(u, b).exp(phi);
@@ -57,8 +55,8 @@ fn error<T: Number>(&[ux, uy, uz, bx, by, bz, phi]: &State<T>) -> f64 {
     worst
 }
 
-/// Up to 0.1 rad, which the case asks for, 3.0 u were met. Beyond, t is a sum of three terms of one size,
-/// the last of them seven roundings deep: 4.0 u.
+/// Up to 0.1 rad, which the case requires, the worst is 3.0 u. Beyond, t is a sum of three terms of one size, the last
+/// of them with seven roundings: 4.0 u.
 fn tiny<T: Number>() {
     hold(
         [("exp_tiny", 4.0), ("exp_beyond", 5.0)],
@@ -74,7 +72,7 @@ fn tiny<T: Number>() {
     );
 }
 
-/// The versine is an entry of t where a turn about z starts at the distance 1 from its axis.
+/// The versine is an entry of t for a rotation about z at distance 1 from the axis.
 fn versines<T: Number>() {
     let mut random = Random::new(2);
     let states: Vec<[T; 1]> = (0..1200)
@@ -84,7 +82,7 @@ fn versines<T: Number>() {
             _ => [size(&mut random, 0.5 * T::LEAST, 0.8)],
         })
         .collect();
-    // Met: 2.9 u.
+    // The worst is 2.9 u.
     hold([("versine_small", 4.0)], &VERSINES, &states, |&[phi]| {
         let [zero, one] = [0.0, 1.0].map(T::constant);
         let q = Screw::new([zero, zero, one], [zero, -one, zero]).exp(phi);
@@ -93,7 +91,7 @@ fn versines<T: Number>() {
     });
 }
 
-/// φ − sin φ, which t is made of, also on both sides of the end of the series.
+/// φ − sin φ, a factor in t, also on both sides of the series' end.
 fn arcs<T: Number>() {
     let mut random = Random::new(16);
     let states: Vec<[T; 1]> = (0..1200)
@@ -103,7 +101,7 @@ fn arcs<T: Number>() {
             _ => [size(&mut random, T::LEAST / 3.0, 0.8)],
         })
         .collect();
-    // Met: 2.9 u.
+    // The worst is 2.9 u.
     hold([("arc_less_sine", 4.0)], &ARCS, &states, |&[phi]| {
         let exact = excess(&phi.big());
         [units(phi.less_sine(phi.sin_cos().0), &exact, &exact)]
@@ -111,7 +109,7 @@ fn arcs<T: Number>() {
 }
 
 crate::in_every_type! {
-    /// What the translation of hard case 1 stands on.
+    /// A factor in the translation of hard case 1.
     arc_less_sine => arcs;
     /// Hard case 1.
     exp_tiny => tiny;

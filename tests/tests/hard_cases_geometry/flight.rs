@@ -1,8 +1,7 @@
 //! Drift over many steps: bodies in free flight, and arms that fall without torques.
 //!
-//! In: generated forward dynamics, integrated by Runge and Kutta's method of fourth order. Out: how far
-//! momentum and energy are from where they were; the order at which that falls with the step, and the
-//! floor of rounding below which it does not. The drift is measured in f64 on the states as they are.
+//! In: generated forward dynamics, integrated by the Runge–Kutta method of fourth order. Out: the drift of momentum and
+//! energy, its order in the step, and its floor by rounding. The drift is computed in f64 from the states as they are.
 
 use std::array::from_fn;
 
@@ -16,8 +15,7 @@ use homogen_tests::tested::{Flushed, Fused32, Fused64};
 use crate::measure::Number;
 
 homogen::chain! {
-    /// A box in space, held by nothing, and a boom hinged to it about a skew axis: six joints with
-    /// nothing between them, and the hinge.
+    /// A box in free flight on six joints with massless links, and a boom on a hinge with a skew axis.
     struct Flight { gravity: [0.0, 0.0, 0.0], generate(forward_dynamics) }
     link space;
     joint x: prismatic(x) { from: space }
@@ -49,7 +47,7 @@ struct Arm;
 /// q and q̇.
 type State<T, const N: usize> = [[T; N]; 2];
 
-/// Energy, γ and ρ in frame 0 of a state as it is.
+/// Energy, and γ and ρ in frame 0, of a state.
 fn constants<T: Number, const N: usize, const F: usize>(
     chain: &Chain<N, F>,
     state: &State<T, N>,
@@ -66,7 +64,7 @@ fn constants<T: Number, const N: usize, const F: usize>(
     (energy, [momentum.gamma(), momentum.rho()])
 }
 
-/// One step of Runge and Kutta's.
+/// A Runge–Kutta step.
 fn step<T: Number, R: ForwardDynamics<N, T>, const N: usize>(
     robot: &R,
     state: &State<T, N>,
@@ -88,7 +86,7 @@ fn step<T: Number, R: ForwardDynamics<N, T>, const N: usize>(
     after(h, &mean)
 }
 
-/// A robot, its description, where it starts, and for how long it moves \[s\].
+/// A robot, its description, its initial state, and the duration \[s\].
 struct Motion<'a, R, const N: usize, const F: usize> {
     robot: &'a R,
     chain: &'a Chain<N, F>,
@@ -96,7 +94,7 @@ struct Motion<'a, R, const N: usize, const F: usize> {
     duration: f64,
 }
 
-/// What drifts.
+/// A conserved quantity.
 #[derive(Clone, Copy)]
 enum Constant {
     Energy,
@@ -104,7 +102,7 @@ enum Constant {
 }
 
 impl<R, const N: usize, const F: usize> Motion<'_, R, N, F> {
-    /// The largest relative drift in so many equal steps.
+    /// The largest relative drift over so many equal steps.
     fn drift<T: Number>(&self, of: Constant, steps: u32) -> f64
     where
         R: ForwardDynamics<N, T>,
@@ -113,7 +111,7 @@ impl<R, const N: usize, const F: usize> Motion<'_, R, N, F> {
         let before = constants(self.chain, &state);
         let h = T::constant(self.duration / f64::from(steps));
         let mut worst = 0.0_f64;
-        // Twenty looks on the way tell the drift.
+        // Twenty samples show the drift.
         let every = steps.div_ceil(20);
         for k in 1..=steps {
             state = step(self.robot, &state, h);
@@ -132,8 +130,8 @@ impl<R, const N: usize, const F: usize> Motion<'_, R, N, F> {
         worst
     }
 
-    /// The drift falls with the fourth power of the step between 2 to the `powers` steps, and ends in
-    /// a floor of at most so many u, beyond which finer steps only add rounding.
+    /// Asserts that the drift falls with the fourth power of the step between 2^coarse and 2^fine steps, down to a
+    /// floor of at most `floor` u, beyond which smaller steps only add rounding errors.
     fn check<T: Number>(&self, name: &str, of: Constant, powers: [u32; 2], floor: f64)
     where
         R: ForwardDynamics<N, T>,
@@ -177,8 +175,8 @@ fn flight_of(chain: &Chain<7, 1>) -> Motion<'_, Flight, 7, 1> {
     }
 }
 
-/// Hard case 30. The floors were 59 and 74 u in f64, 5 and 7 u in f32, fused or not: held with about four
-/// times as much.
+/// Hard case 30. The floors are 59 and 74 u in f64, 5 and 7 u in f32, fused or not; the limits are about four times as
+/// large.
 #[test]
 fn free_flight() {
     let chain = Flight::chain();
@@ -202,7 +200,7 @@ fn free_flight() {
     }
 }
 
-/// So slow a flight is straight: no velocity changes by a bit.
+/// Slow flight is straight: no velocity changes by a bit.
 fn slow<T: Number>() {
     let chain = Flight::chain();
     let [q, _] = flight_of(&chain).start.map(|v| v.map(T::constant));
@@ -227,8 +225,8 @@ crate::in_every_type! {
     free_flight_slow => slow;
 }
 
-/// Hard case 31, from rest and from a throw. The floors were 150 u (pendulum) and 68 u (arm) in f64,
-/// 30 u and 4 u in f32, fused or not: held with about four times as much.
+/// Hard case 31, from rest and from a throw. The floors are 150 u (pendulum) and 68 u (arm) in f64, 30 u and 4 u in
+/// f32, fused or not; the limits are about four times as large.
 #[test]
 fn energy_drift_chain() {
     let chain = Pendulum::chain();

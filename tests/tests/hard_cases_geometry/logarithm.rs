@@ -1,7 +1,7 @@
-//! Axis and angle of rotations: tiny ones, half turns, and matrices that are no rotations any more.
+//! Axis and angle of rotations: tiny ones, half turns, and matrices that are not orthogonal.
 //!
-//! In: an axis and an angle, the exact rotation of which is rounded to the type, or a matrix. Out:
-//! errors of the axis and angle found.
+//! In: an axis and an angle, whose exact rotation is rounded to the type, or a matrix. Out: errors of the computed axis
+//! and angle.
 
 use std::array::from_fn;
 use std::f64::consts::PI;
@@ -17,7 +17,7 @@ use crate::exact::{
 use crate::measure::{Number, direction, hold, size};
 use crate::worst::{DRIFTED, NEAR_PI, TINY};
 
-/// The larger error of axis and angle, in u; the axis may point the other way where `either`.
+/// The larger error of axis and angle, in u; if `either`, the axis may have the other sign.
 fn error<T: Number>(r: &Matrix, axis: &Vector, angle: &Big, either: bool) -> f64 {
     let (found, found_angle) = rotation::axis_angle(&nearest_matrix::<T>(r));
     if !found.iter().chain([&found_angle]).all(|x| x.is_finite()) {
@@ -42,7 +42,7 @@ fn tiny<T: Number>() {
             [x, y, z, size::<T>(&mut random, least, -1.0).abs()]
         })
         .collect();
-    // Met: 3.8 u.
+    // The worst is 3.8 u.
     hold([("log_tiny", 4.0)], &TINY, &states, |&[x, y, z, phi]| {
         let (axis, phi) = (unit(&exact([x, y, z])), phi.big());
         [error::<T>(
@@ -54,7 +54,7 @@ fn tiny<T: Number>() {
     });
 }
 
-/// The last number is what is missing to π.
+/// The last number of a state is π − φ.
 fn near_pi<T: Number>() {
     let mut random = Random::new(4);
     let states: Vec<[T; 4]> = (0..1200)
@@ -68,7 +68,7 @@ fn near_pi<T: Number>() {
             [x, y, z, less]
         })
         .collect();
-    // Met: 2.3 u.
+    // The worst is 2.3 u.
     hold(
         [("log_near_pi", 4.0)],
         &NEAR_PI,
@@ -76,7 +76,7 @@ fn near_pi<T: Number>() {
         |&[x, y, z, less]| {
             let axis = unit(&exact([x, y, z]));
             let phi = Big::pi() - less.big();
-            // What is less than the rounding of R leaves both directions open.
+            // Below the rounding of R, both directions are right.
             let either = less.to_f64() <= 4.0 * T::UNIT;
             [error::<T>(
                 &exact::rotation(&axis, &phi),
@@ -103,13 +103,13 @@ fn drifted<T: Number>() {
             from_fn(|k| T::nearest(&r[k / 3][k % 3]) + drift * T::constant(random.unit()))
         })
         .collect();
-    // Met: 3.8 where R is only rounded, 1.3 beside a larger defect.
+    // The worst are 3.8 where R is only rounded, and 1.3 with a larger defect.
     hold([("log_drifted_r", 4.0)], &DRIFTED, &states, |entries| {
         [drift_error(entries)]
     });
 }
 
-/// How far the rotation of axis and angle found is from the nearest one, in parts of the defect.
+/// The distance of the rotation by the computed axis and angle from the nearest rotation, relative to the defect.
 fn drift_error<T: Number>(entries: &[T; 9]) -> f64 {
     let r: [[T; 3]; 3] = from_fn(|i| from_fn(|j| entries[3 * i + j]));
     let (found, found_angle) = rotation::axis_angle(&r);
@@ -119,9 +119,9 @@ fn drift_error<T: Number>(entries: &[T; 9]) -> f64 {
     let r = exact_matrix(&r);
     let identity = from_fn(|i| from_fn(|j| Big::new(f64::from(u8::from(i == j)))));
     let defect = distance(&product(&transpose(&r), &r), &identity);
-    // A rotation without a defect is found to as many units as in the cases above.
+    // The unit covers rotations without a defect.
     let defect = defect + Big::new(T::UNIT);
-    // The rotations are compared: an axis means the less, the smaller the angle is.
+    // Rotations are compared, since an axis is ill-defined at small angles.
     let nearest = nearest_rotation(&r);
     let (_, angle) = axis_angle(&nearest);
     let rebuilt = exact::rotation(&unit(&exact(found)), &found_angle.big());
@@ -134,6 +134,6 @@ crate::in_every_type! {
     log_tiny => tiny;
     /// Hard case 4.
     log_near_pi => near_pi;
-    /// Hard case 5, in parts of the defect of orthogonality.
+    /// Hard case 5, relative to the defect of orthogonality.
     log_drifted_r => drifted;
 }

@@ -1,8 +1,7 @@
-//! How a case is held to its limit.
+//! Measurement of a hard case and comparison with its limit.
 //!
-//! In: states, the worst inputs of earlier runs, and a function that tells the error of one state.
-//! Out: a failed assertion with the bits of the worst state, so that it can be kept. It never draws a
-//! state by itself.
+//! In: states, the worst inputs of earlier runs, and the errors of a state as a function. Out: a failed assertion with
+//! the bits of the worst state, which can be added to those inputs.
 
 use std::array::from_fn;
 
@@ -18,11 +17,11 @@ pub trait Number: Real {
     const NAME: &'static str;
     /// The unit roundoff u.
     const UNIT: f64;
-    /// What underflow takes from a result at most.
+    /// The largest loss by underflow.
     const UNDERFLOW: f64;
     /// The largest number.
     const LARGEST: f64;
-    /// The least power of ten that is a number of full precision, with room for a product by 10⁻⁸.
+    /// The smallest decimal exponent of a number of full precision, with room for a product with 10⁻⁸.
     const LEAST: f64;
 
     /// The exact value.
@@ -30,7 +29,7 @@ pub trait Number: Real {
         Big::new(self.to_f64())
     }
 
-    /// The number nearest to an exact value.
+    /// The value rounded to the type.
     fn nearest(x: &Big) -> Self {
         Self::constant(x.to_f64())
     }
@@ -76,11 +75,11 @@ impl Number for Flushed {
     const LEAST: f64 = -30.0;
 }
 
-/// Every state must be right to within the limits, and so must the inputs kept as bits of f64. What f32
-/// holds exactly was met there: a matrix of it is no rotation in double precision.
+/// Asserts that the errors of all states, and of the kept inputs, are within the limits. Inputs that are exact in f32
+/// are for single precision, since a rotation rounded to f32 is not one in double precision.
 ///
 /// # Panics
-/// Where one is not, and where an error is NaN.
+/// If an error exceeds its limit or is NaN.
 pub fn hold<T: Number, const K: usize, const M: usize>(
     limits: [(&str, f64); M],
     kept: &[[u64; K]],
@@ -113,7 +112,7 @@ fn hexadecimal<T: Number, const K: usize>(state: &[T; K]) -> String {
     format!("[{}]", words.join(", "))
 }
 
-/// |found − exact| in units of u · |`size`|, less what underflow may take.
+/// |found − exact| in units of u · |`size`|, with an allowance for underflow.
 pub fn units<T: Number>(found: T, exact: &Big, size: &Big) -> f64 {
     if !found.is_finite() {
         return f64::NAN;
@@ -123,7 +122,7 @@ pub fn units<T: Number>(found: T, exact: &Big, size: &Big) -> f64 {
     (error / (unit + Big::new(T::UNDERFLOW))).to_f64()
 }
 
-/// 10 to a power between two, all powers alike, of either sign.
+/// A number of either sign with a uniform decimal exponent in a range.
 pub fn size<T: Number>(random: &mut Random, least: f64, most: f64) -> T {
     let power = least + (most - least) * 0.5 * (random.unit() + 1.0);
     let sign = if random.chance(2) { -1.0 } else { 1.0 };
@@ -135,7 +134,7 @@ pub fn vector<T: Number>(random: &mut Random) -> [T; 3] {
     from_fn(|_| T::constant(random.unit()))
 }
 
-/// A unit vector: at random, or one of the 26 whose entries are 0 or of one size.
+/// A unit vector: random, or one of the 26 with entries 0 and ±x.
 pub fn direction<T: Number>(random: &mut Random) -> [T; 3] {
     loop {
         let v = if random.chance(3) {
@@ -149,8 +148,7 @@ pub fn direction<T: Number>(random: &mut Random) -> [T; 3] {
     }
 }
 
-/// One test for each type of number. The runtime's geometry fuses nothing, so that types that do are left
-/// to the tests of generated functions.
+/// One test for each type. The runtime's geometry fuses nothing; only tests of generated functions use fused types.
 #[macro_export]
 macro_rules! in_every_type {
     ($($(#[$about:meta])* $case:ident => $generic:ident;)+) => {$(

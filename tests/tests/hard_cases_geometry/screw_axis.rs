@@ -1,7 +1,7 @@
 //! Screw axes of displacements and of velocities, far away and at infinity.
 //!
-//! In: displacements about axes at 10⁶ m, and velocities down to rest. Out: how far the motion along
-//! the screw found is from the one given.
+//! In: displacements about axes at 10⁶ m, and velocities down to rest. Out: the distance of the motion along the
+//! computed screw from the given one.
 
 use std::array::from_fn;
 
@@ -45,13 +45,13 @@ fn far<T: Number>() {
             motion(&Screw::new(u, b), phi)
         })
         .collect();
-    // Met: 5.2 u; held with twice as much.
+    // The worst is 5.2 u; the limit is twice as large.
     hold([("screw_axis_far", 10.0)], &FAR, &states, |state| {
         [far_error(state)]
     });
 }
 
-/// How far the motion along the screw found is from the one given, R beside 1 and t beside itself.
+/// The distance of the motion along the computed screw from the given one; R relative to 1, t relative to its length.
 fn far_error<T: Number>(state: &Motion<T>) -> f64 {
     let r: [[T; 3]; 3] = from_fn(|i| from_fn(|j| state[3 * i + j]));
     let t: [T; 3] = from_fn(|i| state[9 + i]);
@@ -66,16 +66,15 @@ fn far_error<T: Number>(state: &Motion<T>) -> f64 {
         return f64::NAN;
     }
     let (u, b, phi) = (exact(l.u()), exact(l.b()), phi.big());
-    let turned = exact::distance(&exact::rotation(&u, &phi), &exact_matrix(&r));
+    let rotated = exact::distance(&exact::rotation(&u, &phi), &exact_matrix(&r));
     let (moved, _) = exact::translation(&u, &b, &phi);
     let t = exact(t);
     let unit = Big::new(T::UNIT);
     let moved = norm(&exact::sub(&moved, &t)) / (norm(&t) * &unit);
-    moved.max(turned / unit).to_f64()
+    moved.max(rotated / unit).to_f64()
 }
 
-/// ω and v: both slow and fast, at rest, without turning, and on both sides of the point where the
-/// axis is too far away to be told.
+/// ω and v, each fast, slow or zero, on both sides of the point at which the axis is too far away to be representable.
 fn velocities<T: Number>() -> Vec<[T; 6]> {
     let mut random = Random::new(7);
     let most = -T::LEAST;
@@ -83,27 +82,27 @@ fn velocities<T: Number>() -> Vec<[T; 6]> {
         .map(|k| {
             let zero = T::constant(0.0);
             let subnormal = T::MIN_POSITIVE * T::constant(random.unit());
-            let turning = match k % 6 {
+            let angular = match k % 6 {
                 0 => zero,
                 1 => subnormal,
                 2 => size(&mut random, -12.0, 0.0),
                 3 => T::MIN_POSITIVE * size(&mut random, 0.0, 1.0),
                 _ => size(&mut random, T::LEAST, 0.0),
             };
-            let moving = match k % 7 {
+            let linear = match k % 7 {
                 0 => zero,
                 1 => subnormal,
                 2 => size(&mut random, 0.0, most),
                 _ => size(&mut random, -3.0, 3.0),
             };
-            let [wx, wy, wz] = scale(turning, direction(&mut random));
-            let [vx, vy, vz] = scale(moving, direction(&mut random));
+            let [wx, wy, wz] = scale(angular, direction(&mut random));
+            let [vx, vy, vz] = scale(linear, direction(&mut random));
             [wx, wy, wz, vx, vy, vz]
         })
         .collect()
 }
 
-/// W again from the screw and the rate, and the screw itself where its axis is within reach.
+/// The error of W from the computed screw and rate, and of the length of the screw.
 fn slow_error<T: Number>(&[wx, wy, wz, vx, vy, vz]: &[T; 6]) -> f64 {
     let (omega, v) = ([wx, wy, wz], [vx, vy, vz]);
     let (l, rate) = Velocity::new(omega, v).instantaneous_screw_axis();
@@ -112,12 +111,12 @@ fn slow_error<T: Number>(&[wx, wy, wz, vx, vy, vz]: &[T; 6]) -> f64 {
         return f64::NAN;
     }
     let zero = T::constant(0.0);
-    let turns = u != [zero; 3];
+    let rotates = u != [zero; 3];
     let (u, b, rate) = (exact(u), exact(b), rate.big());
     let (omega, v) = (exact(omega), exact(v));
     let lost = Big::new(T::UNDERFLOW) * (Big::one() + &rate);
-    // An axis further away than the largest number is at infinity, and the turn about it is dropped.
-    let dropped = if turns {
+    // An axis farther away than the largest number is at infinity, and its rotation is dropped.
+    let dropped = if rotates {
         Big::zero()
     } else {
         norm(&v) / Big::new(T::LARGEST)
@@ -131,9 +130,9 @@ fn slow_error<T: Number>(&[wx, wy, wz, vx, vy, vz]: &[T; 6]) -> f64 {
             worst = worst.max((error / size).to_f64());
         }
     }
-    let speed = norm(if turns { &omega } else { &v });
+    let speed = norm(if rotates { &omega } else { &v });
     if speed > Big::zero() {
-        let length = norm(if turns { &u } else { &b });
+        let length = norm(if rotates { &u } else { &b });
         worst = worst.max(((length - Big::one()).abs() / Big::new(T::UNIT)).to_f64());
         worst = worst.max(units(T::nearest(&rate), &speed, &speed));
     }
@@ -141,7 +140,7 @@ fn slow_error<T: Number>(&[wx, wy, wz, vx, vy, vz]: &[T; 6]) -> f64 {
 }
 
 fn slow<T: Number>() {
-    // Met: 2.5 u; held with twice as much.
+    // The worst is 2.5 u; the limit is twice as large.
     hold([("isa_slow", 5.0)], &SLOW, &velocities::<T>(), |w| {
         [slow_error(w)]
     });

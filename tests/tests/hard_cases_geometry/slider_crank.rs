@@ -1,7 +1,7 @@
 //! The slider-crank at and near its dead centres.
 //!
-//! In: lengths and angles at which the driven joint cannot drive, or nearly so. Out: how far the loop is
-//! from closed at the position found, and by how much the rates found contradict it.
+//! In: lengths, and angles at which the actuated joint cannot move the others, or nearly so. Out: residuals of the loop
+//! at the computed position, and of the computed rates.
 
 use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -15,7 +15,7 @@ use crate::exact::exact;
 use crate::measure::{Number, hold, size};
 use crate::worst::SLIDER_CRANK;
 
-/// The lengths of crank and rod, the driven joint, the dead centre, the way from it, the driven rate.
+/// The lengths of crank and rod, the actuated joint, the dead centre, the distance from it, the actuated rate.
 type State<T> = [T; 6];
 
 fn states<T: Number>() -> Vec<State<T>> {
@@ -24,8 +24,8 @@ fn states<T: Number>() -> Vec<State<T>> {
     for k in 0..1000 {
         let crank = 0.6 + 0.4 * random.unit();
         let rod = crank * (1.1 + random.unit().abs());
-        // Driven by the slider it is stuck stretched and folded; with l₁ = l₂ also by the crank, upright.
-        let (rod, driven, dead) = [
+        // Dead centres: with an actuated slider stretched and folded; for l₁ = l₂ also upright, with an actuated crank.
+        let (rod, actuated, dead) = [
             (rod, 3.0, 0.0),
             (rod, 3.0, PI),
             (crank, 3.0, 0.0),
@@ -42,12 +42,12 @@ fn states<T: Number>() -> Vec<State<T>> {
             1 => T::MIN_POSITIVE * T::constant(random.unit()),
             _ => T::constant(1.0),
         };
-        // The description is in f64: what a type cannot hold would be an error of its own.
+        // The description is in f64; rounding to the type would be an error of its own.
         let [crank, rod] = [crank, rod].map(|x| T::nearest(&Big::new(x)));
         states.push([
             crank,
             rod,
-            T::constant(driven),
+            T::constant(actuated),
             T::constant(dead),
             away,
             rate,
@@ -56,84 +56,84 @@ fn states<T: Number>() -> Vec<State<T>> {
     states
 }
 
-/// What is missing from Π M = 1 at q: the angle, and the two lengths in parts of the mechanism's.
+/// Π M − 1 at q: the angle, and the two lengths relative to the linkage's.
 fn gap<T: Number>(crank: &Big, rod: &Big, q: [T; 4]) -> [Big; 3] {
-    let [crank_q, rod_q, pin_q, slide] = exact(q);
+    let [crank_q, rod_q, pin_q, slider_q] = exact(q);
     let (s_1, c_1) = crank_q.sin_cos();
     let elbow = &crank_q + &rod_q;
     let (s_2, c_2) = elbow.sin_cos();
-    let turn = &elbow + &pin_q;
-    let (s_3, c_3) = turn.sin_cos();
+    let angle = &elbow + &pin_q;
+    let (s_3, c_3) = angle.sin_cos();
     let size = crank + rod;
     [
         s_3,
-        (crank * c_1 + rod * c_2 - c_3 * &slide) / &size,
-        (crank * s_1 + rod * s_2 - turn.sin_cos().0 * slide) / size,
+        (crank * c_1 + rod * c_2 - c_3 * &slider_q) / &size,
+        (crank * s_1 + rod * s_2 - angle.sin_cos().0 * slider_q) / size,
     ]
 }
 
-/// The rows of A that are not zero, lengths as they are.
+/// The rows of A that are not zero, without scaling of lengths.
 fn rows<T: Number>(crank: &Big, q: [T; 4]) -> [[Big; 4]; 3] {
-    let [crank_q, .., slide] = exact(q);
+    let [crank_q, .., slider_q] = exact(q);
     let (sine, cosine) = crank_q.sin_cos();
     let (zero, one) = (Big::zero, Big::one);
     [
         [one(), one(), one(), zero()],
         [zero(), crank * sine, zero(), -one()],
-        [zero(), -(crank * cosine), -slide, zero()],
+        [zero(), -(crank * cosine), -slider_q, zero()],
     ]
 }
 
-/// What the position found leaves open, and what its rates contradict.
+/// Residuals of the computed position, and of its rates.
 fn errors<T: Number>(state: &State<T>) -> [f64; 2] {
-    let &[crank, rod, driven, dead, away, _] = state;
-    let (mechanism, driver) = described(crank, rod, driven);
+    let &[crank, rod, actuated, dead, away, _] = state;
+    let (linkage, driver) = described(crank, rod, actuated);
     let still = T::constant(0.0);
-    let q_at = |alpha| mechanism.state(alpha, still, still).q;
+    let q_at = |alpha| linkage.state(alpha, still, still).q;
     let given = if driver == 0 {
         dead + away
     } else {
         q_at(dead + away)[3]
     };
     let driving = from_fn(|i| (i == driver).then_some(given));
-    // The branch is that of the start, which stands a little further on.
+    // The start selects the branch; it is a little farther from the dead centre.
     let further = T::constant(if away < still { -0.1 } else { 0.1 });
-    let found = position(&mechanism.closed_chain(), &driving, &q_at(dead + further));
+    let found = position(&linkage.closed_chain(), &driving, &q_at(dead + further));
     let q = found.expect("within reach").q;
     let residual = most(&gap(&crank.big(), &rod.big(), q)) / Big::new(T::UNIT);
     [residual.to_f64(), backward(state, q)]
 }
 
-/// ‖A q̇‖ beside ‖A‖ ‖q̇‖ at the position found, in u; where the rank is said to be lost, the matrix must
-/// be singular to rounding.
+/// ‖A q̇‖ relative to ‖A‖ ‖q̇‖ at the computed position, in u. If the rank is reported as lost, the matrix must be
+/// singular to rounding.
 fn backward<T: Number>(state: &State<T>, q: [T; 4]) -> f64 {
-    let &[crank, rod, driven, _, _, rate] = state;
-    let (mechanism, driver) = described(crank, rod, driven);
+    let &[crank, rod, actuated, _, _, rate] = state;
+    let (linkage, driver) = described(crank, rod, actuated);
     let driving = from_fn(|i| (i == driver).then_some(rate));
-    let found = velocity(&mechanism.closed_chain(), &q, &driving);
+    let found = velocity(&linkage.closed_chain(), &q, &driving);
     if !found.values.iter().all(|x| x.is_finite()) {
         return f64::NAN;
     }
-    let (alpha, slide) = (q[0].big(), q[3].big());
+    let (alpha, slider_q) = (q[0].big(), q[3].big());
     let (sine, cosine) = alpha.sin_cos();
     if found.is_singular() {
-        // The minor of the joints sought (the paper, Part II).
+        // The minor of the unknown joints (the paper, Part II).
         let minor = if driver == 0 {
-            slide - crank.big() * cosine
+            slider_q - crank.big() * cosine
         } else {
-            sine * slide
+            sine * slider_q
         };
         let is_lost = minor.abs() <= Big::new(4096.0 * T::UNIT);
         return if is_lost { 0.0 } else { f64::INFINITY };
     }
     let rates = exact(found.values);
     let a = rows(&crank.big(), q);
-    let weight = most(a.as_flattened()) * most(&rates) * Big::new(T::UNIT);
+    let size = most(a.as_flattened()) * most(&rates) * Big::new(T::UNIT);
     let products = a.map(|row| {
         let terms = row.iter().zip(&rates).map(|(a, x)| a * x);
         terms.fold(Big::zero(), |sum, x| sum + x)
     });
-    (most(&products) / (weight + Big::new(T::UNDERFLOW))).to_f64()
+    (most(&products) / (size + Big::new(T::UNDERFLOW))).to_f64()
 }
 
 /// The largest magnitude.
@@ -141,16 +141,16 @@ fn most(x: &[Big]) -> Big {
     x.iter().fold(Big::zero(), |most, x| most.max(x.abs()))
 }
 
-fn described<T: Number>(crank: T, rod: T, driven: T) -> (SliderCrank, usize) {
+fn described<T: Number>(crank: T, rod: T, actuated: T) -> (SliderCrank, usize) {
     let (crank, rod) = (crank.to_f64(), rod.to_f64());
     (
         SliderCrank { crank, rod },
-        if driven > T::constant(0.0) { 3 } else { 0 },
+        if actuated > T::constant(0.0) { 3 } else { 0 },
     )
 }
 
 fn dead<T: Number>() {
-    // Met: 4.4 and 7.0 u; held with about twice as much.
+    // The worst are 4.4 and 7.0 u; the limits are about twice as large.
     let limits = [
         ("slider_crank_dead, q", 8.0),
         ("slider_crank_dead, rates", 14.0),

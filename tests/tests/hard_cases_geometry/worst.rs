@@ -1,7 +1,7 @@
-//! The worst inputs that were met in 6,000 to 40,000 states a case, as bits of f64.
+//! The worst inputs in 6,000 to 40,000 states per case, as bits of f64.
 //!
-//! In: nothing. Out: lists that every run repeats beside its own states. Inputs that f32 holds exactly
-//! belong to single precision, the others to double.
+//! Every run repeats them beside its own states. Inputs that are exact in f32 are for single precision, the others for
+//! double precision.
 
 /// `exp_tiny`: u, b, φ.
 pub const EXPONENTIALS: [[u64; 7]; 2] = [
@@ -59,7 +59,7 @@ pub const TINY: [[u64; 4]; 4] = [
     ],
 ];
 
-/// `log_near_pi`: axis and what is missing to π.
+/// `log_near_pi`: axis and π − φ.
 pub const NEAR_PI: [[u64; 4]; 4] = [
     [
         0x3fa0_7868_965d_3e11,
@@ -205,7 +205,7 @@ pub const CARDAN: [[u64; 7]; 4] = [
     ],
 ];
 
-/// `slider_crank_dead`: lengths, driven joint, dead centre, way from it, rate.
+/// `slider_crank_dead`: lengths, actuated joint, dead centre, distance from it, rate.
 pub const SLIDER_CRANK: [[u64; 6]; 4] = [
     [
         0x3fd1_74c6_ffff_ffff,
@@ -241,7 +241,7 @@ pub const SLIDER_CRANK: [[u64; 6]; 4] = [
     ],
 ];
 
-/// `wrist_singular` and `elbow_singular`: q of the arm with six joints.
+/// `wrist_singular` and `elbow_singular`: q of the arm of six joints.
 pub const PUMA: [[u64; 6]; 6] = [
     [
         0xbfa7_e470_0000_0000,
@@ -293,7 +293,7 @@ pub const PUMA: [[u64; 6]; 6] = [
     ],
 ];
 
-/// The same of the arm with seven.
+/// The same for the arm of seven joints.
 pub const PANDA: [[u64; 7]; 4] = [
     [
         0xbfe6_362e_4000_0000,
@@ -333,7 +333,7 @@ pub const PANDA: [[u64; 7]; 4] = [
     ],
 ];
 
-/// The same, damped: q, the speed wanted, λ.
+/// The same, damped: q, the wanted velocity, λ.
 pub const DAMPED: [[u64; 13]; 2] = [
     [
         0x3fc4_fd7e_0000_0000,

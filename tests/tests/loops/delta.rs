@@ -1,4 +1,4 @@
-//! A Delta robot, against spheres: the elbows keep the length of their forearms from the platform.
+//! A Delta robot, compared with spheres: the balls of the platform are at the distance of a forearm from the elbows.
 
 use std::array::from_fn;
 use std::f64::consts::TAU;
@@ -8,8 +8,8 @@ use homogen::loop_closure::{Outcome, project, regularity};
 use super::{difference, largest};
 
 homogen::chain! {
-    /// Arms of 0.2 m on a base of 0.1 m, forearms of 0.45 m to a platform of 0.05 m, which slides and does
-    /// not turn, as the parallelograms of forearms have it; one bar stands for each of them.
+    /// Arms of 0.2 m on a base of 0.1 m, forearms of 0.45 m to a platform of 0.05 m. The platform only translates, as
+    /// with parallelograms of forearms, for each of which one bar stands.
     pub struct Delta {
         generate(
             constraint, constraint_jacobian, constraint_bias, constrained_forward_dynamics,
@@ -38,7 +38,7 @@ homogen::chain! {
 }
 
 homogen::chain! {
-    /// The same with forearms that have no mass.
+    /// The same with massless forearms.
     pub struct Light { generate(constraint, constraint_jacobian, constraint_bias, constrained_forward_dynamics) }
     link base;
     joint arm_1: revolute(y) { at: rz(0) xyz(0.1, 0.0, 0.0) }
@@ -61,11 +61,11 @@ const PLATFORM: [[f64; 3]; 4] = [
     [0.02, 0.1, -0.5],
 ];
 
-/// The angle of an arm, and what its forearm is turned by, that reach a platform: by the plane of the arm
-/// the sphere about the ball is a circle, which the elbow's circle meets twice; the outer one is taken.
+/// The angles of an arm and of its forearm at a position of the platform. In the arm's plane, the sphere about the ball
+/// is a circle, which intersects the elbow's circle twice; this is the outer intersection.
 fn leg(k: u32, p: [f64; 3]) -> [f64; 3] {
     let (sine, cosine) = (f64::from(k) * TAU / 3.0).sin_cos();
-    // The ball, as seen from the shoulder in the plane of the arm.
+    // The ball relative to the shoulder, in the plane of the arm.
     let x = cosine * p[0] + sine * p[1] + 0.05 - 0.1;
     let y = -sine * p[0] + cosine * p[1];
     let z = p[2];
@@ -90,7 +90,7 @@ fn light(q: &[f64; 12]) -> [f64; 6] {
 }
 
 #[test]
-fn the_inverse_kinematics_of_spheres_closes_all_loops() {
+fn loops_are_closed_at_the_intersections_of_spheres() {
     for p in PLATFORM {
         let q = closed(p);
         assert!(
@@ -99,7 +99,7 @@ fn the_inverse_kinematics_of_spheres_closes_all_loops() {
             Delta.constraint(&q)
         );
         assert!(largest(&Light.constraint(&light(&q))) < 5e-16, "{p:?}");
-        // Nine equations for twelve joints: three ways to move, those of the platform.
+        // Nine equations for twelve joints: the three degrees of freedom of the platform.
         let regular = regularity(&Delta.constraint_jacobian(&q));
         assert_eq!(regular.rank, 9);
         assert_eq!(regularity(&Light.constraint_jacobian(&light(&q))).rank, 3);
@@ -107,7 +107,7 @@ fn the_inverse_kinematics_of_spheres_closes_all_loops() {
 }
 
 #[test]
-fn the_forward_kinematics_is_found_by_projection() {
+fn projection_finds_the_forward_kinematics() {
     for p in PLATFORM {
         let q = closed(p);
         let start = from_fn(|k| q[k] + [0.05, -0.04, 0.03][k % 3]);
@@ -122,7 +122,7 @@ fn the_forward_kinematics_is_found_by_projection() {
 fn rates_and_accelerations_are_those_of_the_closed_form() {
     const STEP: f64 = 1e-3;
     for p in PLATFORM {
-        // The platform on a parabola: what its joints do follows from the spheres.
+        // The platform moves on a parabola; the spheres determine the joints.
         let at = |t: f64| -> [f64; 12] {
             closed(from_fn(|k| {
                 p[k] + [0.3, -0.2, 0.25][k] * t + [0.5, 0.4, -0.6][k] * t * t
@@ -144,7 +144,7 @@ fn rates_and_accelerations_are_those_of_the_closed_form() {
                 product(&qdd)
             );
         }
-        // Torques of an open tree that make this motion, given to the closed one, make it as well.
+        // The torques of the open tree for this motion cause it in the closed robot too.
         let tau = Delta.inverse_dynamics(&c, &qd, &qdd);
         let found = Delta.constrained_forward_dynamics(&c, &qd, &tau).qdd;
         assert!(
@@ -155,7 +155,7 @@ fn rates_and_accelerations_are_those_of_the_closed_form() {
 }
 
 #[test]
-fn forearms_without_mass_move_as_light_ones() {
+fn massless_forearms_keep_their_length() {
     let q = light(&closed(PLATFORM[1]));
     let tau = [0.4, 0.1, -0.2, 0.0, 0.0, 0.0];
     let found = Light.constrained_forward_dynamics(&q, &[0.0; 6], &tau).qdd;

@@ -1,5 +1,5 @@
-//! Accelerations and multipliers against the whole system of equations, [M −Jᵗ; J 0] of q̈ and λ, made of
-//! dense matrices in frame 0 and solved in 256 bits with pivoting.
+//! Accelerations and multipliers, compared with the solution of the system [M −Jᵗ; J 0] of q̈ and λ in dense matrices
+//! of frame 0, in 256 bits.
 
 use std::path::Path;
 
@@ -41,24 +41,27 @@ fn described(text: &str) -> (Description, Request) {
     let item = inline::read(tokens, Path::new("nowhere"), &mut errors);
     assert!(errors.is_empty(), "{errors}");
     let item = item.expect("a robot");
-    (item.description.expect("it is in place"), item.request)
+    (
+        item.description.expect("an inline description"),
+        item.request,
+    )
 }
 
-/// The worst difference from 256 bits, beside the largest entry, over random states in a type of number.
+/// The worst difference from 256 bits over random states in a type, relative to the largest entry.
 fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2] {
     let robot = Robot::of(description, request);
     let chain = understand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
     let all = chain::build(description, request).unwrap_or_else(|errors| panic!("{errors}"));
     let spaces = chain.spaces();
     let n = spaces.len(Space::Velocities);
-    // The oracle leaves no residual out.
+    // The oracle has all residuals, the engine those that are not constant.
     let kept: Vec<usize> = (spaces.names(Space::Constraints))
         .map(|name| {
             let place = all
                 .spaces()
                 .names(Space::Constraints)
                 .position(|other| other == name);
-            n + place.expect("it is one of all")
+            n + place.expect("a residual of the description")
         })
         .collect();
     let function = Function::ConstrainedForwardDynamics;
@@ -104,7 +107,7 @@ fn worst(description: &Description, request: &Request, scalar: Real) -> [f64; 2]
 }
 
 #[test]
-fn accelerations_and_multipliers_solve_the_whole_system() {
+fn accelerations_and_multipliers_solve_the_system_of_equations() {
     for (name, text) in [
         ("leg", STANDING),
         ("leg on a free body", FREE),

@@ -1,11 +1,11 @@
-//! A four-bar, against its triangles, and over time.
+//! A four-bar linkage, compared with its triangles, and its energy over time.
 
 use homogen::loop_closure::{Outcome, project, project_rates};
 
 use super::{difference, largest, step};
 
 homogen::chain! {
-    /// Bars of 0.1, 0.3 and 0.2 m on a ground of 0.35 m: the crank cannot turn all round.
+    /// Bars of 0.1, 0.3 and 0.2 m on a ground of 0.35 m; the crank cannot make a full turn.
     pub struct FourBar {
         gravity: [0.0, -9.81, 0.0],
         generate(
@@ -24,7 +24,7 @@ homogen::chain! {
         from: coupler, to: rocker, at: xyz(0.3, 0.0, 0.0), to_at: xyz(0.2, 0.0, 0.0) }
 }
 
-/// The coordinates with the crank at an angle, the coupler above: by the law of cosines.
+/// The coordinates at an angle of the crank, with the coupler above, by the law of cosines.
 fn closed(crank: f64) -> [f64; 3] {
     let (sine, cosine) = crank.sin_cos();
     let [x, y] = [0.35 - 0.1 * cosine, -0.1 * sine];
@@ -72,7 +72,7 @@ fn energy_is_kept_and_the_loop_stays_closed() {
         largest(&FourBar.constraint(&q))
     );
     assert!(travelled > 2.0, "{travelled}");
-    // Nothing pulls it back: what drifts is the error of the steps.
+    // The energy is not corrected, so its drift is the error of the steps.
     assert!(most < 1e-9, "{most}");
     assert!(largest(&FourBar.constraint(&q)) < 1e-9);
 }

@@ -1,11 +1,11 @@
-//! A leg whose knee is held by a rod of two joints and whose foot is turned by a crank, as Cassie's are: by
-//! hand, and on a free body.
+//! A leg with a rod across the knee's two joints and a foot moved by a crank, like Cassie's: compared with formulas by
+//! hand, and on a floating base.
 
 use homogen::loop_closure::{Outcome, project, project_by, project_rates};
 
 use super::{largest, step};
 
-/// The leg behind what it hangs on, for a macro: once for the compiler, and as a text.
+/// Passes the leg, behind the given head, to a macro: to the compiler, or as text.
 macro_rules! leg {
     ($($then:ident)::+! $($head:tt)*) => {
         $($then)::+! {
@@ -34,7 +34,7 @@ macro_rules! leg {
 
 leg! {
     homogen::chain!
-    /// The leg on a pelvis that stands.
+    /// The leg on a fixed pelvis.
     pub struct Leg {
         generate(
             constraint, constraint_jacobian, constrained_forward_dynamics, kinetic_energy,
@@ -46,7 +46,7 @@ leg! {
 
 leg! {
     homogen::chain!
-    /// The leg on a pelvis that is free.
+    /// The leg on a floating pelvis.
     pub struct FreeLeg {
         floating,
         generate(constraint, constraint_jacobian, constrained_forward_dynamics)
@@ -54,18 +54,18 @@ leg! {
     link pelvis { mass: 10.0, com: [0.05, 0.0, 0.02], inertia: [0.08, 0.05, 0.08] }
 }
 
-/// The leg on a pelvis that stands, as a text.
+/// The leg on a fixed pelvis, as text.
 pub(super) const STANDING: &str = leg!(stringify! struct Leg; link pelvis;);
 
-/// The leg on a pelvis that is free.
+/// The leg on a floating pelvis, as text.
 pub(super) const FREE: &str = leg! {
     stringify!
     struct Leg { floating }
     link pelvis { mass: 10.0, com: [0.05, 0.0, 0.02], inertia: [0.08, 0.05, 0.08] }
 };
 
-/// A point carried by a turn about y and a shift.
-fn carried([x, y, z]: [f64; 3], angle: f64, [dx, dy, dz]: [f64; 3]) -> [f64; 3] {
+/// A point after a rotation about y and a translation.
+fn moved([x, y, z]: [f64; 3], angle: f64, [dx, dy, dz]: [f64; 3]) -> [f64; 3] {
     let (sine, cosine) = angle.sin_cos();
     [
         cosine * x + sine * z + dx,
@@ -74,13 +74,13 @@ fn carried([x, y, z]: [f64; 3], angle: f64, [dx, dy, dz]: [f64; 3]) -> [f64; 3] 
     ]
 }
 
-/// The lengths of both rods, by turns about y from link to link: the residuals are of their squares.
+/// The lengths of both rods, by rotations about y from link to link.
 fn lengths(q: &[f64; 7]) -> [f64; 2] {
     let [_, _, _, knee, tarsus, crank, toe] = *q;
-    let heel = carried([-0.11, 0.0, -0.03], tarsus - 1.2, [0.43, 0.0, 0.02]);
-    let heel = carried(heel, knee, [0.12, 0.0, -0.02]);
-    let pin = carried([0.055, 0.0, 0.0], crank, [0.06, 0.01, -0.03]);
-    let foot = carried([-0.05, 0.0, 0.02], toe + 0.6, [0.41, 0.0, 0.0]);
+    let heel = moved([-0.11, 0.0, -0.03], tarsus - 1.2, [0.43, 0.0, 0.02]);
+    let heel = moved(heel, knee, [0.12, 0.0, -0.02]);
+    let pin = moved([0.055, 0.0, 0.0], crank, [0.06, 0.01, -0.03]);
+    let foot = moved([-0.05, 0.0, 0.02], toe + 0.6, [0.41, 0.0, 0.0]);
     let distance = |a: [f64; 3], b: [f64; 3]| {
         let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
         squares.sum::<f64>().sqrt()
@@ -88,7 +88,7 @@ fn lengths(q: &[f64; 7]) -> [f64; 2] {
     [distance(heel, [0.0, 0.03, 0.045]), distance(pin, foot)]
 }
 
-/// Where both rods are as long as they are.
+/// A configuration in which both rods have their length.
 fn closed() -> [f64; 7] {
     let found = project(&Leg, &[0.1, -0.2, 0.3, 0.4, 0.2, 0.3, -0.2], 1e-15);
     assert_eq!(found.outcome, Outcome::Closed, "{found:?}");
@@ -96,7 +96,7 @@ fn closed() -> [f64; 7] {
 }
 
 #[test]
-fn residuals_are_those_of_the_lengths_of_the_rods() {
+fn residuals_are_those_of_the_rods_lengths() {
     for k in 0..20 {
         let places = [0.0, 0.7, 1.4, 2.1, 2.8, 3.5, 4.2];
         let q: [f64; 7] = places.map(|place| (f64::from(k) * 1.3 + place).sin());
@@ -109,7 +109,7 @@ fn residuals_are_those_of_the_lengths_of_the_rods() {
 }
 
 #[test]
-fn rods_of_the_leg_keep_their_length_and_the_leg_its_energy() {
+fn rods_keep_their_length_and_the_leg_its_energy() {
     let mut q = closed();
     let wanted = [0.5, 0.4, -1.0, 2.0, 0.0, 1.0, 0.0];
     let mut qd = project_rates(&Leg.constraint_jacobian(&q), &wanted);
@@ -130,7 +130,7 @@ fn rods_of_the_leg_keep_their_length_and_the_leg_its_energy() {
         "{:?}",
         Leg.constraint(&q)
     );
-    // A rod pulls and pushes along itself alone: what it does to the joints is its force times its Jacobian.
+    // A rod exerts a force along itself only: its torques are this force times its Jacobian.
     let force = Leg
         .constrained_forward_dynamics(&q, &qd, &[0.0; 7])
         .multipliers;
@@ -141,7 +141,7 @@ fn rods_of_the_leg_keep_their_length_and_the_leg_its_energy() {
 }
 
 #[test]
-fn rods_know_nothing_of_a_free_body() {
+fn the_position_of_a_floating_base_does_not_matter_to_rods() {
     let standing = closed();
     let start = std::array::from_fn(|k| match k {
         0..3 => 1e6,
@@ -150,13 +150,13 @@ fn rods_know_nothing_of_a_free_body() {
     });
     let found = project_by(&FreeLeg, &start, 1e-15, |q, v| FreeLeg.integrate(q, v));
     assert_eq!(found.outcome, Outcome::Closed, "{found:?}");
-    // No step moved the body, and its place takes no digits from the rods.
+    // No step moved the base, and its distance costs the rods no accuracy.
     assert_eq!(found.q[..7], start[..7]);
     let jacobian = FreeLeg.constraint_jacobian(&found.q);
     for row in jacobian {
         assert_eq!(row[..9], [0.0; 9], "body, roll, yaw and pitch");
     }
-    // Falling freely, nothing bends.
+    // In free fall no joint accelerates.
     let found = FreeLeg
         .constrained_forward_dynamics(&found.q, &[0.0; 13], &[0.0; 13])
         .qdd;

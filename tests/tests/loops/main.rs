@@ -1,6 +1,6 @@
-//! Mechanisms with closed loops, against what is known of them without any code of ours: the paper's closed
-//! form of a slider-crank, the triangles of a four-bar, the spheres of a Delta robot; against equations of
-//! motion that are solved in 256 bits; and over time, where a closed loop keeps its energy and stays closed.
+//! Robots with closed loops, compared with what is known without any code of this project: the paper's closed form of a
+//! slider-crank, the triangles of a four-bar linkage, the spheres of a Delta robot; with equations of motion solved in
+//! 256 bits; and over time, since a closed loop keeps its energy and stays closed.
 
 mod delta;
 mod equations;
@@ -9,7 +9,7 @@ mod leg;
 mod slider_crank;
 mod twin;
 
-/// A step of Runge and Kutta of the fourth order, of coordinates that are the integrals of their rates.
+/// A Runge–Kutta step of fourth order, for coordinates that are the integrals of their rates.
 fn step<const N: usize>(
     q: &mut [f64; N],
     qd: &mut [f64; N],

@@ -1,4 +1,4 @@
-//! The slider-crank, against the closed form of Part II.
+//! The slider-crank, compared with the closed form of Part II.
 
 use homogen::loop_closure::{Outcome, project, project_rates, regularity};
 use homogen::worked_examples::slider_crank::{SliderCrank, State};
@@ -11,7 +11,7 @@ const LENGTHS: SliderCrank = SliderCrank {
 };
 
 homogen::chain! {
-    /// Crank and slider hang on the ground, the rod on the crank.
+    /// A crank and a slider on the ground, and a rod on the crank.
     pub struct Mechanism {
         gravity: [0.0, -9.81, 0.0],
         generate(
@@ -29,7 +29,7 @@ homogen::chain! {
     loop pin: revolute(z) { from: rod, to: slider, at: xyz(0.35, 0.0, 0.0) }
 }
 
-/// Angle of the crank, of the rod from it, and place of the slider, of the paper's four joints.
+/// The angle of the crank, of the rod from it, and the position of the slider, from the paper's four joints.
 fn of([alpha, beta, _, x]: [f64; 4]) -> [f64; 3] {
     [alpha, beta, x]
 }
@@ -67,38 +67,44 @@ fn accelerations_are_those_of_the_closed_form() {
             difference(&found, &expected) < 1e-14 * size,
             "{found:?} {expected:?}"
         );
-        // What the crank needs by itself follows from the power of all bodies: they know of no loop.
+        // The power of all bodies, as in an open tree, is that of the torques.
         let torques = Mechanism.inverse_dynamics(&q, &qd, &expected);
         let power: f64 = torques.iter().zip(&qd).map(|(tau, qd)| tau * qd).sum();
-        let driven: f64 = tau.iter().zip(&qd).map(|(tau, qd)| tau * qd).sum();
-        assert!((power - driven).abs() < 1e-13 * size, "{power} {driven}");
+        let input: f64 = tau.iter().zip(&qd).map(|(tau, qd)| tau * qd).sum();
+        assert!((power - input).abs() < 1e-13 * size, "{power} {input}");
     }
 }
 
 #[test]
-fn a_slider_that_is_pushed_holds_the_crank_by_the_pin() {
-    // At rest without gravity in the crank, τ = −Jᵗ λ of what is pushed: sin of the rod's angle decides.
+fn a_force_on_the_slider_balances_a_torque_of_the_crank() {
+    // At rest, the torque of the crank that balances a force depends on the rod's angle.
     let State { q, .. } = LENGTHS.state(0.9, 0.0, 0.0);
     let q = of(q);
     let gravity = Mechanism.inverse_dynamics(&q, &[0.0; 3], &[0.0; 3]);
     let j = Mechanism.constraint_jacobian(&q);
-    // With a force F of the slider and nothing on the rod: λ and the torque of the crank by hand.
+    // First with the gravity torques at all joints: the pin transmits no force.
     let lambda = Mechanism.constrained_forward_dynamics(&q, &[0.0; 3], &gravity);
     let lambda = lambda.multipliers;
-    assert!(largest(&lambda) < 1e-14, "held by its joints: {lambda:?}");
+    assert!(
+        largest(&lambda) < 1e-14,
+        "in balance by the joints: {lambda:?}"
+    );
     let (sine, cosine) = (-(0.12 * 0.9_f64.sin() / 0.35), 0.0_f64);
     let along = (1.0 - sine * sine).sqrt() + cosine;
-    // x_d of the slider by the crank alone, as the paper has it.
+    // The derivative of the slider's position by the angle of the crank, as in the paper.
     let x_by_alpha = -0.12 * 0.9_f64.sin() - 0.12 * 0.9_f64.cos() * (-sine / along);
     let tau = [gravity[0] + 5.0 * x_by_alpha, gravity[1], gravity[2] - 5.0];
     let found = Mechanism.constrained_forward_dynamics(&q, &[0.0; 3], &tau);
     assert!(largest(&found.qdd) < 1e-12, "in balance: {found:?}");
     let lambda = found.multipliers;
-    let held: Vec<f64> = (0..3)
+    let by_pin: Vec<f64> = (0..3)
         .map(|k| j[0][k] * lambda[0] + j[1][k] * lambda[1])
         .collect();
-    let lacking: Vec<f64> = (0..3).map(|k| gravity[k] - tau[k]).collect();
-    assert!(difference(&held, &lacking) < 1e-13, "{held:?} {lacking:?}");
+    let missing: Vec<f64> = (0..3).map(|k| gravity[k] - tau[k]).collect();
+    assert!(
+        difference(&by_pin, &missing) < 1e-13,
+        "{by_pin:?} {missing:?}"
+    );
 }
 
 #[test]
@@ -122,7 +128,7 @@ fn states_are_projected_onto_the_loop() {
 }
 
 homogen::chain! {
-    /// The same with a rod that is shorter than the distance of the crank from the slider's way.
+    /// The same with a rod that is shorter than the distance of the crank from the slider's axis.
     pub struct TooShort { generate(constraint, constraint_jacobian) }
     link ground;
     joint alpha: continuous(z) { at: xyz(0.0, 1.0, 0.0) }
@@ -133,11 +139,11 @@ homogen::chain! {
 }
 
 #[test]
-fn what_cannot_close_is_out_of_reach() {
+fn loops_that_cannot_close_are_out_of_reach() {
     for start in [[0.3, 0.4], [-1.2, -0.7], [2.0, 0.1]] {
         let found = project(&TooShort, &start, 1e-12);
         assert_eq!(found.outcome, Outcome::OutOfReach, "{found:?}");
-        // The nearest that both can come is with the crank down and the slider below.
+        // They are nearest with the crank down and the slider below.
         let left: f64 = (0.88 * 0.88 - 0.35 * 0.35) / 0.7;
         assert!((found.residual - left).abs() < 1e-7, "{found:?} {left}");
     }
@@ -146,16 +152,16 @@ fn what_cannot_close_is_out_of_reach() {
 }
 
 #[test]
-fn singular_postures_are_told() {
+fn singular_configurations_are_reported() {
     let q = of(LENGTHS.state(0.7, 0.0, 0.0).q);
     let regular = regularity(&Mechanism.constraint_jacobian(&q));
     assert_eq!(regular.rank, 2);
-    // Crank and rod of one length, upright: the paper's rank falls by one.
+    // Crank and rod of one length, upright: the paper's rank is one less.
     let folded =
         Folded.constraint_jacobian(&[std::f64::consts::FRAC_PI_2, std::f64::consts::PI, 0.0]);
     let singular = regularity(&folded);
     assert_eq!(singular.rank, 1, "{singular:?}");
-    // The end of the rod on the axis of the crank: folded, the two bars turn as one.
+    // Folded, with the end of the rod on the axis of the crank, the two bars rotate together.
     let dead = Held.constraint_jacobian(&[0.0, std::f64::consts::PI]);
     let dead = regularity(&dead);
     assert_eq!(dead.rank, 1, "{dead:?}");
@@ -181,11 +187,11 @@ homogen::chain! {
 
 #[expect(
     deprecated,
-    reason = "a warning says that nothing moves, which is the point"
+    reason = "the robot cannot move, as the warning says, and the test is about that"
 )]
 mod held {
     homogen::chain! {
-        /// Crank and rod of one length, the end of the rod on the axis of the crank.
+        /// Crank and rod of one length, with the end of the rod on the axis of the crank.
         pub struct Held { gravity: none, generate(constraint_jacobian, constrained_forward_dynamics) }
         link ground;
         joint alpha: continuous(z);

@@ -1,5 +1,5 @@
-//! Every function of loops against the generic recursions, which read the mechanism as data: loops of every
-//! kind between two arms, and the mechanisms of the other tests.
+//! Every function of loops, compared with the generic recursions, which read the robot as data: loops of every type
+//! between two arms, and the robots of the other tests.
 
 use std::array::from_fn;
 
@@ -11,7 +11,7 @@ use super::four_bar::FourBar;
 use super::leg::FreeLeg;
 use super::{difference, largest};
 
-/// Two arms on one trunk that turn and slide about axes in general directions, with a joint of each sort.
+/// Two arms on one trunk, with joints of many types and axes in general directions.
 macro_rules! arms {
     ($($head:tt)*) => {
         homogen::chain! {
@@ -34,7 +34,7 @@ macro_rules! arms {
 }
 
 arms! {
-    /// Arms that hold each other's hands.
+    /// Arms with connected hands.
     struct Hands {
         actuated(trunk, left_1),
         generate(
@@ -47,8 +47,8 @@ arms! {
 }
 
 arms! {
-    /// Arms that are held by what turns.
-    struct Turning { generate(constraint, constraint_jacobian, constraint_bias) }
+    /// Loops of rotations.
+    struct Rotations { generate(constraint, constraint_jacobian, constraint_bias) }
     loop pin: revolute([0.0, 0.6, 0.8]) { from: left_3, to: right_2, at: xyz(0.1, 0.0, 0.1), to_at: xyz(0.0, 0.1, 0.0) }
     loop cross: universal([0.6, 0.8, 0.0], z) { from: base, to: right_1, at: xyz(0.1, 0.2, 0.0) }
     loop ball: spherical { from: left_2, to: base, at: xyz(0.1, 0.2, 0.0) rpy(0.4, 0.2, 0.1) }
@@ -56,14 +56,14 @@ arms! {
 }
 
 arms! {
-    /// Arms that are held by what slides.
-    struct Sliding { generate(constraint, constraint_jacobian, constraint_bias) }
+    /// Loops of translations.
+    struct Translations { generate(constraint, constraint_jacobian, constraint_bias) }
     loop slot: prismatic([0.0, 0.6, 0.8]) { from: left_3, to: right_2, at: xyz(0.1, 0.0, 0.1) }
     loop face: planar(y) { from: base, to: right_1, at: xyz(0.1, 0.2, 0.0) rpy(0.4, 0.2, 0.1) }
     loop table: translation { from: left_2, to: base, to_at: rpy(0.2, 0.3, 0.1) }
 }
 
-/// The worst differences of residuals, their rates and their bias, each beside the largest entry.
+/// The worst differences of residuals, their Jacobian and their bias, each relative to the largest entry.
 fn agree<R, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>(
     robot: &R,
     mechanism: &Mechanism<N, F, C, Q, B>,
@@ -99,11 +99,11 @@ where
 }
 
 #[test]
-fn loops_of_every_kind_are_those_of_the_recursions() {
+fn loops_of_every_type_agree_with_the_recursions() {
     let worst = [
         agree(&Hands, &Hands::mechanism()),
-        agree(&Turning, &Turning::mechanism()),
-        agree(&Sliding, &Sliding::mechanism()),
+        agree(&Rotations, &Rotations::mechanism()),
+        agree(&Translations, &Translations::mechanism()),
     ];
     println!("{worst:?}");
     let largest = worst
@@ -114,10 +114,10 @@ fn loops_of_every_kind_are_those_of_the_recursions() {
 }
 
 #[test]
-fn held_arms_move_as_the_recursions_have_it() {
+fn connected_arms_agree_with_the_recursions() {
     let mechanism = Hands::mechanism();
     let mut random = Random::new(5);
-    let (mut motion, mut drives) = (0.0_f64, 0.0_f64);
+    let (mut motion, mut torques) = (0.0_f64, 0.0_f64);
     for _ in 0..50 {
         let State { q, qd, qdd } = State::of(&mechanism.chain, &mut random);
         let tau = from_fn(|_| 4.0 * random.unit());
@@ -131,20 +131,24 @@ fn held_arms_move_as_the_recursions_have_it() {
         }
         let found = Hands.actuated_inverse_dynamics(&q, &qd, &qdd);
         let expected = generic::actuated_inverse_dynamics(&mechanism, &q, &qd, &qdd);
-        drives = drives.max(difference(&found, &expected) / largest(&expected));
-        let passive = mechanism.driven.iter().zip(found);
-        assert!(passive.clone().any(|(driven, tau)| *driven && tau != 0.0));
-        for (driven, tau) in passive {
-            assert!(*driven || tau == 0.0);
+        torques = torques.max(difference(&found, &expected) / largest(&expected));
+        let joints = mechanism.driven.iter().zip(found);
+        assert!(
+            joints
+                .clone()
+                .any(|(actuated, tau)| *actuated && tau != 0.0)
+        );
+        for (actuated, tau) in joints {
+            assert!(*actuated || tau == 0.0);
         }
     }
-    println!("motion {motion:.1e}, drives {drives:.1e}");
+    println!("motion {motion:.1e}, torques {torques:.1e}");
     // Four of the states are nearly singular, with accelerations of 1e5 rad/s²; of all others the worst is 1e-11.
-    assert!(motion < 1e-8 && drives < 1e-9, "{motion} {drives}");
+    assert!(motion < 1e-8 && torques < 1e-9, "{motion} {torques}");
 }
 
 #[test]
-fn a_leg_on_a_free_body_moves_as_the_recursions_have_it() {
+fn a_leg_on_a_floating_base_agrees_with_the_recursions() {
     let mechanism = FreeLeg::mechanism();
     let mut random = Random::new(9);
     for _ in 0..20 {
@@ -158,7 +162,7 @@ fn a_leg_on_a_free_body_moves_as_the_recursions_have_it() {
 }
 
 #[test]
-fn states_of_data_are_projected_as_those_of_generated_code() {
+fn projection_by_data_agrees_with_generated_code() {
     let mechanism = FourBar::mechanism();
     let start = [1.0, 0.2, 1.7];
     let [generated, data] = [
@@ -174,5 +178,5 @@ fn states_of_data_are_projected_as_those_of_generated_code() {
     let names = mechanism.residuals.map(|residual| residual.name);
     assert_eq!(names, ["pin.x", "pin.y"]);
     let moved: [f64; 3] = from_fn(|k| data.q[k] - start[k]);
-    assert!(largest(&moved) > 1e-3, "it was open");
+    assert!(largest(&moved) > 1e-3, "the start was closed");
 }

@@ -1,7 +1,7 @@
-//! All matrices of a robot at a state, and the entry that a label says.
+//! All matrices of a robot at a state, and the entry that a label names.
 //!
-//! In: a chain, where its frames stand, a state; the label of a value. Out: the number that the
-//! label says, by the products and sums of [`homogen`] in frame 0. It knows no function and no program.
+//! In: a chain, its layout, a state; the label of a value. Out: the entry of the label, by products and sums of
+//! [`homogen`] in frame 0, independent of functions and programs.
 
 use std::array::from_fn;
 
@@ -15,22 +15,22 @@ use homogen_codegen::matrix;
 use homogen_codegen::space::Variable;
 use homogen_tests::arguments::Arguments;
 
-/// All matrices of a robot at a state, in frame 0, where nothing says otherwise.
+/// All matrices of a robot at a state, in frame 0 unless stated otherwise.
 pub struct Matrices {
     parents: Vec<Option<usize>>,
     pub m: Vec<Pose<f64>>,
-    /// M of the frame that the function is of, and the body that carries it.
+    /// The body of the function's frame, and M of the frame.
     end: (Option<usize>, Pose<f64>),
     l: Vec<Screw<f64>>,
     pub w: Vec<Velocity<f64>>,
     /// H, and H − H_g.
     pub h: [Vec<Acceleration<f64>>; 2],
     j: Vec<Inertia<f64>>,
-    /// Of all bodies, and of what regrouping has left to the base.
+    /// The mass of all bodies, and of what regrouping has moved to the base.
     mass: f64,
 }
 
-/// The numbers of terms that no input enters.
+/// The numbers of terms without inputs.
 fn numbers<const N: usize>(terms: [Term<'_>; N]) -> [f64; N] {
     let found = evaluate(terms[0].graph(), &terms.map(Term::expr), |_| unreachable!());
     from_fn(|k| found[k])
@@ -79,8 +79,8 @@ impl Matrices {
             let (l, carrier) = (screw(body), body.parent.map(Id::index));
             let offset = body.offset.map_or([0.0, 1.0], |(s, c)| numbers([s, c]));
             let angle = offset[0].atan2(offset[1]);
-            let turned = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]).exp(angle);
-            let step = turned.to_relative_pose() * l.exp(state[Variable::Q][k]).to_relative_pose();
+            let rotated = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]).exp(angle);
+            let step = rotated.to_relative_pose() * l.exp(state[Variable::Q][k]).to_relative_pose();
             let outer = all.of_body(carrier);
             let m = outer * pose(&body.placement) * step;
             let (l, j) = (m.change_frame(&l), m.change_frame(&inertia(&body.inertia)));
@@ -115,12 +115,12 @@ impl Matrices {
         body.map_or_else(Pose::identity, |body| self.m[body])
     }
 
-    /// M₀ of frame k, which is that of body k − 1 counted from 0.
+    /// M₀ of frame k, which is the frame of body k − 1 counted from 0.
     fn frame(&self, k: usize) -> Pose<f64> {
         self.of_body(k.checked_sub(1))
     }
 
-    /// The body and all that it carries.
+    /// The body and all bodies that it carries.
     fn outboard(&self, body: usize) -> impl Iterator<Item = usize> + '_ {
         (body..self.m.len()).filter(move |k| {
             let mut inwards = std::iter::successors(Some(*k), |k| self.parents[*k]);
@@ -128,8 +128,8 @@ impl Matrices {
         })
     }
 
-    /// Values that the entry may have: of actions there are those of a motion and those of the columns of the mass matrix,
-    /// and of inertias in frame 0 those of a body and of all that it carries. Nothing of what is no matrix of the paper.
+    /// Possible values of the entry. Wrenches have two: of a motion, and of a column of the mass matrix. Inertias in
+    /// frame 0 have two: of a body, and of all that it carries. None for what is not a matrix of the paper.
     pub fn of(&self, label: Label) -> Vec<f64> {
         let Quantity { block, of, frame } = label.quantity;
         let m_k_0 = frame.map_or_else(Pose::identity, |frame| self.frame(frame.0).inverse());
@@ -138,7 +138,7 @@ impl Matrices {
             other => panic!("{other:?} of a vector"),
         };
         let (Of::Body(body) | Of::FromBase(body) | Of::TipFrom(body) | Of::Pair(body, _)) = of;
-        // A body is counted from 1, and frame 0 is that of none.
+        // Bodies are counted from 1; frame 0 has no body.
         let i = || body.0.checked_sub(1).expect("a body");
         let h = |which: usize| m_k_0.change_frame(&self.h[which][i()]);
         let values = match block {
@@ -150,12 +150,12 @@ impl Matrices {
             Block::AngularVelocity => vec![at(m_k_0.change_frame(&self.velocity(of)).omega())],
             Block::LinearVelocity => vec![at(m_k_0.change_frame(&self.velocity(of)).v())],
             Block::AngularAcceleration => vec![at(h(0).omega_dot())],
-            // Of dynamics, from which gravity is taken, or of momentum, from which it is not.
+            // In dynamics gravity is subtracted, in momentum it is not.
             Block::LinearAcceleration => vec![at(h(1).a()), at(h(0).a())],
             Block::Direction => vec![at(m_k_0.change_frame(&self.l[i()]).u())],
             Block::Moment => vec![at(m_k_0.change_frame(&self.l[i()]).b())],
             Block::Inertia => {
-                // With what it carries, of which the mass matrix is made; in frame 0 also by itself.
+                // With all that it carries, as in the mass matrix; in frame 0 also by itself.
                 let own = (frame == Some(Numeral(0))).then_some(self.j[i()]);
                 let known = [Some(self.carried(i())), own].into_iter().flatten();
                 let entry = |j: Inertia<f64>| match (m_k_0.change_frame(&j), label.component) {
@@ -165,7 +165,7 @@ impl Matrices {
                 };
                 known.map(entry).collect()
             }
-            // The first moment in J, by the mass of the robot.
+            // The first moment in J, divided by the mass of the robot.
             Block::MassCenter => vec![at(m_k_0.change_frame(&self.carried(i())).q()) / self.mass],
             Block::Couple => self
                 .actions(i())
@@ -181,7 +181,7 @@ impl Matrices {
         values.into_iter().map(|value| sign * value).collect()
     }
 
-    /// M of what a label is of.
+    /// M of a label.
     fn seen(&self, of: Of) -> Pose<f64> {
         match of {
             Of::TipFrom(i) => self.frame(i.0).inverse() * self.end.1,
@@ -190,7 +190,7 @@ impl Matrices {
         }
     }
 
-    /// W of what a label is of, in frame 0.
+    /// W of a label, in frame 0.
     fn velocity(&self, of: Of) -> Velocity<f64> {
         let at = |body: Option<usize>| body.map_or_else(Velocity::zero, |body| self.w[body]);
         match of {

@@ -1,7 +1,7 @@
-//! Every name in generated code, run and compared.
+//! Every name in generated code, compared with the value that it names.
 //!
-//! In: robots, functions, and ways to lay out frames. Out: nothing where what a program computes under a
-//! name is the entry of the matrix that the name says. It never looks at results: other tests do.
+//! In: robots, functions, layouts and algorithms. Out: a failed assertion if the value of a named step is not the entry
+//! of the matrix that its name states. Results are compared by other tests.
 
 use std::array::from_fn;
 use std::collections::BTreeSet;
@@ -25,9 +25,9 @@ use homogen_tests::subjects::subject;
 
 use crate::matrices::Matrices;
 
-/// The states at which a function's H may be: it may know neither rates nor second rates, or find these itself,
-/// of forces that it has found before at q̈ = 0.
-fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Vec<Arguments> {
+/// The states to which H of a function may belong: functions may set rates to zero, or compute q̈ themselves after
+/// forces at q̈ = 0.
+fn states_of(function: Function, chain: &Chain, state: &Arguments) -> Vec<Arguments> {
     let rest = vec![0.0; state[Variable::Q].len()];
     let mut state = state.clone();
     match function {
@@ -50,19 +50,19 @@ fn seen_by(function: Function, chain: &Chain, state: &Arguments) -> Vec<Argument
                 Way::PLAIN,
             );
             let found = run(&program, |input| arguments::at(&state, input));
-            let seen = [rest, found].map(|qdd| {
+            let states = [rest, found].map(|qdd| {
                 let mut state = state.clone();
                 state[Variable::Qdd] = qdd;
                 state
             });
-            return seen.to_vec();
+            return states.to_vec();
         }
         _ => {}
     }
     vec![state]
 }
 
-/// Runs a program and holds every name in it to the matrices; returns what blocks it met.
+/// Runs a program and compares every name in it with the matrices. Returns the blocks of the names.
 fn hold(
     what: &str,
     program: &Program,
@@ -81,7 +81,7 @@ fn hold(
     let mut met = BTreeSet::new();
     for ((_, label), found) in labelled.into_iter().zip(found) {
         let known: Vec<f64> = matrices.iter().flat_map(|at| at.of(label)).collect();
-        // A pivot or a factor of the mass matrix is no matrix of the paper.
+        // Pivots and factors of the mass matrix are not matrices of the paper.
         if known.is_empty() {
             continue;
         }
@@ -94,7 +94,7 @@ fn hold(
     met
 }
 
-/// Axes across each other, a slide and a screw.
+/// Oblique axes, with a prismatic and a screw joint.
 const OBLIQUE: &str = "convention modified
 joint kind      pitch a    alpha d    theta mass cx   cy   cz   ixx  ixy   ixz   iyy  iyz   izz
 one   revolute  -     0    0.3   0.2  0.4   1.5  0.1  0.2  0.1  0.03 0.001 0.002 0.04 0.003 0.05
@@ -139,25 +139,25 @@ fn names_are_those_of_appendix_b() {
                 pose: Carried::Outwards,
                 ..Way::PLAIN
             };
-            for (form, way) in [
+            for (frames, way) in [
                 ("link", Way::PLAIN),
                 ("outwards", outwards),
                 ("0", Way::IN_FRAME_0),
             ] {
                 for layout in [Layout::DESCRIBED, normals, regrouped] {
-                    let what = format!("{label}, {}, frames {form}, {layout:?}", function.name());
+                    let what = format!("{label}, {}, frames {frames}, {layout:?}", function.name());
                     let program = program_by(&chain, &[function], FrameId::FIRST, layout, way);
-                    let seen = seen_by(function, &chain, &state).into_iter();
-                    let matrices: Vec<_> = seen
-                        .map(|seen| Matrices::at(&chain, layout, &seen))
+                    let states = states_of(function, &chain, &state).into_iter();
+                    let matrices: Vec<_> = states
+                        .map(|state| Matrices::at(&chain, layout, &state))
                         .collect();
                     met.append(&mut hold(&what, &program, &matrices, &state));
                 }
             }
         }
     }
-    // Each block was met: no check passed for want of names. Directions of screws in frame 0 are axes of M, and the
-    // first label stays.
+    // Every block occurs, so no check passed without names. Directions of screws in frame 0 are axes of M, and keep
+    // that name.
     let all = [
         Block::Axis(0),
         Block::Axis(1),
@@ -176,7 +176,7 @@ fn names_are_those_of_appendix_b() {
     assert_eq!(met, BTreeSet::from(all));
 }
 
-/// As described, frame k is the link's own: the names mean what the drawing of the robot shows.
+/// In the layout of the description, frame k is the frame of the link, as in a drawing of the robot.
 #[test]
 fn described_frames_are_those_of_the_links() {
     let mut random = Random::new(32);

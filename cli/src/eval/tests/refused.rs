@@ -1,5 +1,5 @@
-//! What is no file of states, states that do not belong together, and nowhere to write to: each is told, and leaves
-//! everything as it was.
+//! Wrong files of states, states that do not fit together, and unwritable outputs: each is an error and leaves
+//! everything unchanged.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use super::{Folder, bytes, eval, many, npy, numbers, refused, refused_states};
 use crate::Answer;
 
 #[test]
-fn no_states_are_none() {
+fn no_states_are_no_results() {
     let folder = Folder::new("none");
     let q = folder.write("q.npy", npy("'<f8'", "(0, 2)", &[]));
     let out = folder.path("out.npy");
@@ -22,7 +22,7 @@ fn no_states_are_none() {
 }
 
 #[test]
-fn an_array_that_is_none_of_states_is_refused() {
+fn wrong_arrays_are_errors() {
     let folder = Folder::new("refused");
     for (name, bytes, why) in strange() {
         let name = format!("{name}.npy");
@@ -34,22 +34,26 @@ fn an_array_that_is_none_of_states_is_refused() {
     }
 }
 
-/// Files that no states are read from, with the reason.
+/// Files without states, with the reason.
 fn strange() -> [(&'static str, Vec<u8>, &'static str); 17] {
     let whole = npy("'<f8'", "(3, 2)", &bytes(&[0.5; 6]));
     let fortran = String::from_utf8_lossy(&whole[10..128]).replace("False", "True ");
     let fortran = [&whole[..10], fortran.as_bytes(), &whole[128..]].concat();
     [
-        ("empty", vec![], "is no .npy file: it ends within its head"),
+        (
+            "empty",
+            vec![],
+            "is not an .npy file: it ends within its head",
+        ),
         (
             "text",
             b"{\"states\":[]}".to_vec(),
-            "is no .npy file: it begins with something else",
+            "is not an .npy file: its first bytes are wrong",
         ),
         (
             "head",
             whole[..60].to_vec(),
-            "is no .npy file: it ends within its head",
+            "is not an .npy file: it ends within its head",
         ),
         (
             "cut",
@@ -64,7 +68,7 @@ fn strange() -> [(&'static str, Vec<u8>, &'static str); 17] {
         (
             "version",
             [b"\x93NUMPY\x09\x00", &whole[8..]].concat(),
-            "is a .npy file of the unknown version 9",
+            "is an .npy file of the unknown version 9",
         ),
         (
             "long",
@@ -109,17 +113,17 @@ fn strange() -> [(&'static str, Vec<u8>, &'static str); 17] {
         (
             "turned",
             npy("'<f8'", "(2, 3)", &bytes(&[0.0; 6])),
-            "has the shape (2, 3), and the argument (states, 2)\n  hint: one row a state, in the order of `homogen check`",
+            "has the shape (2, 3) instead of (states, 2)\n  hint: write one row for each state, in the order of `homogen check`",
         ),
         (
             "one",
             npy("'<f8'", "(2,)", &bytes(&[0.0; 2])),
-            "has the shape (2,), and the argument (states, 2)\n  hint: one state is a row: array[None]",
+            "has the shape (2,) instead of (states, 2)\n  hint: write one state as a row: array[None]",
         ),
         (
             "fortran",
             fortran,
-            "is in Fortran's order\n  hint: save it state by state: numpy.ascontiguousarray(array)",
+            "is in Fortran order\n  hint: save it in C order: numpy.ascontiguousarray(array)",
         ),
     ]
 }
@@ -137,25 +141,25 @@ fn arguments_and_files_belong_together() {
     for (states, expected) in [
         (
             vec![&*q, &qd],
-            "error: there are 3 states of qd, and 2 of q\n",
+            "error: there are 3 states of qd, but 2 of q\n",
         ),
         (
             vec![&q],
-            "error: there is no qd among the states\n  hint: --states qd=FILE\n",
+            "error: the states of qd are missing\n  hint: --states qd=FILE\n",
         ),
         (
             vec![&two],
-            "error: an .npy file holds one argument, and the function has q, qd\n  hint: --states q=FILE --states qd=FILE\n",
+            "error: an .npy file has one argument, and the function has q, qd\n  hint: --states q=FILE --states qd=FILE\n",
         ),
-        (vec![&q, &q, &qd], "error: q is given twice\n"),
+        (vec![&q, &q, &qd], "error: q occurs twice\n"),
         (
             vec![&q, &qd, &tau],
-            "error: the function is none of tau: two.npy is not needed\n",
+            "error: the function has no argument tau: leave two.npy out\n",
         ),
         (
             vec![&two, &qd],
-            "error: nothing says what two.npy holds\n  hint: beside others, each file is of an argument: --states q=q.npy\n\
-             error: there is no q among the states\n  hint: --states q=FILE\n",
+            "error: the argument in two.npy is unknown\n  hint: name the argument of each file: --states q=q.npy\n\
+             error: the states of q are missing\n  hint: --states q=FILE\n",
         ),
         (
             vec![&q, "qd=no.npy"],
@@ -199,7 +203,7 @@ fn a_file_that_cannot_be_written_leaves_what_was_there() {
     assert!(to(&locked).starts_with("error: cannot write locked.npy: "));
     assert_eq!(fs::read(&locked).expect("it is there"), b"mine");
 
-    // States that end in the middle: what was there stays as it is.
+    // States that end in the middle: the existing file stays unchanged.
     let mine = folder.write("mine.npy", "mine");
     let json = folder.write("bad.json", r#"{"states":[{"q":[1,2]},{"q":[1]}]}"#);
     refused(
@@ -207,7 +211,7 @@ fn a_file_that_cannot_be_written_leaves_what_was_there() {
         &["--function", "gravity", "--states", &json, "-o", &mine],
     );
     assert_eq!(fs::read(&mine).expect("it is there"), b"mine");
-    // The same file for states and results is read before it is replaced.
+    // If states and results have the same file, it is read before it is replaced.
     assert_eq!(
         eval(&["--function", "gravity", "--states", &q, "-o", &q]),
         Answer::default()
@@ -217,7 +221,7 @@ fn a_file_that_cannot_be_written_leaves_what_was_there() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_told() {
+fn a_full_disk_is_an_error() {
     let folder = Folder::new("full");
     let (q, ..) = many();
     let q = folder.write("q.npy", npy("'<f8'", "(1300, 2)", &bytes(&q)));
@@ -240,7 +244,7 @@ fn a_full_disk_is_told() {
                 .is_symlink()
         );
     }
-    // A device that takes everything is written to, and stays one.
+    // A device is written to, and stays a device.
     let null = folder.path("null.npy");
     std::os::unix::fs::symlink("/dev/null", &null).expect("a link");
     assert_eq!(

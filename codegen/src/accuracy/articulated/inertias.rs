@@ -1,28 +1,28 @@
-//! How well articulated inertias are known.
+//! Errors of articulated inertias.
 //!
-//! In: the bodies as sizes, how much they can move, and the errors of each inertia on its way inwards.
-//! Out: γ, s and what is lost, of each body and all outboard of it, and of the robot's energy; or that rounding
-//! may spoil the sizes that everything else is counted by. It never looks at an acceleration.
+//! In: the bodies as sizes, bounds of their motion, and the errors of each inertia on its way inwards.
+//! Out: γ, s and the error of each body with all outboard of it, and the share of the robot's kinetic energy that
+//! rounding may take. An error if rounding may make the sizes wrong on which everything else relies.
 
 use std::f64::consts::SQRT_2;
 use std::{cmp, ops};
 
 use super::sizes::{Link, Pair};
 use crate::accuracy::mobility::Mobility;
-use crate::accuracy::solved::DOUBTFUL;
+use crate::accuracy::solved::UNCERTAIN;
 use crate::chain::BodyId;
 use crate::list::List;
 use crate::model::ARTICULATED_INERTIA;
 use crate::real::Real;
 use crate::schedule::bound::{self, Value};
 
-/// ε: how much of a motion's energy rounding may take.
+/// ε: the largest share of a motion's energy that rounding may take.
 pub(super) const SPOILT: f64 = 0.01;
 
-/// What the bounds are multiplied by for it: sizes are those of exact articulated inertias.
+/// Factor of the bounds that accounts for ε: sizes are those of exact articulated inertias.
 pub(super) const TRUST: f64 = 1.06;
 
-/// What Frobenius' norm of a 3×3 matrix is at most, beside the spectral one: √3.
+/// The largest ratio of the Frobenius norm of a 3×3 matrix to its spectral norm: √3.
 pub(super) const FROBENIUS: f64 = 1.732_050_807_568_877_2;
 
 /// Norms of the blocks A, B, M of an articulated inertia, or of its errors.
@@ -34,10 +34,10 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    /// Of the errors of an articulated inertia whose entries are A and M as xx, yy, zz, xy, xz, yz, and B
+    /// Norms of the errors of an articulated inertia. Its entries are A and M as xx, yy, zz, xy, xz, yz, and B
     /// between them.
     fn of_errors(found: &[Value]) -> Self {
-        // Entries off the diagonal of A and M stand there twice.
+        // Entries off the diagonal of A and M occur twice.
         let symmetric = |at: usize| {
             bound::root([
                 errors(found, at..at + 3),
@@ -67,14 +67,14 @@ impl Blocks {
         )
     }
 
-    /// κ: the greatest share that they are of those that γ and s allow.
-    fn share(self, Pair { turning, sliding }: Pair) -> f64 {
+    /// κ: the largest ratio to the blocks that γ and s allow.
+    fn share(self, Pair { angular, linear }: Pair) -> f64 {
         let shares = [
-            self.a / (turning * turning),
-            self.b / (turning * sliding),
-            self.m / (sliding * sliding),
+            self.a / (angular * angular),
+            self.b / (angular * linear),
+            self.m / (linear * linear),
         ];
-        // What is not a number is no share that could be trusted.
+        // NaN counts as infinite.
         shares.into_iter().fold(0.0, |most, share| {
             if share.is_nan() {
                 f64::INFINITY
@@ -85,20 +85,23 @@ impl Blocks {
     }
 }
 
-/// A body and all that hangs on it.
+/// A body with all bodies outboard of it.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Outboard {
     /// γ and s.
     pub(super) whole: Pair,
-    /// How many bodies hang on it directly.
+    /// Number of its child bodies.
     pub(super) children: f64,
-    /// What is lost of the inertia that it passes on, in the frame of the body that carries it.
+    /// Error of the inertia that it passes on, in the frame of the parent body.
     pub(super) lost: Blocks,
 }
 
-/// Every body with all that hangs on it, and how much of a motion's energy rounding may take at most, where
-/// articulated inertias keep enough digits for the sizes that they are taken to have; `step` computes one of them
-/// in the frame of the carrying body, with its errors.
+/// Sizes and errors of every body with all outboard of it, and the largest share of a motion's energy that rounding
+/// may take. `step` computes the articulated inertia that one body passes on, with its errors, in the frame of its
+/// parent.
+///
+/// # Errors
+/// If rounding may take more than [`SPOILT`] of the energy.
 pub(super) fn outboard(
     links: &List<BodyId, Link>,
     mobility: &Mobility,
@@ -107,7 +110,7 @@ pub(super) fn outboard(
 ) -> Result<(List<BodyId, Outboard>, f64), &'static str> {
     let mut all = List::filled(Outboard::default(), links.len());
     let mut squares = List::filled(Pair::default(), links.len());
-    // Of what the bodies that hang on it have passed on.
+    // Sums of the errors that the child bodies have passed on.
     let mut received = List::filled(Blocks::default(), links.len());
     let mut spoilt = 0.0;
     for (k, link) in links.numbered().rev() {
@@ -128,32 +131,32 @@ pub(super) fn outboard(
             all[parent].children += 1.0;
         }
     }
-    // What is not a number is not less than anything.
+    // NaN is refused as well.
     if spoilt.partial_cmp(&SPOILT).is_none_or(cmp::Ordering::is_gt) {
-        return Err(DOUBTFUL);
+        return Err(UNCERTAIN);
     }
     Ok((all, spoilt))
 }
 
-/// What a joint leaves of the articulated inertia of γ and s, by four roundings.
-fn left(Pair { turning, sliding }: Pair, scalar: Real) -> [Value; ARTICULATED_INERTIA] {
+/// The articulated inertia of sizes γ and s after its joint's part has been subtracted, with four roundings.
+fn left(Pair { angular, linear }: Pair, scalar: Real) -> [Value; ARTICULATED_INERTIA] {
     let within = |size: f64| {
         let lost = 4.0 * (scalar.roundoff() * size + scalar.smallest());
         around_zero(size, lost)
     };
     std::array::from_fn(|entry| match entry {
-        0..6 => within(turning * turning),
-        6..15 => within(turning * sliding),
-        _ => within(sliding * sliding),
+        0..6 => within(angular * angular),
+        6..15 => within(angular * linear),
+        _ => within(linear * linear),
     })
 }
 
-/// The length of some errors.
+/// The Euclidean norm of some errors.
 pub(super) fn errors(found: &[Value], of: ops::Range<usize>) -> f64 {
     bound::root(found[of].iter().map(|value| value.error))
 }
 
-/// Anything of a size, with an error.
+/// An unknown value of at most a size, with an error.
 pub(super) fn around_zero(size: f64, error: f64) -> Value {
     Value {
         error,

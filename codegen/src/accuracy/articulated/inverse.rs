@@ -1,7 +1,7 @@
-//! The inverse of the mass matrix by articulated bodies: what unit forces do on their way inwards.
+//! Error bounds of the inverse of the mass matrix by articulated bodies, from unit forces on their way inwards.
 //!
-//! In: the recursion in numbers of a type. Out: how far entries of M⁻¹ are from exact ones, in relation to the
-//! roots of the diagonal ones of their row and column. It looks at no motion.
+//! In: the recursion in a type of numbers. Out: the error of entries of M⁻¹, in relation to the roots of the
+//! diagonal entries of their row and column.
 
 use std::cmp;
 
@@ -10,11 +10,11 @@ use super::inertias::{SPOILT, TRUST, errors};
 use super::recursion::Steps;
 use super::sizes::Pair;
 use crate::accuracy::promise::{Accuracy, Means, Worst, beside_diagonal};
-use crate::accuracy::solved::{DOUBTFUL, underflow};
+use crate::accuracy::solved::{UNCERTAIN, underflow};
 use crate::list::List;
 
 impl Articulated<'_> {
-    /// What is promised of the inverse of the mass matrix, and of its product with a column.
+    /// Bounds the inverse of the mass matrix, and its product with a column.
     #[must_use]
     pub fn inverse(&self, means: Means) -> Accuracy {
         beside_diagonal(self.chain, &self.steps(), means, |scalar| {
@@ -24,22 +24,22 @@ impl Articulated<'_> {
 }
 
 impl Steps<'_, '_> {
-    /// For each row the most that an entry is off, in units of √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ).
+    /// For each row the largest error of an entry, in units of √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ).
     fn shares(&self) -> Worst {
         let Articulated {
             links, mobility, ..
         } = self.bodies;
-        let (inertia, yielding) = (self.inertia(), self.yielding());
-        // (M⁻¹)ⱼⱼ is at least 1/Mⱼⱼ, and what vanishes is in units of its root here.
-        let size = inertia * yielding * (inertia * yielding);
-        // Told last: what may be anything for rounding may overflow as well.
+        let (inertia, mobility_bound) = (self.inertia(), self.mobility());
+        // (M⁻¹)ⱼⱼ is at least 1/Mⱼⱼ, and the underflow is here in units of its root.
+        let size = inertia * mobility_bound * (inertia * mobility_bound);
+        // Reported last: a size that rounding leaves without bound may overflow as well.
         let underflows = underflow(size, links.len(), self.scalar);
         let vanishes = underflows.unwrap_or(0.0) * 2.0 * inertia * inertia;
         let roundoff = self.scalar.roundoff();
 
-        // What each joint passes on loses by itself, as a share of the energy.
+        // The error of the wrench that each joint passes on, as a share of the energy.
         let mut shares = List::filled(0.0, links.len());
-        // What has been lost of an action until it is at a body, by the worst way there.
+        // The error of a wrench that has arrived at a body, by the worst path.
         let mut lost = List::filled(Pair::default(), links.len());
         for (k, link) in links.numbered().rev() {
             let Some(parent) = link.parent else {
@@ -53,14 +53,13 @@ impl Steps<'_, '_> {
             shares[k] = own.dot(Pair::new(turns, slides));
             let arrived = lost[k].at_distance(link.reach).plus(own);
             let most = self.outboard[parent].whole.times(SPOILT);
-            if !(is_within(arrived.turning, most.turning)
-                && is_within(arrived.sliding, most.sliding))
+            if !(is_within(arrived.angular, most.angular) && is_within(arrived.linear, most.linear))
             {
-                return Err(DOUBTFUL);
+                return Err(UNCERTAIN);
             }
             lost[parent] = lost[parent].most(arrived);
         }
-        // Of each joint's unit force, on its whole way.
+        // The error of each joint's unit force, on its whole path to the base.
         let mut ways = List::new();
         for (k, link) in links.numbered() {
             let before = link.parent.map_or(0.0, |parent| ways[parent]);
@@ -68,7 +67,7 @@ impl Steps<'_, '_> {
         }
         let longest = ways.iter().copied().fold(0.0, f64::max);
         if !is_within(longest, SPOILT) {
-            return Err(DOUBTFUL);
+            return Err(UNCERTAIN);
         }
         let count: f64 = links.iter().map(|_| 1.0).sum();
         let products = (2.0 * count + 6.0) * roundoff + vanishes;
@@ -77,7 +76,7 @@ impl Steps<'_, '_> {
     }
 }
 
-/// Whether a number is no more than another: what is no number is not.
+/// `found <= most`; false for NaN.
 fn is_within(found: f64, most: f64) -> bool {
     found.partial_cmp(&most).is_some_and(cmp::Ordering::is_le)
 }

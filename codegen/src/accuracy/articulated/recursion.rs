@@ -1,7 +1,7 @@
-//! The recursion over the bodies of a chain, as it is followed: one step inwards at a time.
+//! The recursion over the bodies of a chain, one step inwards at a time.
 //!
-//! In: a chain, in the layout and the way of the function; the numbers that it is computed in. Out: the
-//! programs of its steps, the bodies as sizes, and what a step makes of errors. It sums nothing up.
+//! In: a chain, in the layout and by the algorithm of the function; the type of numbers. Out: the programs of its
+//! steps, the bodies as sizes, and the errors of the results of a step.
 
 use super::inertias::{Outboard, around_zero, outboard};
 use super::sizes::{Link, Pair};
@@ -29,10 +29,10 @@ pub struct Articulated<'c> {
 }
 
 impl<'c> Articulated<'c> {
-    /// The recursion of a function in a layout and a way.
+    /// The recursion of a function in a layout, by an algorithm.
     ///
     /// # Errors
-    /// Why it is not followed.
+    /// The reason why it has no bound.
     pub fn of(programs: &Programs<'c>, layout: Layout, way: Way) -> Result<Self, &'static str> {
         let chain = programs.chain();
         if !chain.all_lead() {
@@ -72,12 +72,15 @@ pub(super) struct Steps<'a, 'c> {
     pub(super) means: Means,
     pub(super) scalar: Real,
     pub(super) outboard: List<BodyId, Outboard>,
-    /// How much of a motion's energy rounding may take at most.
+    /// The largest share of a motion's energy that rounding may take.
     pub(super) spoilt: f64,
 }
 
 impl<'a, 'c> Steps<'a, 'c> {
-    /// Where articulated inertias keep enough digits.
+    /// The recursion in numbers of a type.
+    ///
+    /// # Errors
+    /// If rounding may take too much of articulated inertias.
     pub(super) fn of(
         bodies: &'a Articulated<'c>,
         means: Means,
@@ -101,7 +104,7 @@ impl<'a, 'c> Steps<'a, 'c> {
         })
     }
 
-    /// An action of a size, so much of which is lost, in the frame of the body that carries this one.
+    /// A wrench of a given size and error, after its step to the frame of the parent body.
     pub(super) fn carried(
         &self,
         k: BodyId,
@@ -109,28 +112,28 @@ impl<'a, 'c> Steps<'a, 'c> {
         lost: Pair,
     ) -> Result<Vec<Value>, &'static str> {
         let action: [Value; 6] = std::array::from_fn(|entry| match entry {
-            0..3 => around_zero(size.turning, lost.turning),
-            _ => around_zero(size.sliding, lost.sliding),
+            0..3 => around_zero(size.angular, lost.angular),
+            _ => around_zero(size.linear, lost.linear),
         });
         let step = &self.bodies.programs.actions[k];
         let first = ARTICULATED_INERTIA;
         follow(step, first, &action, self.bodies, self.means, self.scalar)
     }
 
-    /// The greatest root of an inertia, or 1.
+    /// The largest square root of an inertia, at least 1.
     pub(super) fn inertia(&self) -> f64 {
-        let drives = self.bodies.links.iter().map(|link| link.armature.sqrt());
+        let armatures = self.bodies.links.iter().map(|link| link.armature.sqrt());
         let bodies = self.outboard.iter().map(|body| body.whole.largest());
-        largest(bodies.chain(drives))
+        largest(bodies.chain(armatures))
     }
 
-    /// At least 1/D, and 1.
-    pub(super) fn yielding(&self) -> f64 {
+    /// A bound of all 1/D, at least 1.
+    pub(super) fn mobility(&self) -> f64 {
         largest(self.bodies.mobility.joints.iter().map(|most| 2.0 * most))
     }
 }
 
-/// What a step makes of the entries from the first.
+/// The results of a step for given entries, which are numbered from `first`.
 fn follow(
     step: &Program,
     first: usize,
@@ -152,12 +155,12 @@ fn follow(
     values(bound::results(step, &conditions))
 }
 
-/// The place of an entry of a step among the fields, of which the chain has none.
+/// An entry of a step, as a field: the chain has none of its own.
 fn entry(k: usize) -> Input {
     Input::Parameter(0, u16::try_from(k).expect("there are few"))
 }
 
-/// All that a program gives, or why one of it has no bound.
+/// All results of a program, or the reason why one of them has no bound.
 pub(super) fn values(found: Vec<bound::Found>) -> Result<Vec<Value>, &'static str> {
     let found = found.into_iter();
     found

@@ -1,7 +1,7 @@
-//! Bodies and motions as sizes: what turns and what slides.
+//! Bodies and motions as sizes: an angular and a linear part.
 //!
-//! In: the bodies of a chain. Out: a [`Link`] of each, and the arithmetic of [`Pair`]. It never looks at
-//! a posture.
+//! In: the bodies of a chain. Out: a [`Link`] of each, and the arithmetic of [`Pair`]. Sizes hold in every
+//! configuration.
 
 use crate::accuracy::mobility::reach;
 use crate::chain::BodyId;
@@ -16,19 +16,19 @@ pub(super) struct Link {
     pub(super) parent: Option<BodyId>,
     pub(super) velocity: VelocityId,
     slides: bool,
-    /// How far its origin can be from that of the body it hangs on.
+    /// Largest distance of its origin from that of its parent body \[m\].
     pub(super) reach: f64,
-    /// ∫r²dm about its origin.
+    /// ∫r²dm about its origin \[kg m²\].
     pub(super) spread: f64,
     pub(super) mass: f64,
-    /// Of the joint's drive.
+    /// Reflected inertia of the joint's actuator \[kg m², kg\].
     pub(super) armature: f64,
     pub(super) damping: f64,
     pub(super) friction: f64,
 }
 
 impl Link {
-    /// None where it is no body, or moves on a screw.
+    /// `None` if the inertia is not physical, or for a screw joint.
     pub(super) fn of(body: &Body<'_>, range: &Range) -> Option<Self> {
         let number = |term: Term<'_>| term.value().map(Double::to_f64);
         let reach = reach(body, range);
@@ -48,10 +48,10 @@ impl Link {
     }
 }
 
-/// ∫r²dm of its three parts, of which none is negative but for the digits that files round; none for
-/// what no body is.
+/// ∫r²dm from its three parts. `None` if one of them is negative by more than files round, which makes the inertia
+/// non-physical.
 fn spread(second: [f64; 3]) -> Option<f64> {
-    /// What a part may be below zero, in relation to the whole.
+    /// The magnitude of a negative part that counts as rounding, in relation to the whole.
     const ROUNDED: f64 = 1e-6;
     let whole: f64 = second.iter().map(|part| part.abs()).sum();
     let negative = second.iter().any(|&part| part < -ROUNDED * whole);
@@ -59,48 +59,48 @@ fn spread(second: [f64; 3]) -> Option<f64> {
 }
 
 impl Link {
-    /// The most that friction takes, where rates have a range.
+    /// The largest damping and friction torque for velocities in a range.
     pub(super) fn resistance(&self, [least, most]: [f64; 2]) -> f64 {
         self.damping * least.abs().max(most.abs()) + self.friction
     }
 
-    /// √D at most, where this is γ and s.
+    /// A bound of √D, for γ and s.
     pub(super) fn share(&self, whole: Pair) -> f64 {
         bound::root([self.along(whole), self.armature.sqrt()])
     }
 
-    /// What its joint feels of moment and force, or of γ and s.
+    /// The part of a moment and force, or of γ and s, along the joint's axis.
     pub(super) const fn along(&self, pair: Pair) -> f64 {
         if self.slides {
-            pair.sliding
+            pair.linear
         } else {
-            pair.turning
+            pair.angular
         }
     }
 }
 
-/// Something about an axis and something along it: moment and force, ω̇ and a, γ and s.
+/// An angular and a linear part: moment and force, ω̇ and a, γ and s.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Pair {
-    pub(super) turning: f64,
-    pub(super) sliding: f64,
+    pub(super) angular: f64,
+    pub(super) linear: f64,
 }
 
 impl Pair {
-    pub(super) fn new(turning: f64, sliding: f64) -> Self {
-        Self { turning, sliding }
+    pub(super) fn new(angular: f64, linear: f64) -> Self {
+        Self { angular, linear }
     }
 
     pub(super) fn plus(self, other: Self) -> Self {
-        Self::new(self.turning + other.turning, self.sliding + other.sliding)
+        Self::new(self.angular + other.angular, self.linear + other.linear)
     }
 
     pub(super) fn times(self, factor: f64) -> Self {
-        Self::new(self.turning * factor, self.sliding * factor)
+        Self::new(self.angular * factor, self.linear * factor)
     }
 
     pub(super) fn dot(self, other: Self) -> f64 {
-        self.turning * other.turning + self.sliding * other.sliding
+        self.angular * other.angular + self.linear * other.linear
     }
 
     pub(super) fn both(size: f64) -> Self {
@@ -108,27 +108,27 @@ impl Pair {
     }
 
     pub(super) fn squares(self) -> Self {
-        Self::new(self.turning * self.turning, self.sliding * self.sliding)
+        Self::new(self.angular * self.angular, self.linear * self.linear)
     }
 
     pub(super) fn roots(self) -> Self {
-        Self::new(self.turning.sqrt(), self.sliding.sqrt())
+        Self::new(self.angular.sqrt(), self.linear.sqrt())
     }
 
     pub(super) fn largest(self) -> f64 {
-        self.turning.max(self.sliding)
+        self.angular.max(self.linear)
     }
 
-    /// The larger of each part.
+    /// The larger one of each part.
     pub(super) fn most(self, other: Self) -> Self {
         Self::new(
-            self.turning.max(other.turning),
-            self.sliding.max(other.sliding),
+            self.angular.max(other.angular),
+            self.linear.max(other.linear),
         )
     }
 
-    /// A moment and a force, or γ and s, at a distance from where they are.
+    /// A moment and force, or γ and s, about a reference point at a distance.
     pub(super) fn at_distance(self, distance: f64) -> Self {
-        Self::new(self.turning + distance * self.sliding, self.sliding)
+        Self::new(self.angular + distance * self.linear, self.linear)
     }
 }

@@ -1,36 +1,36 @@
-//! The constants of the derivation, against articulated inertias of points at random.
+//! Tests of the constants of the derivation, with articulated inertias of random points of mass.
 //!
-//! In: seeds. Out: that no block, no action of a joint or of a unit force, no computed inertia and no rounding of a
-//! joint is beyond what is counted, and that what the derivation says is reached is.
+//! In: seeds. Out: no block, no force of a joint or of a unit force, no computed inertia and no rounding of a joint
+//! exceeds its bound, and the bounds that the derivation calls sharp are attained.
 
 mod points;
 
 use self::points::{Chain, Inertia, Random, Twist, cross, dot, left, norm, plus, times, twist};
 use super::inertias::{FROBENIUS, SPOILT, TRUST};
 
-/// More than rounding takes here.
+/// More than rounding adds here.
 const NEARLY: f64 = 1.0 + 1e-7;
 
 #[test]
 fn no_inertia_is_beyond_its_size_and_some_reach_it() {
     let mut random = Random::new(1);
-    let (mut rigid, mut yielding, mut actions) = ([0.0_f64; 3], [0.0_f64; 3], 0.0_f64);
-    for turn in 0..1000 {
-        let chain = Chain::new(&mut random, 1 + turn % 4);
+    let (mut rigid, mut eliminate, mut actions) = ([0.0_f64; 3], [0.0_f64; 3], 0.0_f64);
+    for rotation in 0..1000 {
+        let chain = Chain::new(&mut random, 1 + rotation % 4);
         for (body, inertia) in chain
             .bodies
             .iter()
             .zip(chain.articulated(|_| [[0.0; 6]; 6]))
         {
-            let [turning, sliding] = body.sizes;
-            let most = [turning * turning, turning * sliding, sliding * sliding];
+            let [angular, linear] = body.sizes;
+            let most = [angular * angular, angular * linear, linear * linear];
             let of_body = [&body.inertia, &inertia, &left(&inertia, &body.screw)];
             for (number, inertia) in of_body.into_iter().enumerate() {
                 for (k, size) in body.blocks(inertia).into_iter().enumerate() {
                     let reached = if number == 0 {
                         &mut rigid
                     } else {
-                        &mut yielding
+                        &mut eliminate
                     };
                     reached[k] = reached[k].max(size / most[k]);
                 }
@@ -48,9 +48,9 @@ fn no_inertia_is_beyond_its_size_and_some_reach_it() {
         (rigid[0], 0.999, root_2),
         (rigid[1], 0.99, root_2),
         (rigid[2], 0.999, FROBENIUS),
-        (yielding[0], 0.999, root_2),
-        (yielding[1], 0.8, FROBENIUS),
-        (yielding[2], 0.999, FROBENIUS),
+        (eliminate[0], 0.999, root_2),
+        (eliminate[1], 0.8, FROBENIUS),
+        (eliminate[2], 0.999, FROBENIUS),
         (actions, 0.9, 1.0),
     ] {
         assert!(reached <= NEARLY * most, "{reached} of {most}");
@@ -63,8 +63,8 @@ fn no_inertia_is_beyond_its_size_and_some_reach_it() {
 fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
     let mut random = Random::new(2);
     let (mut pivots, mut sizes) = (0.0_f64, 0.0_f64);
-    for turn in 0..1000 {
-        let chain = Chain::new(&mut random, 2 + turn % 4);
+    for rotation in 0..1000 {
+        let chain = Chain::new(&mut random, 2 + rotation % 4);
         let exact = chain.articulated(|_| [[0.0; 6]; 6]);
         let pairs = chain.bodies.iter().zip(chain.mobility());
         let speeds: Vec<f64> = pairs
@@ -85,12 +85,12 @@ fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
         let off: Vec<Inertia> = (chain.bodies.iter().zip(&shares))
             .map(|(body, share)| {
                 // wwᵗ with |wᵗx| ≤ g(x), for some x as large.
-                let (turn, slide) = (random.direction(), random.direction());
-                let [turning, sliding] = body.sizes;
-                let force = slide.map(|entry| sliding * entry);
+                let (rotation, translation) = (random.direction(), random.direction());
+                let [angular, linear] = body.sizes;
+                let force = translation.map(|entry| linear * entry);
                 let moment = cross(body.origin, force);
                 let w: Twist = std::array::from_fn(|k| match k {
-                    0..3 => turning * turn[k] + moment[k],
+                    0..3 => angular * rotation[k] + moment[k],
                     _ => force[k - 3],
                 });
                 let share = share * SPOILT / sum * random.unit().signum();
@@ -122,13 +122,13 @@ fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
     assert!((0.1 * SPOILT..=TRUST - 1.0).contains(&sizes), "{sizes}");
 }
 
-/// What unit forces are on their way inwards, with errors as large as are allowed, and the inverse that comes of them.
+/// Unit forces on their way inwards, with the largest errors allowed, and the inverse computed with them.
 #[test]
 fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
     let mut random = Random::new(4);
     let (mut sizes, mut entries) = (0.0_f64, 0.0_f64);
-    for turn in 0..1000 {
-        let chain = Chain::new(&mut random, 2 + turn % 4);
+    for rotation in 0..1000 {
+        let chain = Chain::new(&mut random, 2 + rotation % 4);
         let (exact, mobility) = (chain.inverse(), chain.mobility());
         let articulated = chain.articulated(|_| [[0.0; 6]; 6]);
         let actions: Vec<Twist> = (articulated.iter().zip(&chain.bodies))
@@ -139,21 +139,21 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
             .collect();
         let share = 1e-4 * random.unit().abs();
         let mut ways = Vec::new();
-        let lacks: Vec<Vec<f64>> = (0..chain.bodies.len())
+        let unbalanced_rows: Vec<Vec<f64>> = (0..chain.bodies.len())
             .map(|column| {
                 let unit = exact[column][column].sqrt();
                 let (mut action, mut way) = ([0.0; 6], 0.0);
-                let mut lacks = vec![0.0; column + 1];
+                let mut unbalanced_rows = vec![0.0; column + 1];
                 for k in (0..=column).rev() {
                     let body = &chain.bodies[k];
                     let own = f64::from(u8::from(k == column));
-                    lacks[k] = own - dot(&action, &body.screw);
+                    unbalanced_rows[k] = own - dot(&action, &body.screw);
                     for (entry, pushed) in action.iter_mut().zip(actions[k]) {
-                        *entry += pushed * lacks[k] / d[k];
+                        *entry += pushed * unbalanced_rows[k] / d[k];
                     }
                     let x = twist(random.vector(), random.vector());
                     sizes = sizes.max(dot(&x, &action).abs() / (body.g(x) * unit));
-                    // What is lost on the way to the body that carries this one, about the origin of that.
+                    // The error on the way to the parent body, about the origin of that body.
                     if let Some(parent) = k.checked_sub(1).map(|k| &chain.bodies[k]) {
                         let lost = parent.sizes.map(|size| share * unit * size);
                         let force = random.direction().map(|entry| lost[1] * entry);
@@ -171,11 +171,11 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
                     }
                 }
                 ways.push(way);
-                lacks
+                unbalanced_rows
             })
             .collect();
-        for (row, of_row) in lacks.iter().enumerate() {
-            for (column, of_column) in lacks.iter().enumerate() {
+        for (row, of_row) in unbalanced_rows.iter().enumerate() {
+            for (column, of_column) in unbalanced_rows.iter().enumerate() {
                 let products = of_row.iter().zip(of_column).zip(&d);
                 let entry: f64 = products.map(|((a, b), d)| a * b / d).sum();
                 let unit = (exact[row][row] * exact[column][column]).sqrt();
@@ -192,7 +192,7 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
     assert!((0.2..=NEARLY).contains(&entries), "{entries}");
 }
 
-/// A number as `f32` has it.
+/// A number rounded to `f32`.
 fn single(x: f64) -> f64 {
     #[expect(
         clippy::cast_possible_truncation,
@@ -210,44 +210,44 @@ fn summed(a: &[f64], b: &[f64]) -> f64 {
         .unwrap_or(0.0)
 }
 
-/// What is counted at a joint, in units of the size that stands beside it and of u.
+/// The roundings at a joint, in units of the bounding size and of u.
 #[test]
 fn no_joint_loses_more_than_is_counted() {
     let roundoff = f64::from(f32::EPSILON) / 2.0;
     let mut random = Random::new(3);
     let (mut residual, mut entries, mut drifted, mut pushed) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
-    for turn in 0..6_000 {
-        let chain = Chain::new(&mut random, 1 + turn % 3);
+    for rotation in 0..6_000 {
+        let chain = Chain::new(&mut random, 1 + rotation % 3);
         let [body, ..] = &chain.bodies[..] else {
             unreachable!("there is one")
         };
         let inertia = body.about(&chain.articulated(|_| [[0.0; 6]; 6])[0]);
         let inertia: Inertia = inertia.map(|row| row.map(single));
-        let [turning, sliding] = body.sizes;
-        let sizes: Twist = std::array::from_fn(|k| if k < 3 { turning } else { sliding });
-        let clears = if turn % 2 == 0 { 2 } else { 5 };
+        let [angular, linear] = body.sizes;
+        let sizes: Twist = std::array::from_fn(|k| if k < 3 { angular } else { linear });
+        let clears = if rotation % 2 == 0 { 2 } else { 5 };
         let (u, d) = (inertia[clears], inertia[clears][clears]);
-        // What rounding to `f32` may have made of a thin body is not what is looked at.
+        // A thin body whose D may be a rounding error of `f32` is left out.
         if d < 1e-3 * sizes[clears] * sizes[clears] {
             continue;
         }
-        let g = |x: &Twist| turning * norm(&x[..3]) + sliding * norm(&x[3..]);
-        // Either part may be all that there is, so that no size hides behind another.
+        let g = |x: &Twist| angular * norm(&x[..3]) + linear * norm(&x[3..]);
+        // Scales of both parts differ widely, so that neither hides the error of the other.
         let scale = |random: &mut Random| 10.0_f64.powf(3.0 * random.unit());
         let scales = [scale(&mut random), scale(&mut random)];
         let any = |random: &mut Random| -> Twist {
             std::array::from_fn(|k| single(scales[k / 3] * random.unit()))
         };
         let carried = any(&mut random);
-        let lacking = single(scale(&mut random) * random.unit());
+        let unbalanced = single(scale(&mut random) * random.unit());
         let inverse = single(1.0 / d);
 
         let opposed = summed(&u, &carried);
-        let rate = single(single(lacking - opposed) * inverse);
+        let rate = single(single(unbalanced - opposed) * inverse);
         let mut whole = carried;
         whole[clears] += rate;
         let free = g(&whole) + sizes[clears] * rate.abs();
-        let error = d * rate - (lacking - dot(&u, &carried));
+        let error = d * rate - (unbalanced - dot(&u, &carried));
         residual = residual.max(error.abs() / (d.sqrt() * free * roundoff));
 
         let over = u.map(|entry| single(entry * inverse));
@@ -261,17 +261,17 @@ fn no_joint_loses_more_than_is_counted() {
             }
         }
         let drift = any(&mut random);
-        let push = single(lacking * inverse);
+        let push = single(unbalanced * inverse);
         for part in [0..3, 3..6] {
             let size = sizes[part.start] * roundoff;
             let lost = |of: &dyn Fn(usize) -> f64| norm(&part.clone().map(of).collect::<Vec<_>>());
             let moved = lost(&|i| summed(&left[i], &drift) - dot(&exact[i], &drift));
             drifted = drifted.max(moved / (size * g(&drift)));
-            let moved = lost(&|i| single(u[i] * push) - u[i] * lacking / d);
-            pushed = pushed.max(moved / (size * lacking.abs() / d.sqrt()));
+            let moved = lost(&|i| single(u[i] * push) - u[i] * unbalanced / d);
+            pushed = pushed.max(moved / (size * unbalanced.abs() / d.sqrt()));
         }
     }
-    // The rounding of what is lacking, which is 1 of 12 and of 4, has gone before.
+    // The rounding of the right side, which is 1 of 12 and of 4, has gone before.
     for (reached, least, most) in [
         (residual, 1.5, 11.0),
         (entries, 1.5, 4.0),

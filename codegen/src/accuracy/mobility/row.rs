@@ -1,27 +1,28 @@
-//! Joints in a row, and how much they can move where bodies between them have little inertia or none.
+//! Bounds for joints in a row, where bodies between them have little inertia or none.
 //!
-//! In: the bodies of a chain, and what the two of each joint tell of it. Out: what the two at the ends of a row tell
-//! of each joint in it, and what joints tell of a body between. It never looks at a posture: how axes stand to each
-//! other is the same in all of them where no joint between turns.
+//! In: the bodies of a chain, and the bounds of each joint from its own two bodies. Out: bounds of each joint from the
+//! two bodies at the ends of a row, and bounds of a body between from its joints. They hold in every configuration: the
+//! angles between axes are constant where no joint between rotates.
 //!
-//! The bodies at the ends do ω, v and ω′, v′, and all joints together what they do differently: Σ a q̇ of those that
-//! turn is ω′ − ω, and of those that slide v′ − v, of one point, but for what turning makes of that point. What is
-//! orthogonal to all other axes has one joint alone: with n, that of a, it is q̇ = n·(ω′ − ω)/n².
+//! The bodies at the ends have the velocities ω, v and ω′, v′, and the joints together their difference: Σ a q̇ of
+//! the revolute ones is ω′ − ω, and of the prismatic ones v′ − v of one point, but for what rotation adds at that
+//! point. The part n of a joint's axis a that is orthogonal to all other axes belongs to that joint alone: q̇ = n·(ω′
+//! − ω)/n².
 
 use super::{AXES, Solid, Z, dot};
 use crate::chain::BodyId;
 use crate::list::List;
 
-/// The most joints in a row: five at most have axes that stay apart in every posture, of which two turn.
+/// The longest row: at most five joints have independent axes in every configuration, two of them revolute.
 const MOST: usize = 5;
 
-/// The least n²: below it axes are as good as parallel.
+/// The least n²; below it axes count as parallel.
 const APART: f64 = 1e-12;
 
-/// What rounding may have made of n² and of the sums here, and more.
+/// Factor for the rounding errors of n² and of the sums here, with a margin.
 const SLACK: f64 = 1.0 + 1e-3;
 
-/// Takes each joint for as slow as the slowest row demands that it is in.
+/// Bounds each joint by all rows that it is in.
 pub(super) fn slowed(
     joints: &mut List<BodyId, f64>,
     solids: &List<BodyId, Solid>,
@@ -31,12 +32,12 @@ pub(super) fn slowed(
         .ids()
         .flat_map(|outer| Row::inwards(outer, solids, reaches))
         .collect();
-    // What slides is seen from bodies that turn.
+    // Prismatic joints are bounded by bodies that rotate.
     demand(joints, &rows, |row, place, _| row.turning(place));
     demand(joints, &rows, Row::sliding);
 }
 
-/// Takes each joint for as slow as a row has it, from what is known of all.
+/// Bounds each joint by its rows, from the bounds known of all.
 fn demand<'a>(
     joints: &mut List<BodyId, f64>,
     rows: &[Row<'a>],
@@ -52,8 +53,8 @@ fn demand<'a>(
     }
 }
 
-/// For each body the squares of its ω and of the velocity of its origin, as itself tells them or as the body that
-/// carries it and their joint do.
+/// For each body bounds of the squares of its ω and of the velocity of its origin: the smaller one of its own, and of
+/// that from its parent body and their joint.
 pub(super) fn carried(
     own: Vec<[f64; 2]>,
     joints: &List<BodyId, f64>,
@@ -84,7 +85,7 @@ pub(super) fn carried(
     all
 }
 
-/// A product that is zero where one factor is, whatever the other.
+/// A product that is zero if one factor is, even if the other is infinite.
 fn product(reach: f64, rate: f64) -> f64 {
     if reach == 0.0 || rate == 0.0 {
         0.0
@@ -97,7 +98,7 @@ fn product(reach: f64, rate: f64) -> f64 {
 struct Row<'a> {
     joints: Vec<BodyId>,
     outer: &'a Solid,
-    /// None where the row begins at the base.
+    /// `None` if the row begins at the base.
     inner: Option<&'a Solid>,
     solids: &'a List<BodyId, Solid>,
     reaches: &'a List<BodyId, f64>,
@@ -131,7 +132,7 @@ impl<'a> Row<'a> {
         self.solids[self.joints[place]].slides
     }
 
-    /// The places of the joints that slide, or of those that turn.
+    /// The places of the prismatic joints, or of the revolute ones.
     fn places(&self, sliding: bool) -> Vec<usize> {
         let places = 0..self.joints.len();
         places
@@ -139,19 +140,19 @@ impl<'a> Row<'a> {
             .collect()
     }
 
-    /// The axis of a joint in the frame of the body of one further in, where none between turns.
+    /// The axis of a joint in the frame of the body of one further in, if no joint between rotates.
     fn axis(&self, place: usize, from: usize) -> [f64; 3] {
         let outwards = self.joints[place..from].iter();
         outwards.fold(Z, |axis, &k| self.solids[k].turned(axis))
     }
 
-    /// The axis of a joint in the frame of the outer body, where none between turns.
+    /// The axis of a joint in the frame of the outer body, if no joint between rotates.
     fn axis_outside(&self, place: usize) -> [f64; 3] {
         let inwards = self.joints[..place].iter().rev();
         inwards.fold(Z, |axis, &k| self.solids[k].turned_back(axis))
     }
 
-    /// q̇² at most, by twice the energy, of a joint that turns.
+    /// Bound of q̇² by twice the energy, for a revolute joint.
     fn turning(&self, place: usize) -> Option<f64> {
         let turning = self.places(false);
         if self.slides(place) {
@@ -175,7 +176,7 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// The same of one that slides.
+    /// The same for a prismatic joint.
     fn sliding(&self, place: usize, joints: &List<BodyId, f64>) -> Option<f64> {
         let sliding = self.places(true);
         let [first, .., last] = *sliding else {
@@ -201,8 +202,8 @@ impl<'a> Row<'a> {
         (orthogonal > APART).then(|| self.moved(orthogonal, joints))
     }
 
-    /// What all that slides does together, of which a joint has n²: of the centre of mass of the outer body, seen from
-    /// the inner one, what turning leaves.
+    /// Bound of the prismatic joints together, divided by n²: the velocity of the outer body's centre of mass, seen
+    /// from the inner body, with what rotation adds.
     fn moved(&self, apart: f64, joints: &List<BodyId, f64>) -> f64 {
         let mut distance = dot(self.outer.centre, self.outer.centre).sqrt();
         let mut across = 0.0;
@@ -220,7 +221,7 @@ impl<'a> Row<'a> {
 }
 
 impl Solid {
-    /// A direction of this body's frame in that of the body that carries it, where its joint does not turn.
+    /// A direction of this body's frame in that of its parent, if its joint does not rotate.
     fn turned(&self, axis: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|row| {
             dot(
@@ -230,7 +231,7 @@ impl Solid {
         })
     }
 
-    /// The other way.
+    /// The inverse of [`turned`](Self::turned).
     fn turned_back(&self, axis: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|column| dot([0, 1, 2].map(|row| self.placement[3 * row + column]), axis))
     }
@@ -240,7 +241,7 @@ fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// The square of the length of a product of directions: of what one has that is orthogonal to the other.
+/// |a × b|²: for unit vectors, the squared length of the part of one that is orthogonal to the other.
 fn of_cross(a: [f64; 3], b: [f64; 3]) -> f64 {
     let product = cross(a, b);
     dot(product, product)

@@ -1,11 +1,11 @@
-//! Fields of the struct: which go together, what is told of those that do not, and what is prepared of them.
+//! Fields of the struct: conflicts, errors, and `prepare`.
 
 use super::{arm, as_asked, text};
 use crate::builder::Builder;
 use crate::function::Function;
 use crate::request::Target;
 
-/// What is said of a two-link arm with these fields.
+/// The errors of a two-link arm with these fields.
 fn refusal(fields: &[(&str, Target)]) -> String {
     let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
     let with_fields = fields.iter().fold(builder, |builder, (field, target)| {
@@ -17,7 +17,7 @@ fn refusal(fields: &[(&str, Target)]) -> String {
 }
 
 #[test]
-fn two_fields_for_one_number_and_two_of_one_name_are_told_at_once() {
+fn all_conflicts_of_fields_are_reported_at_once() {
     let mass = || Target::MassOf("fore".into());
     assert_eq!(
         refusal(&[
@@ -28,7 +28,7 @@ fn two_fields_for_one_number_and_two_of_one_name_are_told_at_once() {
         ]),
         "error: field `b` stands for the mass of link \"fore\", as `a` does\n  \
          hint: leave out one of them\n\
-         error: two fields are called `a`\n  hint: give one of them another name\n\
+         error: two fields have the name `a`\n  hint: rename one of them\n\
          error: field `c` stands for gravity, as `a` does\n  hint: leave out one of them\n"
     );
     assert_eq!(refusal(&[("a", mass()), ("b", Target::Gravity)]), "");
@@ -39,29 +39,29 @@ fn two_fields_for_one_number_and_two_of_one_name_are_told_at_once() {
         expand: crate::expand::expand,
         ..twice
     };
-    let said = twice.to_tokens().expect_err("a mistake").to_string();
+    let message = twice.to_tokens().expect_err("a mistake").to_string();
     assert!(
-        said.contains("gravity is given as a vector and in field `g`"),
-        "{said}"
+        message.contains("gravity is both a vector and the field `g`"),
+        "{message}"
     );
 }
 
 #[test]
-fn the_centre_of_a_mass_that_is_not_there_is_doubted_unless_a_field_gives_the_mass() {
+fn a_centre_of_mass_without_mass_is_a_warning() {
     let module = |builder: Builder| builder.module().expect("no mistakes");
-    let doubts = |builder| module(builder).about.located_warnings();
+    let warnings = |builder| module(builder).about.located_warnings();
     let arm = Builder::from_urdf("../robots/two_link.urdf")
         .generate([Function::Gravity])
         .parameter("center", Target::CenterOfMassOf("tip".into()));
-    let message = "link \"tip\" has no mass: field `center`, where its centre is, changes nothing";
-    assert_eq!(doubts(arm.clone()), [message]);
+    let message = "link \"tip\" has no mass: field `center` for its centre of mass changes nothing";
+    assert_eq!(warnings(arm.clone()), [message]);
     let refused = arm.clone().strict().to_tokens().expect_err("strict");
     assert_eq!(
         refused.to_string(),
         format!("error: {message} (refused: strict)\n")
     );
     let with_mass = arm.parameter("mass", Target::MassOf("tip".into()));
-    assert_eq!(doubts(with_mass), [""; 0]);
+    assert_eq!(warnings(with_mass), [""; 0]);
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn a_payload_has_a_type_of_its_own_beside_the_runtime_and_is_an_array_without_it
     for part in [
         "pub load: [f64; 10],\n",
         "let [load_m, load_x, load_y, _, _, _, _, _, _, _] = self.load;\n",
-        "/// What `tip` carries: its mass in kg",
+        "/// Payload on `tip`: its mass in kg",
         "`load` from 0 to 4 kg, its centre of mass up to 0.25 m along each axis",
     ] {
         assert!(alone.contains(part), "{alone}");
@@ -88,7 +88,7 @@ fn a_payload_has_a_type_of_its_own_beside_the_runtime_and_is_an_array_without_it
 }
 
 #[test]
-fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
+fn prepare_computes_once_what_depends_on_fields() {
     let plain = Builder::from_urdf("../robots/two_link.urdf")
         .generate([
             Function::InverseDynamics,
@@ -98,7 +98,7 @@ fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
     let parted = text(&plain.clone().prepare());
     let mut parts = parted.split("pub fn prepare(&self) -> TwoLinkPrepared {\n");
     let [head, rest] = [(); 2].map(|()| parts.next().expect("both parts"));
-    // What the robot itself has is what it was.
+    // The functions of the robot itself stay the same.
     let before = text(&plain);
     let start = before.find("/// Joint torques").expect("a function");
     let end = before.rfind("\n    }\n").expect("its end");
@@ -112,29 +112,29 @@ fn what_fields_decide_is_computed_once_where_that_is_asked_for() {
     );
     for part in [
         " --field load=payload_on:tip --prepare` (FNV-1a ",
-        "    /// Results are the same, bit for bit;",
+        "    /// Results are the same, bit for bit.",
     ] {
         assert!(head.contains(part), "{head}");
     }
     for part in [
         "pub struct TwoLinkPrepared {\n    values: [f64; ",
         "impl TwoLinkPrepared {\n",
-        "    /// Done before, once for all functions: ",
+        "    /// Computed once by `prepare`, for all functions: ",
         ".values;\n",
         "= TwoLink::sin_cos(",
-        ") -> TwoLinkInverseDynamicsDerivatives {",
+        ") -> TwoLinkTorqueDerivatives {",
     ] {
         assert!(rest.contains(part), "{rest}");
     }
-    // Neither fields nor structures of results are there twice.
+    // Neither fields nor structures of results are duplicated.
     assert!(!rest.contains("self.load"), "{rest}");
     assert_eq!(parted.matches("pub struct ").count(), 3, "{parted}");
 }
 
 #[test]
-fn nothing_is_prepared_where_there_is_nothing_to_prepare() {
+fn prepare_without_fields_is_an_error() {
     let arm = || Builder::from_urdf("../robots/two_link.urdf").prepare();
-    let said = |builder: Builder| {
+    let message = |builder: Builder| {
         builder
             .to_tokens()
             .map(|_| ())
@@ -142,20 +142,20 @@ fn nothing_is_prepared_where_there_is_nothing_to_prepare() {
             .to_string()
     };
     assert_eq!(
-        said(arm().generate([Function::Gravity])),
+        message(arm().generate([Function::Gravity])),
         "error: `prepare` computes once what depends on fields alone, and the robot has none\n  \
          hint: leave it out: all other numbers are folded into the code\n"
     );
     let unread = arm().generate([Function::ForwardKinematics]);
     assert_eq!(
-        said(unread.parameter("load", Target::PayloadOn("tip".into()))),
+        message(unread.parameter("load", Target::PayloadOn("tip".into()))),
         "error: `prepare` computes once what depends on fields alone, and no function reads one\n  \
          hint: leave it out, or ask for functions that read the fields\n"
     );
 }
 
 #[test]
-fn a_range_that_a_field_cannot_have_is_told() {
+fn impossible_ranges_are_errors() {
     let mass = || Target::MassOf("rod-2".into());
     let builder = arm(as_asked)
         .parameter_within("light", mass(), -1.0..=1.0)

@@ -1,4 +1,4 @@
-//! Files of C and packages for Python, by the builder.
+//! Files in C and packages for Python by the builder.
 
 use super::{arm, as_asked, text};
 use crate::builder::{Builder, c};
@@ -11,7 +11,7 @@ use crate::request::Target;
 fn c_has_names_of_its_own_and_no_runtime() {
     let errors = |builder: Builder| builder.to_c_header().expect_err("a mistake").to_string();
     let one = errors(arm(as_asked).extern_c("arm-"));
-    assert_eq!(one, "error: no name in C begins with `arm-`\n");
+    assert_eq!(one, "error: `arm-` cannot begin a name in C\n");
     let other = errors(arm(as_asked).extern_c("arm_").runtime("::homogen"));
     assert!(other.contains("without the runtime"), "{other}");
     let header = arm(as_asked)
@@ -53,8 +53,8 @@ fn the_same_in_c() {
     }
     let errors = builder.runtime("::homogen").sin_cos("crate::sin_cos");
     let errors = errors.to_c("arm.h").expect_err("two mistakes").to_string();
-    assert!(errors.contains("the runtime is Rust's"), "{errors}");
-    assert!(errors.contains("can be named in Rust only"), "{errors}");
+    assert!(errors.contains("`runtime` is for Rust"), "{errors}");
+    assert!(errors.contains("`sin_cos` is for Rust only"), "{errors}");
 }
 
 #[test]
@@ -92,14 +92,14 @@ fn a_package_for_python_has_no_options_of_rust() {
         .drop("nothing")
         .generate([Function::Gravity]);
     let errors = builder.to_python("arm_py").expect_err("four mistakes");
-    let told = errors.to_string();
+    let errors = errors.to_string();
     for part in [
         "its own batches",
-        "can be named in Rust only",
-        "files that need `core` alone",
-        "finds its processor when it runs",
+        "`sin_cos` is for Rust only",
+        "files that need only `core`",
+        "selects the processor at run time",
     ] {
-        assert!(told.contains(part), "{told}");
+        assert!(errors.contains(part), "{errors}");
     }
     let package = arm(as_asked)
         .generate([Function::Gravity])
@@ -109,7 +109,7 @@ fn a_package_for_python_has_no_options_of_rust() {
     assert!(errors.to_string().contains("would hide NumPy"), "{errors}");
 }
 
-/// The name of a struct without fields is a pattern, which binds nothing.
+/// The name of a struct without fields is a pattern, which would match instead of binding.
 #[test]
 fn a_struct_may_be_called_as_what_files_bind() {
     let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
@@ -147,7 +147,7 @@ fn a_struct_may_be_called_as_what_files_bind() {
     }
 }
 
-/// Texts are assembled from parts, and no part is looked through for words of another.
+/// Texts are assembled from parts, and never searched for words of a template.
 #[test]
 fn a_robot_may_be_called_as_a_word_of_a_template() {
     let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);

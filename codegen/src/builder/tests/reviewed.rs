@@ -1,4 +1,4 @@
-//! What a file brings along for its reviewer: the command that makes it, limits, tests, provenance.
+//! Parts of a file for its reviewer: the command that writes it, limits, tests, provenance.
 
 use super::{arm, as_asked, text};
 use crate::builder::Builder;
@@ -42,22 +42,22 @@ fn the_reviewer_of_a_file_reads_what_no_derive_has() {
 }
 
 #[test]
-fn a_file_in_ascii_is_ascii_and_names_that_are_not_are_told() {
+fn a_file_in_ascii_is_ascii_and_other_names_are_errors() {
     let builder = Builder::from_urdf("../robots/two_link.urdf").ascii();
     let source = builder.to_c("arm.h").expect("a robot that ships");
     for text in [text(&builder), source.header, source.text] {
         assert!(text.is_ascii() && text.contains("--ascii"), "{text}");
     }
     let named = builder.parameter("maß", Target::MassOf("fore".into()));
-    let told = named.to_source().map(|_| ()).expect_err("no ASCII");
+    let errors = named.to_source().map(|_| ()).expect_err("no ASCII");
     assert!(
-        told.to_string().contains("`maß` is a name in the file"),
-        "{told}"
+        errors.to_string().contains("`maß` is a name in the file"),
+        "{errors}"
     );
 }
 
 #[test]
-fn what_a_shell_would_read_otherwise_stands_in_quotes() {
+fn words_that_a_shell_would_change_are_quoted() {
     let builder = arm(as_asked)
         .tip("it's; $(rm)")
         .lock_at("-j", -0.25)

@@ -1,10 +1,11 @@
-//! Links whose columns of the regressor may depend on each other.
+//! Blocks of links whose columns of the regressor may depend on each other.
 //!
-//! In: for each link the one that it hangs on, and the velocities of the joints between. Out: blocks of links, outermost
-//! first. Whatever of some links has energies that the coordinates between them and the links they hang on do not change
-//! is, to all other joints, mass of those: so they depend on each other and on the links that they hang on alone, if no
-//! other link is moved by their coordinates and all links that they carry have been looked at before. A block is as small
-//! as that allows: one link, where no joint mimics another.
+//! In: for each link its parent link, and the velocities of the joints between. Out: blocks of links, outermost
+//! first. A part of some links' mass whose energies do not change with the coordinates between them and their parents
+//! acts on all other joints like mass of the parents. So the links of a block depend on each other and on their
+//! parents alone, if no other link is moved by their coordinates and all links that they carry belong to earlier
+//! blocks. A block is as small as that allows: one link, if no joint mimics another. as that allows: one link, where
+//! no joint mimics another.
 
 use crate::list::{List, id};
 use crate::space::VelocityId;
@@ -16,7 +17,7 @@ id! {
 
 /// A link that joints move.
 pub(super) struct Hung {
-    /// The link that it hangs on, with nothing but bodies of its own joint between; none for the base.
+    /// The parent link, with only bodies of its own joint between; `None` for the base.
     pub(super) parent: Option<LinkId>,
     /// The velocities of the joints between.
     pub(super) velocities: Vec<VelocityId>,
@@ -26,7 +27,7 @@ pub(super) struct Hung {
 pub(super) fn blocks(links: &List<LinkId, Hung>, velocities: usize) -> Vec<Vec<LinkId>> {
     let of_link = components(links, velocities);
     let mut blocks: List<LinkId, Vec<LinkId>> = links.map(|_| Vec::new());
-    // How many links hang on each block from other ones that have not been looked at.
+    // For each block the number of child links in other blocks that have not been listed.
     let mut waiting: List<LinkId, usize> = links.map(|_| 0);
     for (link, hung) in links.numbered() {
         blocks[of_link[link]].push(link);
@@ -55,8 +56,8 @@ pub(super) fn blocks(links: &List<LinkId, Hung>, velocities: usize) -> Vec<Vec<L
     order
 }
 
-/// For each link the first of its block: links that a velocity moves against those they hang on belong together, and what
-/// hangs between links of a block belongs to it.
+/// For each link the first link of its block: links that a velocity moves relative to their parents belong together,
+/// and so does a link between two links of a block.
 fn components(links: &List<LinkId, Hung>, velocities: usize) -> List<LinkId, LinkId> {
     let mut first_of: List<VelocityId, Option<LinkId>> = List::filled(None, velocities);
     let mut of_link: List<LinkId, LinkId> = links.ids().collect();
@@ -80,7 +81,7 @@ fn components(links: &List<LinkId, Hung>, velocities: usize) -> List<LinkId, Lin
     of_link
 }
 
-/// Makes one block of two.
+/// Merges two blocks.
 fn join(of_link: &mut List<LinkId, LinkId>, a: LinkId, b: LinkId) {
     let (from, to) = (of_link[a].max(of_link[b]), of_link[a].min(of_link[b]));
     for block in of_link.iter_mut().filter(|block| **block == from) {
@@ -88,7 +89,7 @@ fn join(of_link: &mut List<LinkId, LinkId>, a: LinkId, b: LinkId) {
     }
 }
 
-/// Whether links of a block hang, by however many others, on those of another.
+/// True if links of a block are descendants of those of another.
 fn reaches(
     links: &List<LinkId, Hung>,
     of_link: &List<LinkId, LinkId>,
@@ -115,7 +116,7 @@ mod tests {
     use super::{Hung, blocks};
     use crate::list::{Id, List};
 
-    /// Each link by the one that it hangs on, and its velocity.
+    /// The blocks of links that are given by their parent and velocity.
     fn found(links: &[(Option<usize>, usize)]) -> Vec<Vec<usize>> {
         let links: List<_, Hung> = (links.iter())
             .map(|&(parent, velocity)| Hung {
@@ -130,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn without_mimic_joints_each_link_is_a_block_and_comes_before_what_it_hangs_on() {
+    fn without_mimic_joints_each_link_is_a_block_and_comes_before_its_parent() {
         let blocks = found(&[(None, 0), (Some(0), 1), (Some(0), 2), (Some(2), 3)]);
         assert_eq!(blocks.len(), 4);
         let place = |link| blocks.iter().position(|block| block == &[link]);
@@ -146,9 +147,9 @@ mod tests {
     }
 
     #[test]
-    fn what_hangs_between_links_of_a_block_belongs_to_it() {
+    fn a_link_between_links_of_a_block_belongs_to_it() {
         assert_eq!(found(&[(None, 0), (Some(0), 1), (Some(1), 0)]), [[0, 1, 2]]);
-        // Two blocks of which each hangs on the other are one.
+        // Two blocks, each of which carries a link of the other, are one.
         let crossed = [(None, 0), (None, 1), (Some(0), 1), (Some(1), 0)];
         assert_eq!(found(&crossed), [[0, 1, 2, 3]]);
     }

@@ -1,9 +1,9 @@
 //! Energies of links for each of their inertial parameters, at a few states.
 //!
-//! In: a chain and its numbers; how often each body is looked at. Out: for each parameter and state, twice the kinetic
-//! energy and the potential energy of a unit of it, each with the size of what it is a sum of. Both are quadratic and
-//! linear in what a link's own frame sees: T = ½ Tr(V J Vᵗ) of its velocity V, and −U = γ J e₄ of γ, gravity and the
-//! height of the frame. It decides nothing.
+//! In: a chain and its numbers; the number of states for each body. Out: for each parameter and state, twice the
+//! kinetic energy and the potential energy of a unit of it, each with the size of its terms. Both are quadratic and
+//! linear in quantities in the link's own frame: T = ½ Tr(V J Vᵗ) with its velocity V, and −U = γ J e₄ with γ,
+//! gravity and the height of the frame.
 
 use super::blocks::LinkId;
 use super::numbers::{MOMENTS, Numbers, PLACES, norm};
@@ -14,17 +14,16 @@ use crate::list::{Id, List};
 use crate::random::Random;
 use crate::space::{CoordinateId, Kind, VelocityId};
 
-/// Angles are drawn up to there \[rad\]: joints that mimic one coordinate with multipliers that are nearly the same are
-/// turned differently then.
+/// Largest random angle \[rad\]. It separates joints that mimic one coordinate with nearly the same multiplier.
 const FAR: f64 = 300.0;
 
 /// The energies of all links at some states.
 pub(super) struct Energies {
-    /// Of each state, of each body that is looked at there.
+    /// For each state, the energies of each body that is needed there.
     states: Vec<List<BodyId, Option<Of>>>,
-    /// Of each state, q̇ times the multiplier of each joint.
+    /// For each state, q̇ times the multiplier of each joint.
     rates: Vec<List<BodyId, Double>>,
-    /// The body that each link is.
+    /// The body of each link.
     links: List<LinkId, BodyId>,
 }
 
@@ -32,17 +31,17 @@ pub(super) struct Energies {
 struct Of {
     /// Twice the kinetic energy of a unit of each parameter.
     kinetic: [Double; MOMENTS],
-    /// What a unit of m, q_x, q_y and q_z lacks of potential energy.
+    /// The negative potential energy of a unit of m, q_x, q_y and q_z.
     height: [Double; 4],
     /// Sizes of rotation, translation, gravity and height.
     size: Size,
 }
 
-/// Sizes of what a body's motion is a sum of, whatever the axes in which it is seen.
+/// Sizes of the terms of a body's motion, in any axes.
 #[derive(Clone, Copy)]
 struct Size {
-    turn: f64,
-    slide: f64,
+    angular: f64,
+    linear: f64,
     gravity: f64,
     height: f64,
 }
@@ -54,11 +53,11 @@ struct Moving {
     size: Size,
 }
 
-/// An entry of a column, with the size of what it is a sum of.
+/// An entry of a column, with the size of its terms.
 pub(super) type Entry = (Double, f64);
 
 impl Energies {
-    /// The energies of links, of each body at so many states.
+    /// The energies of links, with a number of states for each body.
     pub(super) fn of(
         chain: &Chain,
         numbers: &Numbers,
@@ -72,11 +71,11 @@ impl Energies {
         for (link, &body) in links.numbered() {
             ends[body] = Some(link);
         }
-        // The same for all robots: what is found must not change with a comment in a file.
+        // The same seed for all robots: the result must not change with a comment in a file.
         let mut random = Random(0);
-        let mut drawn = |kind: Kind, turn: f64| {
+        let mut drawn = |kind: Kind, angle: f64| {
             let slides = matches!(kind, Kind::Slide);
-            let largest = if slides { 3.0 * length } else { turn };
+            let largest = if slides { 3.0 * length } else { angle };
             Double::from(largest * (2.0 * random.unit() - 1.0))
         };
         let mut energies = Self {
@@ -98,8 +97,8 @@ impl Energies {
         energies
     }
 
-    /// Twice the kinetic energies of a unit of a link's parameter, and what it lacks of potential energy at as many
-    /// states as are asked for.
+    /// Twice the kinetic energy of a unit of a link's parameter, and its negative potential energy, at the given
+    /// numbers of states.
     pub(super) fn of_moment(
         &self,
         link: LinkId,
@@ -114,9 +113,9 @@ impl Energies {
         let kinetic = (0..kinetic).map(move |state| {
             let Of { kinetic, size, .. } = at(state);
             let size = match moment {
-                0 => size.slide * size.slide,
-                1..4 => size.slide * size.turn,
-                _ => size.turn * size.turn,
+                0 => size.linear * size.linear,
+                1..4 => size.linear * size.angular,
+                _ => size.angular * size.angular,
             };
             (kinetic[moment], size)
         });
@@ -131,7 +130,7 @@ impl Energies {
         kinetic.chain(potential)
     }
 
-    /// The same of a unit of a joint's armature.
+    /// The same for a unit of a joint's armature.
     pub(super) fn of_armature(
         &self,
         joint: BodyId,
@@ -145,7 +144,7 @@ impl Energies {
     }
 }
 
-/// The energies of the bodies that are wanted, at q and q̇.
+/// The energies of some bodies at q and q̇.
 fn at(
     chain: &Chain,
     numbers: &Numbers,
@@ -166,14 +165,14 @@ fn at(
         let outer = together[0].parent.map(|parent| &moving[parent]);
         let mut found = match outer {
             Some(Some(outer)) => outer.seen_from(&pose),
-            // Where the robot stands adds a constant to all potential energies.
+            // The position of the base adds a constant to all potential energies.
             _ => Moving::of_base(numbers).seen_from(&rotation(&pose, &numbers.placements[k])),
         };
         for (joint, body) in together.iter().zip(bodies.clone()) {
             let rate = numbers.factors[body] * first[joint.velocity];
             found.add(numbers.screws[body], rate);
         }
-        // Of a joint with several velocities, the last body is the link.
+        // The last body of a joint with several velocities is the link.
         moving.extend(bodies.clone().skip(1).map(|_| None));
         moving.push(Some(found));
     }
@@ -188,8 +187,8 @@ fn is_taken(joint: &Joint) -> bool {
     matches!(joint.position, Position::Taken)
 }
 
-/// M of a joint's last body in the parent's: where its motions lead one after the other. Where a joint takes its bodies
-/// together, any place that they lead to will do.
+/// M of a joint's last body in the parent's frame: the product of its motions. For a joint without axes of its own, any
+/// configuration of that product will do.
 fn displaced(
     numbers: &Numbers,
     together: &[Joint],
@@ -209,7 +208,7 @@ fn displaced(
     pose
 }
 
-/// The same pose, with its origin seen from where the joint's frame is placed.
+/// The same pose, with its origin relative to the placement of the joint's frame.
 fn rotation(pose: &Matrix<Double>, placement: &Matrix<Double>) -> Matrix<Double> {
     let mut rotation = pose.clone();
     let (to, from) = (pose.column(), placement.column());
@@ -225,20 +224,20 @@ impl Moving {
             velocity: Matrix::zero(),
             gravity: [x, y, z, Double::ZERO],
             size: Size {
-                turn: 0.0,
-                slide: 0.0,
+                angular: 0.0,
+                linear: 0.0,
                 gravity: norm(&numbers.gravity),
                 height: 0.0,
             },
         }
     }
 
-    /// The same motion, of the frame at M: M⁻¹ V M and γ M.
+    /// The same motion in the frame at M: M⁻¹ V M and γ M.
     fn seen_from(&self, pose: &Matrix<Double>) -> Self {
         let offset = norm(&pose.column());
         let Size {
-            turn,
-            slide,
+            angular,
+            linear,
             gravity,
             height,
         } = self.size;
@@ -249,19 +248,19 @@ impl Moving {
                 term(0) + term(1) + term(2) + term(3)
             }),
             size: Size {
-                turn,
-                slide: slide + turn * offset,
+                angular,
+                linear: linear + angular * offset,
                 gravity,
                 height: height + gravity * offset,
             },
         }
     }
 
-    /// Adds L times a rate.
+    /// Adds L times a velocity.
     fn add(&mut self, [u, b]: [[Double; 3]; 2], rate: Double) {
         let size = rate.to_f64().abs();
-        self.size.turn += norm(&u) * size;
-        self.size.slide += norm(&b) * size;
+        self.size.angular += norm(&u) * size;
+        self.size.linear += norm(&b) * size;
         self.velocity = self.velocity.plus(&Matrix::screw(u, b).scaled(&rate));
     }
 

@@ -1,7 +1,6 @@
-//! The links of a chain, and which of them are looked at together.
+//! The links of a chain, and their blocks.
 //!
-//! In: a chain. Out: how its links hang on each other, the numbers of their parameters, and at how many states each is
-//! looked at. It computes no motion.
+//! In: a chain. Out: the tree of its links, the numbers of their parameters, and the number of states for each.
 
 use super::blocks::{Hung, LinkId, blocks};
 use super::numbers::{DRIVE, MOMENTS, Numbers, PLACES};
@@ -14,26 +13,26 @@ use crate::space::ParameterId;
 /// The links of a chain.
 pub(super) struct Links<'c> {
     pub(super) chain: &'c Chain,
-    /// The body that each link is.
+    /// The body of each link.
     pub(super) bodies: List<LinkId, BodyId>,
-    /// For each link the bodies of the joints between it and the one it hangs on, from the base outwards.
+    /// For each link the bodies of the joints between its parent link and it, from the base outwards.
     pub(super) own: List<LinkId, Vec<BodyId>>,
     hung: List<LinkId, Hung>,
 }
 
-/// Links that are looked at together.
+/// A block of links with their parents.
 pub(super) struct Together {
-    /// Those that the others hang on, in order.
+    /// The parent links outside the block, in order.
     pub(super) outer: Vec<LinkId>,
-    /// In order.
+    /// The links of the block, in order.
     pub(super) links: Vec<LinkId>,
-    /// How many kinetic and potential energies are looked at: as many as there are columns, and more.
+    /// Numbers of kinetic and potential energies: more than there are columns.
     pub(super) rows: [usize; 2],
-    /// Joints whose armatures have to be nothing in a combination that makes no torque, or the same as that of another one.
+    /// Joints whose armatures must be zero in a combination without torque, or the same as that of another joint.
     pub(super) bound: Vec<(BodyId, Option<BodyId>)>,
 }
 
-/// How many more energies are looked at than would do if each told something new.
+/// Number of energies beyond the number of columns.
 const MORE: usize = 6;
 
 impl<'c> Links<'c> {
@@ -75,7 +74,7 @@ impl<'c> Links<'c> {
             outer.dedup();
             let count = outer.len() + links.len();
             let armatures: usize = links.iter().map(|&link| self.own[link].len()).sum();
-            // Of potential energies, a constant is one more column.
+            // A constant is one more column of the potential energies.
             let rows = [MOMENTS * count + armatures + MORE, 4 * count + 1 + MORE];
             let bound = links.iter().flat_map(|&link| self.bound(&self.own[link]));
             let bound = bound.collect();
@@ -89,9 +88,9 @@ impl<'c> Links<'c> {
         together.collect()
     }
 
-    /// Armatures of velocities that are seen in the frame that they move, and are no rates of coordinates. Such a velocity
-    /// alone feels its armature, where a kinetic energy ½ v A v + ½ ω B ω would be felt by ω × A v and ω × B ω besides: it is
-    /// the same only if A is nothing, and B the same about all axes.
+    /// Armatures of velocities in the axes of the moved frame, which are no derivatives of coordinates. The torque of
+    /// such an armature acts on its own velocity only, while a kinetic energy ½ v A v + ½ ω B ω also has the torques
+    /// ω × A v and ω × B ω. They agree only if A is zero, and B the same about all axes.
     fn bound(&self, own: &[BodyId]) -> Vec<(BodyId, Option<BodyId>)> {
         let joints = &self.chain.joints;
         let in_own_frame = own.iter().copied().filter(|&body| {
@@ -107,7 +106,7 @@ impl<'c> Links<'c> {
         slides.chain(pairs).collect()
     }
 
-    /// At how many states each body is looked at: as often as any link that its joint moves.
+    /// Number of states for each body: the largest of any link that its joint moves.
     pub(super) fn often(&self, together: &[Together]) -> List<BodyId, usize> {
         let mut often = self.chain.joints.map(|_| 0);
         for Together {
@@ -132,15 +131,15 @@ impl<'c> Links<'c> {
         ParameterId::new(MOMENTS * link.index() + moment)
     }
 
-    /// The numbers of a joint's armature, damping and friction, which are behind those of all links; none where they are
-    /// not identified.
+    /// The numbers of a joint's armature, damping and friction, which follow those of all links; `None` if they are not
+    /// identified.
     pub(super) fn drive(&self, joint: BodyId) -> Option<[ParameterId; DRIVE]> {
         let first = ParameterId::new(MOMENTS * self.bodies.len() + DRIVE * joint.index());
         let identified = self.chain.identifies_drives;
         identified.then(|| [0, 1, 2].map(|part| first.plus(part)))
     }
 
-    /// All parameters as described, in their order.
+    /// All parameters of the description, in their order.
     pub(super) fn described(&self, numbers: &Numbers) -> List<ParameterId, Double> {
         let moments = numbers.inertias.iter();
         let moments = moments.flat_map(|Matrix(j)| PLACES.map(|(row, column)| j[row][column]));

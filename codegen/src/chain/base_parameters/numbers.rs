@@ -1,7 +1,7 @@
 //! The numbers of a chain in 106 bits.
 //!
-//! In: a chain, whose fields have the values that are described in their place. Out: placements, screws, inertias and
-//! actuator terms. It never knows a state.
+//! In: a chain, whose fields have their values in the description. Out: placements, screws, inertias and
+//! terms of actuators.
 
 use super::blocks::LinkId;
 use crate::chain::{BodyId, Chain, Joint, Position};
@@ -9,10 +9,10 @@ use crate::dense::Matrix;
 use crate::expression::{Double, Evaluation, Expr, Input, Term};
 use crate::list::List;
 
-/// How many inertial parameters a link has.
+/// Number of inertial parameters of a link.
 pub(super) const MOMENTS: usize = 10;
 
-/// Where they stand in J: m; q_x, q_y, q_z; J_xx, J_xy, J_xz, J_yy, J_yz, J_zz.
+/// Their places in J: m; q_x, q_y, q_z; J_xx, J_xy, J_xz, J_yy, J_yz, J_zz.
 pub(super) const PLACES: [(usize, usize); MOMENTS] = [
     (3, 3),
     (0, 3),
@@ -26,7 +26,7 @@ pub(super) const PLACES: [(usize, usize); MOMENTS] = [
     (2, 2),
 ];
 
-/// How many numbers a joint's actuator has: armature, damping and friction.
+/// Number of parameters of a joint's actuator: armature, damping and friction.
 pub(super) const DRIVE: usize = 3;
 
 /// The numbers of a chain.
@@ -94,10 +94,10 @@ impl Numbers {
         }
     }
 
-    /// A length of the robot \[m\]: the longest offset between the frames of joints and links; 1 m where there is none.
+    /// A length of the robot \[m\]: the longest offset between the frames of joints and links; 1 m if all are zero.
     pub(super) fn length(&self, chain: &Chain) -> f64 {
         let joints = chain.joints.iter().zip(&self.placements);
-        // How far from frame 0 the robot stands changes nothing.
+        // The distance of the robot from frame 0 is left out.
         let joints = joints.filter_map(|(joint, placement)| joint.parent.map(|_| placement));
         let offsets = joints.chain(&self.links).map(|pose| norm(&pose.column()));
         let longest = offsets.fold(0.0, f64::max);

@@ -1,9 +1,9 @@
 //! Linear dependence of columns, by elimination in 106 bits.
 //!
-//! In: columns of parameters, one after the other, each entry with the size of what it is a sum of. Out: of each column
-//! that adds nothing, the combination of earlier ones that it is. With each entry the variance of its rounding error is
-//! carried, as if errors were independent of each other: a column adds nothing where no entry is left of it that is more
-//! than that. So no row is compared with another one, and no column, whatever their units. It never knows what is in them.
+//! In: columns of parameters, one after the other, each entry with the size of its terms. Out: for each column that
+//! depends on earlier ones, the combination of them that it is. Each entry carries the variance of its rounding error,
+//! as if errors were independent: a column is dependent if all entries that are left of it are within their rounding
+//! error. So units of rows and columns do not matter.
 
 #[cfg(test)]
 mod tests;
@@ -12,42 +12,42 @@ use super::energies::Entry;
 use crate::expression::Double;
 use crate::space::ParameterId;
 
-/// How much of a parameter is in a combination.
+/// Factors of parameters in a combination.
 pub(super) type Combination = Vec<(ParameterId, Double)>;
 
-/// 2⁻¹⁰⁰: the rounding error of an entry, beside what it is a sum of.
+/// 2⁻¹⁰⁰: the rounding error of an entry, relative to the size of its terms.
 const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 
-/// So many times its rounding error is more than rounding.
+/// Ratio of an entry to its rounding error above which the entry is significant.
 const SIGNIFICANT: f64 = 1e4;
 
-/// A factor that is no more than so many times its rounding error is nothing: the error that is carried is more than any that
-/// was seen.
+/// Ratio of a factor to its rounding error below which the factor counts as zero: the estimated error is larger than
+/// any that was observed.
 const ROUNDED: f64 = 10.0;
 
-/// Beside a part so small of what an entry is a sum of, its square would not be told from rounding: of axes that are parallel
-/// but for so small an angle, some columns see the angle and others its square.
+/// Ratio of an entry to the size of its terms below which its square is within rounding: for axes that are parallel but
+/// for such a small angle, some columns depend on the angle and others on its square.
 const ASKEW: f64 = 1e-13;
 
-/// Columns that do not depend on each other.
+/// Linearly independent columns.
 #[derive(Default)]
 pub(super) struct Span {
     kept: Vec<Kept>,
-    pub(super) left: Left,
+    pub(super) left: Residuals,
 }
 
-/// What was left of columns.
+/// Residuals of columns.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Left {
-    /// The most of those that were taken for combinations of others, beside its rounding error.
+pub(super) struct Residuals {
+    /// The largest of those that were taken for combinations of others, relative to its rounding error.
     most: f64,
-    /// The least of those that were not, beside its rounding error.
+    /// The smallest of those that were not, relative to its rounding error.
     least: f64,
-    /// The least of those, beside what it is a sum of.
+    /// The smallest of those that were not, relative to the size of its terms.
     smallest: f64,
 }
 
-impl Default for Left {
+impl Default for Residuals {
     fn default() -> Self {
         Self {
             most: 0.0,
@@ -57,8 +57,8 @@ impl Default for Left {
     }
 }
 
-impl Left {
-    /// Those of both.
+impl Residuals {
+    /// The residuals of both.
     pub(super) const fn and(self, other: Self) -> Self {
         Self {
             most: self.most.max(other.most),
@@ -67,7 +67,7 @@ impl Left {
         }
     }
 
-    /// Whether rounding may have decided.
+    /// True if rounding may have decided.
     pub(super) const fn is_uncertain(self) -> bool {
         self.most > SIGNIFICANT / 100.0 || self.least < SIGNIFICANT * 100.0 || self.smallest < ASKEW
     }
@@ -79,7 +79,7 @@ struct Rest {
     value: Double,
     /// The variance of its rounding error.
     variance: f64,
-    /// The magnitudes of what it is a sum of.
+    /// The sum of the magnitudes of its terms.
     whole: f64,
 }
 
@@ -97,7 +97,7 @@ impl Rest {
         self.value.to_f64() == 0.0 && self.variance == 0.0
     }
 
-    /// Less a product.
+    /// Minus a product.
     fn less(self, part: Self, entry: Self) -> Self {
         let term = part.value * entry.value;
         let of_whole = part.value.to_f64() * entry.whole;
@@ -127,7 +127,7 @@ impl Rest {
         }
     }
 
-    /// How many times its rounding error it is.
+    /// Ratio to its rounding error.
     fn significance(self) -> f64 {
         if self.value.to_f64() == 0.0 {
             return 0.0;
@@ -138,12 +138,12 @@ impl Rest {
 
 /// A column that does not depend on those before.
 struct Kept {
-    /// None of one that is of no parameter.
+    /// `None` for a column that belongs to no parameter.
     name: Option<ParameterId>,
-    /// The row in which it has 1 once what depends on others is taken off, and later columns have 0.
+    /// The row of its pivot: 1 in this column after elimination, 0 in later columns.
     pivot: usize,
     reduced: Vec<Rest>,
-    /// How much of the reduced columns it is, its own last.
+    /// Its factors in the reduced columns, its own last.
     parts: Vec<Rest>,
 }
 
@@ -151,12 +151,12 @@ struct Kept {
 struct Column {
     name: Option<ParameterId>,
     rest: Vec<Rest>,
-    /// How much of the reduced columns has been taken off.
+    /// The factors of the reduced columns that have been subtracted.
     parts: Vec<Rest>,
 }
 
 impl Column {
-    /// Takes off what it has of a reduced column.
+    /// Eliminates a reduced column.
     fn reduce(&mut self, kept: &Kept) {
         let part = self.rest[kept.pivot];
         self.parts.push(part);
@@ -171,7 +171,7 @@ impl Column {
         self.rest[kept.pivot] = Rest::of((Double::ZERO, 0.0));
     }
 
-    /// The most of an entry that is left, beside its rounding error.
+    /// The largest ratio of an entry that is left to its rounding error.
     fn significance(&self) -> f64 {
         let left = self.rest.iter().map(|rest| rest.significance());
         left.fold(0.0, f64::max)
@@ -179,7 +179,7 @@ impl Column {
 }
 
 impl Span {
-    /// Adds a column; or, where it depends on those that are there, returns how much of each it is.
+    /// Adds a column; if it depends on earlier columns, returns its factors in them.
     pub(super) fn take(
         &mut self,
         name: Option<ParameterId>,
@@ -195,8 +195,8 @@ impl Span {
         None
     }
 
-    /// Adds those of some columns that do not depend on each other, whichever they are: by those of which most is left,
-    /// the others are combinations with small factors.
+    /// Adds the independent ones among some columns, in the order of their largest residuals: the others are
+    /// combinations of those with small factors.
     pub(super) fn take_some<C: Iterator<Item = Entry>>(
         &mut self,
         columns: impl Iterator<Item = (ParameterId, C)>,
@@ -219,7 +219,7 @@ impl Span {
         }
     }
 
-    /// A column, less all that it has of those that are there.
+    /// A column after elimination of all columns that have been added.
     fn reduced(&self, name: Option<ParameterId>, entries: impl Iterator<Item = Entry>) -> Column {
         let mut column = Column {
             name,
@@ -232,7 +232,7 @@ impl Span {
         column
     }
 
-    /// Adds a reduced column that has some significance.
+    /// Adds a reduced column that is significant.
     fn keep(&mut self, column: Column, left: f64) -> &Kept {
         let Column {
             name,
@@ -263,8 +263,8 @@ impl Span {
         &self.kept[self.kept.len() - 1]
     }
 
-    /// The columns that another one is made of, by its parts of the reduced ones; without those of which there is no more
-    /// than rounding.
+    /// The combination of columns that another one is, from its factors in the reduced ones; factors within rounding
+    /// are left out.
     fn combination(&self, mut parts: Vec<Rest>) -> Combination {
         let mut combination = Vec::new();
         for (place, kept) in self.kept.iter().enumerate().rev() {

@@ -1,10 +1,9 @@
-//! The two frames of each joint that closes a loop, in the bodies that its links became part of.
+//! The two frames of each loop, in the bodies of its links.
 //!
-//! In: the loops of a description, and where its links ended up. Out: their frames A and B, turned so that
-//! z is the joint's axis where it has one. A loop of a link that is not modelled is left out with a doubt. It
-//! never looks at whether a loop can close.
+//! In: the loops of a description, and the place of each link. Out: their frames A and B, rotated so that z is the axis
+//! of the loop, if it has one. A loop with a link that is not modelled is left out with a warning.
 
-use super::{Reader, Seat};
+use super::{Attachment, Reader};
 use crate::chain::{Frame, Loop};
 use crate::description::{self, Description};
 use crate::error::Complaint;
@@ -12,22 +11,22 @@ use crate::expression::Term;
 use crate::matrix::{Pose, Rotation, Vector};
 use crate::wording::quoted;
 
-/// All that join two links which are modelled.
+/// The loops between two modelled links.
 pub(super) fn closed<'g>(
     description: &Description,
-    seats: &[Option<Seat<'g>>],
+    attachments: &[Option<Attachment<'g>>],
     reader: &mut Reader<'g, '_>,
 ) -> Vec<Loop> {
     let loops = description.loops.iter();
     loops
         .filter_map(|described| {
             let links = [&described.from, &described.to];
-            let seats = links.map(|end| {
-                let mut links = description.links.iter().zip(seats);
+            let attachments = links.map(|end| {
+                let mut links = description.links.iter().zip(attachments);
                 let link = links.find(|(link, _)| link.name.text == end.text);
-                link.and_then(|(_, seat)| *seat)
+                link.and_then(|(_, attachment)| *attachment)
             });
-            if let Some(missing) = (0..2).find(|&k| seats[k].is_none()) {
+            if let Some(missing) = (0..2).find(|&k| attachments[k].is_none()) {
                 let [name, link] = [&described.name, links[missing]].map(|name| quoted(&name.text));
                 reader.report.warnings.push(Complaint {
                     place: described.name.place,
@@ -36,15 +35,15 @@ pub(super) fn closed<'g>(
                 });
                 return None;
             }
-            let seats = seats.map(|seat| seat.expect("neither is missing"));
-            Some(one(described, &seats, reader))
+            let attachments = attachments.map(|attachment| attachment.expect("neither is missing"));
+            Some(one(described, &attachments, reader))
         })
         .collect()
 }
 
 fn one<'g>(
     described: &description::Loop,
-    seats: &[Seat<'g>; 2],
+    attachments: &[Attachment<'g>; 2],
     reader: &mut Reader<'g, '_>,
 ) -> Loop {
     let graph = reader.graph;
@@ -56,7 +55,7 @@ fn one<'g>(
     let mut axes = [Vector::zero(graph); 2];
     let mut frames = Vec::with_capacity(2);
     for (k, (link, steps)) in ends.into_iter().enumerate() {
-        let mut placement = seats[k].pose * reader.placement(&name.text, steps);
+        let mut placement = attachments[k].pose * reader.placement(&name.text, steps);
         if kind.axes > 0 {
             let axis = described.axes[k].map(|entry| reader.component(&name.text, &entry));
             axes[k] = (Vector(axis).normalized()).expect("an axis without a direction is refused");
@@ -64,7 +63,7 @@ fn one<'g>(
         }
         frames.push(Frame {
             name: link.text.clone(),
-            body: seats[k].body,
+            body: attachments[k].body,
             placement: placement.map(Term::expr),
         });
     }

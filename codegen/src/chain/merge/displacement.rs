@@ -1,13 +1,13 @@
-//! Directions of a joint's motions, and what it displaces where it is held.
+//! Directions of a joint's motions, and the pose across a locked joint.
 //!
-//! In: its axes, as scalars. Out: a direction in the frame of the moved body, and the pose from before the
-//! joint to after it.
+//! In: its axes, as scalars. Out: a direction in the frame of the moved body, and the pose of the frame after the joint
+//! in the frame before it.
 
 use crate::expression::{Graph, Term};
 use crate::joint::{Along, Freedom, JointKind, Movement};
 use crate::matrix::{Pose, Rotation, Vector};
 
-/// About or along which direction a freedom is, in the frame of the moved body.
+/// The direction of a degree of freedom, in the frame of the moved body.
 pub(super) fn direction<'g>(
     graph: &'g Graph,
     freedom: Freedom,
@@ -24,14 +24,14 @@ pub(super) fn direction<'g>(
     }
 }
 
-/// The displacement of a joint that is held at a coordinate, or of which all coordinates are zero.
+/// The displacement of a joint that is held at a coordinate, or with all coordinates zero.
 pub(super) fn held_at<'g>(
     graph: &'g Graph,
     kind: JointKind,
     axes: [Vector<Term<'g>>; 2],
     q: Term<'g>,
 ) -> Pose<Term<'g>> {
-    let turn = |axis: Vector<Term<'g>>| {
+    let rotation = |axis: Vector<Term<'g>>| {
         // R = 1 + u̲ sin φ + u̲² (1 − cos φ)
         let (sine, cosine) = q.sin_cos();
         let versine = graph.constant(1.0) - cosine;
@@ -58,13 +58,13 @@ pub(super) fn held_at<'g>(
     let displacement = |freedom: &Freedom| {
         let axis = direction(graph, *freedom, axes);
         match freedom.movement {
-            Movement::Turn => turn(axis),
+            Movement::Turn => rotation(axis),
             Movement::Slide => Pose::translation(axis * q),
             Movement::Helix => {
                 let pitch = kind.pitch().unwrap_or_default();
                 Pose {
                     translation: axis * (q * graph.number(pitch.exact())),
-                    ..turn(axis)
+                    ..rotation(axis)
                 }
             }
         }

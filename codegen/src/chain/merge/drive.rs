@@ -1,8 +1,7 @@
-//! What the drive of a joint adds to each of its velocities, as scalars.
+//! Armature, damping and friction of each velocity of a joint, as scalars.
 //!
-//! In: what is said of it, and the struct fields that stand for it. Out: a [`Drive`], zero where nothing is
-//! modelled. The armature is what the joint feels: that which is given, and that of a rotor times the
-//! square of its ratio, of each motor.
+//! In: the joint's data, and the struct fields that replace them. Out: a [`Drive`], zero where nothing is modelled. The
+//! armature is the reflected inertia: the given one, plus that of each motor's rotor times its squared ratio.
 
 use super::Reader;
 use crate::description::Joint;
@@ -12,9 +11,9 @@ use crate::joint::drive::Part;
 use crate::request::Target;
 
 impl<'g> Reader<'g, '_> {
-    /// The drive of the velocity that has this place among those of a joint.
+    /// Armature, damping and friction of the velocity with this index among those of a joint.
     pub(super) fn drive(&mut self, joint: &Joint, place: usize) -> Drive<Term<'g>> {
-        let said = |part: Part| {
+        let number = |part: Part| {
             let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
             let number = match numbers {
                 [all] => Some(all),
@@ -23,8 +22,8 @@ impl<'g> Reader<'g, '_> {
             number.map(|number| self.number(number))
         };
         let or_zero = |term: Option<Term<'g>>| term.unwrap_or_else(|| self.graph.constant(0.0));
-        let ratio = said(Part::Ratio).unwrap_or_else(|| self.graph.constant(1.0));
-        let mut rotor = or_zero(said(Part::Rotor)) * ratio * ratio;
+        let ratio = number(Part::Ratio).unwrap_or_else(|| self.graph.constant(1.0));
+        let mut rotor = or_zero(number(Part::Rotor)) * ratio * ratio;
         for motor in self.request.further_motors(&joint.name.text, &joint.drive) {
             let [inertia, ratio] = [motor.rotor, motor.ratio];
             let ratio = ratio.map_or_else(|| self.graph.constant(1.0), |ratio| self.number(&ratio));
@@ -32,9 +31,9 @@ impl<'g> Reader<'g, '_> {
             rotor = rotor + inertia * ratio * ratio;
         }
         let described = Drive {
-            armature: or_zero(said(Part::Armature)) + rotor,
-            damping: or_zero(said(Part::Damping)),
-            friction: or_zero(said(Part::Friction)),
+            armature: or_zero(number(Part::Armature)) + rotor,
+            damping: or_zero(number(Part::Damping)),
+            friction: or_zero(number(Part::Friction)),
         };
         let mut field = |part: Part, described: Term<'g>| {
             let is = |target: &Target| {

@@ -1,7 +1,7 @@
 //! The inertia of a link, as scalars.
 //!
-//! In: what is described, and the struct fields that stand for parts of it or for a payload. Out: J in the
-//! link's own frame, nothing where nothing is said of it.
+//! In: the description, and the struct fields that replace parts of it or add a payload. Out: J in the link's own
+//! frame, `None` for a link without inertial data.
 
 use super::Reader;
 use crate::description::{Link, Name};
@@ -10,7 +10,7 @@ use crate::matrix::{Inertia, Pose, Symmetric, Vector};
 use crate::request::Target;
 
 impl<'g> Reader<'g, '_> {
-    /// J of a link in its own frame, where anything is said of it.
+    /// J of a link in its own frame, if it has inertial data.
     pub(super) fn inertia(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
         let is = |name: &Name| name.text == link.name.text;
         let of_mass = |target: &Target| matches!(target, Target::MassOf(name) if is(name));
@@ -24,7 +24,7 @@ impl<'g> Reader<'g, '_> {
                 inertial.inertia.map(|entry| self.number(&entry)),
                 self.placement(&link.name.text, &inertial.origin),
             ),
-            // A struct field can give a mass to a link that is described without.
+            // A struct field can give a mass to a link without inertial data.
             None => (nothing, [nothing; 6], Pose::identity(self.graph)),
         };
         let [mass] = self.free(of_mass, [mass]);
@@ -40,7 +40,7 @@ impl<'g> Reader<'g, '_> {
         }
     }
 
-    /// J of what a struct field puts on a link, in the link's frame.
+    /// J of a payload in a struct field, in the link's frame.
     fn payload(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
         let is = |target: &Target| matches!(target, Target::PayloadOn(name) if name.text == link.name.text);
         let free = self.request.loads(&link.name);

@@ -1,8 +1,7 @@
 //! The merged bodies in the order of their joints, and the lists of coordinates and velocities.
 //!
-//! In: the bodies, of which each knows its joint and what moves it. Out: the joints of a chain with their
-//! places in those lists, and the lists, with units and limits. A follower has the places of the joint
-//! that it follows. It never moves a body.
+//! In: the bodies, each with its joint and its coordinate. Out: the joints of a chain with their indices in those
+//! lists, and the lists, with units and limits. A mimic joint has the indices of the joint that it mimics.
 
 use std::collections::HashMap;
 
@@ -13,27 +12,27 @@ use crate::expression::{Graph, Term};
 use crate::list::List;
 use crate::space::{CoordinateId, Entry, Spaces, VelocityId};
 
-/// The bodies with their places in the lists of coordinates and velocities, and those lists.
+/// The bodies with their indices in the lists of coordinates and velocities, and those lists.
 pub(super) fn listed(
     description: &Description,
     bodies: List<BodyId, Body<'_>>,
     graph: &Graph,
 ) -> (List<BodyId, chain::Joint>, Spaces) {
     let mut spaces = Spaces::default();
-    // Of each joint with one coordinate, its places among coordinates and velocities.
-    let mut leaders = HashMap::new();
+    // For each joint with one coordinate, its indices among coordinates and velocities.
+    let mut mimicked = HashMap::new();
     let mut places = Vec::with_capacity(bodies.len());
     for body in &bodies {
         let described = &description[body.joint];
         let (coordinate, velocity) = (spaces.coordinates.next(), spaces.velocities.next());
         places.push((coordinate, velocity));
-        // Which of several coordinates limits are of, no format says.
+        // Formats do not say which of several coordinates limits belong to.
         let one = described.limits.filter(|_| !described.kind.has_several());
         let entry = |name: String, kind, range| Entry { name, kind, range };
         match body.moved {
             Moved::Follows { .. } => continue,
             Moved::Own => {
-                leaders.insert(body.joint, (coordinate, velocity));
+                mimicked.insert(body.joint, (coordinate, velocity));
                 let (name, kind) = (body.velocity.clone(), body.motion.kind());
                 let range = one.and_then(limits::reach);
                 spaces.coordinates.push(entry(name, kind, range));
@@ -58,7 +57,7 @@ pub(super) fn listed(
                 (Position::Along { coordinate, factor }, velocity)
             }
             Moved::Follows { leader, factor } => {
-                let (coordinate, velocity) = leaders[&leader];
+                let (coordinate, velocity) = mimicked[&leader];
                 let factor = factor.expr();
                 (Position::Along { coordinate, factor }, velocity)
             }

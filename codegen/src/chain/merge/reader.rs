@@ -1,8 +1,8 @@
-//! What was written, turned into scalars.
+//! Conversion of numbers to scalars.
 //!
-//! In: numbers of the description and of the request. Out: terms: what is written, an input where a struct
-//! field stands for it, or exactly 0 and quarter turns where that is meant. What was snapped, merged and
-//! locked goes into the report.
+//! In: numbers of the description and of the request. Out: terms: the number as written, the input of a struct field
+//! that replaces it, or exactly 0 and right angles if those are meant. Corrections, merged links and locked joints are
+//! recorded in the report.
 
 use super::Reader;
 use crate::chain::tree::{Branch, Follow};
@@ -24,8 +24,7 @@ impl<'g> Reader<'g, '_> {
         self.graph.number(number.exact())
     }
 
-    /// The inputs of the struct field that stands for a target, or what is described where none
-    /// does.
+    /// The inputs of the struct field with a target, or the described values if there is no such field.
     pub(super) fn free<const N: usize>(
         &mut self,
         is: impl Fn(&Target) -> bool,
@@ -54,7 +53,7 @@ impl<'g> Reader<'g, '_> {
         Vector(self.free(|target| matches!(target, Target::Gravity), described))
     }
 
-    /// Where the base is in frame 0: there, but for a struct field.
+    /// The pose of the base in frame 0: the identity, unless a struct field sets it.
     pub(super) fn base(&mut self) -> Pose<Term<'g>> {
         let there = Vector::zero(self.graph).0;
         let position = self.free(|target| matches!(target, Target::BasePosition), there);
@@ -62,7 +61,7 @@ impl<'g> Reader<'g, '_> {
         self.placed(|target| matches!(target, Target::BasePlacement), there)
     }
 
-    /// A placement taken from the struct field that stands for it, where one does.
+    /// A placement from the struct field for it, or else from the description.
     fn placed(
         &mut self,
         is: impl Fn(&Target) -> bool,
@@ -90,7 +89,7 @@ impl<'g> Reader<'g, '_> {
         })
     }
 
-    /// The placement of a joint, it or its translation taken from a struct field where one stands for it.
+    /// The placement of a joint; it or its translation may come from a struct field.
     pub(super) fn origin(&mut self, description: &Description, branch: &Branch) -> Pose<Term<'g>> {
         let joint = &description[branch.joint];
         let mut placement = self.placement(&joint.name.text, &joint.origin);
@@ -120,7 +119,7 @@ impl<'g> Reader<'g, '_> {
             })
     }
 
-    /// The rotation by a quaternion, exact where it is one by right angles.
+    /// The rotation by a quaternion, exact for right angles.
     fn turned(&mut self, item: &str, entries: &[Number; 4]) -> Rotation<Term<'g>> {
         let written = angle::right_angles(entries).filter(|_| !self.request.exact);
         if let Some(squares) = written.or_else(|| angle::exact_right_angles(entries)) {
@@ -136,7 +135,7 @@ impl<'g> Reader<'g, '_> {
             let rotation = angle::rotation(squares);
             return Rotation(rotation.map(|row| row.map(|entry| self.graph.constant(entry))));
         }
-        // Beside entries that are small themselves, one as small is no residue.
+        // Beside entries that are all small, a small one is no residue.
         let is_large = entries.iter().any(|entry| entry.value.abs() >= 0.5);
         let entries = entries.map(|entry| {
             if is_large {
@@ -148,7 +147,7 @@ impl<'g> Reader<'g, '_> {
         Rotation::of_quaternion(entries).expect("a quaternion of zeros is refused")
     }
 
-    /// An entry of an offset \[m\] or of a direction, 0 where rounding left no more of it.
+    /// An entry of an offset \[m\] or of a direction; 0 for a residue.
     pub(super) fn component(&mut self, item: &str, entry: &Number) -> Term<'g> {
         if self.request.exact || !angle::is_residue(entry) {
             return self.number(entry);
@@ -157,7 +156,7 @@ impl<'g> Reader<'g, '_> {
         self.graph.constant(0.0)
     }
 
-    /// The directions of a joint's axes, of length 1 to all digits; zero of those it has not.
+    /// The directions of a joint's axes, of length 1 to all digits; zero for axes that it does not have.
     pub(super) fn axes(&mut self, joint: &Joint) -> [Vector<Term<'g>>; 2] {
         let count = joint.kind.definition().axes();
         let mut axes = [Vector::zero(self.graph); 2];
@@ -179,9 +178,9 @@ impl<'g> Reader<'g, '_> {
         });
     }
 
-    /// Sine and cosine of an angle, exact where it is a right angle.
+    /// Sine and cosine of an angle, exact for right angles.
     fn sin_cos(&mut self, item: &str, angle: &Number) -> (Term<'g>, Term<'g>) {
-        // A number without digits, such as `pi/2`, is what it says.
+        // A number without digits, such as `pi/2`, is exact.
         let written = angle.resolution > 0.0;
         let quarters = angle::quarters(angle).filter(|_| !(written && self.request.exact));
         let Some(quarters) = quarters else {
@@ -199,7 +198,7 @@ impl<'g> Reader<'g, '_> {
         (self.graph.constant(sine), self.graph.constant(cosine))
     }
 
-    /// Notes which way a planar joint's x and y point, unless they are those of its frame.
+    /// Records the directions of a planar joint's x and y, unless they are those of its frame.
     pub(super) fn note_plane(&mut self, joint: &str, rotation: &Rotation<Term<'g>>) {
         let numbers = rotation.map(|entry| entry.value().map_or(0.0, Double::to_f64));
         let [x, y, z] = [0, 1, 2].map(|k| numbers.column(k).0);
@@ -209,12 +208,7 @@ impl<'g> Reader<'g, '_> {
         }
     }
 
-    pub(super) fn note_follower(
-        &mut self,
-        description: &Description,
-        joint: JointId,
-        follow: Follow,
-    ) {
+    pub(super) fn note_mimic(&mut self, description: &Description, joint: JointId, follow: Follow) {
         let name = |joint: JointId| description[joint].name.text.clone();
         self.report.mimicked.push(Mimicked {
             joint: name(joint),

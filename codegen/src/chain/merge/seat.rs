@@ -1,10 +1,10 @@
-//! Where links end up: those that are fixed to each other in one body.
+//! The body of each link, and its pose there.
 //!
-//! In: the description and its tree, from the base to the ends. Out: every link's seat, and the bodies that
-//! joints move, with the inertia of all that sits in them.
+//! In: the description and its tree, from the base to the ends. Out: the place of every link, and the bodies that
+//! joints move, with the inertia of all links merged into them.
 
 use super::displacement::{direction, held_at};
-use super::{Body, Moved, Reader, Seat};
+use super::{Attachment, Body, Moved, Reader};
 use crate::chain::BodyId;
 use crate::chain::tree::{Branch, Tree};
 use crate::description::{Description, LinkId};
@@ -13,26 +13,26 @@ use crate::joint::Posture;
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
 
-/// Gives every link its seat, and every joint that moves its bodies.
-pub(super) fn seat<'g>(
+/// The place of every link, and the bodies of every moving joint.
+pub(super) fn attach<'g>(
     description: &Description,
     tree: &Tree,
     reader: &mut Reader<'g, '_>,
-) -> (List<LinkId, Option<Seat<'g>>>, List<BodyId, Body<'g>>) {
+) -> (List<LinkId, Option<Attachment<'g>>>, List<BodyId, Body<'g>>) {
     let graph = reader.graph;
     let mut bodies = List::new();
-    let mut seats = List::filled(None, description.links.len());
-    seats[tree.base] = Some(Seat {
+    let mut attachments = List::filled(None, description.links.len());
+    attachments[tree.base] = Some(Attachment {
         body: None,
         pose: reader.base(),
     });
     for branch in &tree.branches {
         let joint = &description[branch.joint];
-        let parent = seats[branch.parent].expect("parents come before children");
+        let parent = attachments[branch.parent].expect("parents come before children");
         let pose = parent.pose * reader.origin(description, branch);
         let axes = reader.axes(joint);
-        let seat = if let Some(held) = branch.held {
-            Seat {
+        let attachment = if let Some(held) = branch.held {
+            Attachment {
                 body: parent.body,
                 pose: pose * held_at(graph, joint.kind, axes, reader.number(&held)),
             }
@@ -46,23 +46,23 @@ pub(super) fn seat<'g>(
                 reader,
             );
             bodies[last].link = Some((branch.child, link));
-            Seat {
+            Attachment {
                 body: Some(last),
                 pose: link,
             }
         };
         reader.note(description, branch);
-        if let Some(body) = seat.body
+        if let Some(body) = attachment.body
             && let Some(inertia) = reader.inertia(&description[branch.child])
         {
-            bodies[body].inertia = bodies[body].inertia + inertia.change_frame(seat.pose);
+            bodies[body].inertia = bodies[body].inertia + inertia.change_frame(attachment.pose);
         }
-        seats[branch.child] = Some(seat);
+        attachments[branch.child] = Some(attachment);
     }
-    (seats, bodies)
+    (attachments, bodies)
 }
 
-/// Adds the bodies that a joint moves; the last of them, and where the link that it carries is in that.
+/// Adds the bodies that a joint moves. Returns the last of them, and the pose of the child link in it.
 fn moved<'g>(
     description: &Description,
     branch: &Branch,
@@ -76,7 +76,7 @@ fn moved<'g>(
     let mut link = Pose::identity(graph);
     let mut moved = Moved::Own;
     if let Some(follow) = branch.follows {
-        reader.note_follower(description, branch.joint, follow);
+        reader.note_mimic(description, branch.joint, follow);
         let offset = graph.number(follow.offset);
         placement = placement * held_at(graph, kind, axes, offset);
         moved = Moved::Follows {
@@ -91,9 +91,9 @@ fn moved<'g>(
         if posture == Posture::Planar {
             let rotation = Rotation::across(axes[0]);
             reader.note_plane(name, &rotation);
-            let turn = Pose::rotation(rotation);
-            placement = placement * turn;
-            link = turn.inverse();
+            let frame = Pose::rotation(rotation);
+            placement = placement * frame;
+            link = frame.inverse();
         }
     }
     for (place, (velocity, freedom)) in kind.velocities(name).enumerate() {

@@ -1,4 +1,4 @@
-//! Base parameters against the whole regressor, of which all columns are looked at together.
+//! Base parameters compared with the rank of the whole regressor.
 
 use std::path::Path;
 
@@ -29,10 +29,10 @@ fn groups(chain: &Chain) -> &[Group] {
     &found.expect("it is identified").groups
 }
 
-/// So many states that rows are more than columns.
+/// Number of states, so that there are more rows than columns.
 const STATES: u64 = 40;
 
-/// What is left of a column that depends on others, beside it.
+/// Relative residual of a dependent column.
 const NOTHING: f64 = 1e-10;
 
 fn shipped(name: &str) -> Chain {
@@ -52,9 +52,9 @@ fn program_of(chain: &Chain, function: Function) -> Program {
     planned(chain, function).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// The results of a program of a robot at a state of that number, the same of every program.
+/// The results of a program of a robot at the state with a number; all programs get the same state.
 fn at(program: &Program, spaces: &Spaces, state: u64) -> Vec<f64> {
-    /// The squares of which add up to 1.
+    /// A quaternion of length 1.
     const UNIT: [f64; 4] = [0.1, -0.7, 0.5, 0.5];
     let results = run(program, |input| {
         let Input::Variable(variable, k) = input else {
@@ -75,8 +75,8 @@ fn at(program: &Program, spaces: &Spaces, state: u64) -> Vec<f64> {
     results.into_iter().map(Double::to_f64).collect()
 }
 
-/// How many columns do not depend on each other: the longest by what those before have left of them, one after the
-/// other (pivoted orthogonalisation of columns of length 1).
+/// Number of independent columns, by pivoted orthogonalisation of columns of length 1: the column with the longest
+/// residual comes next.
 fn rank(mut columns: Vec<Vec<f64>>) -> usize {
     let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
     let length = |column: &[f64]| dot(column, column).sqrt();
@@ -114,8 +114,8 @@ fn rank(mut columns: Vec<Vec<f64>>) -> usize {
     rank
 }
 
-/// Holds that there are as many base parameters as the regressor has rank, that any parameters make the torques that
-/// their groups make, and that the described ones make those of inverse dynamics. Returns how many there are.
+/// Checks that there are as many base parameters as the rank of the regressor, that any parameters cause the torques
+/// of their groups, and that the described ones cause those of inverse dynamics. Returns the number of base parameters.
 fn hold(chain: &Chain) -> usize {
     let spaces = chain.spaces();
     let [all, some] = [Space::Parameters, Space::BaseParameters].map(|space| spaces.len(space));
@@ -172,9 +172,9 @@ fn hold(chain: &Chain) -> usize {
 }
 
 #[test]
-fn the_numbers_of_known_robots_are_the_known_ones() {
-    // Khalil and Dombre, "Modeling, identification and control of robots", 2002: 36 of the PUMA 560 and 33 of the Stanford
-    // arm, as of a Panda 43; of planar arms 3 a link.
+fn the_numbers_of_known_robots_are_the_published_ones() {
+    // Khalil and Dombre, "Modeling, identification and control of robots", 2002: 36 for the PUMA 560 and 33 for the
+    // Stanford arm, 43 for a Panda; for planar arms 3 a link.
     for (robot, known) in [
         ("two_link", 6),
         ("scara", 8),
@@ -188,10 +188,10 @@ fn the_numbers_of_known_robots_are_the_known_ones() {
     }
 }
 
-/// The armatures of joints 1 and 2 are told with J_zz of their links, whose axes nothing inboard turns about; all friction is told
-/// alone.
+/// The armatures of joints 1 and 2 are grouped with J_zz of their links, whose axes nothing inboard rotates; all
+/// friction parameters are base parameters of their own.
 #[test]
-fn drives_are_told_with_links_or_alone() {
+fn actuator_parameters_are_grouped_with_links_or_alone() {
     let of = |request: &Request| {
         let file = format!(
             "{}/../robots/puma560_general.urdf",
@@ -220,7 +220,7 @@ fn drives_are_told_with_links_or_alone() {
 }
 
 #[test]
-fn drives_on_every_kind_of_joint_and_of_followers() {
+fn actuators_on_every_type_of_joint_and_on_mimic_joints() {
     let link = |name: &str| {
         format!(
             "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
@@ -249,14 +249,14 @@ fn drives_on_every_kind_of_joint_and_of_followers() {
 }
 
 #[test]
-fn every_kind_of_joint_on_a_tree_of_oblique_axes() {
+fn every_type_of_joint_on_a_tree_of_oblique_axes() {
     let (description, request) = read(include_str!("../../layout/oblique.txt"));
     let chain = built(&description, &request);
     assert!(hold(&chain) > 0);
 }
 
 #[test]
-fn without_gravity_less_can_be_told() {
+fn without_gravity_fewer_parameters_are_determined() {
     let arm = |gravity: &str| {
         identified(&format!(
             "struct Arm {{ gravity: {gravity} }}
@@ -273,8 +273,8 @@ fn without_gravity_less_can_be_told() {
 }
 
 #[test]
-fn what_cannot_be_told_is_in_no_group() {
-    // About a vertical axis nothing but the moment about it is felt.
+fn undetermined_parameters_are_in_no_group() {
+    // About a vertical axis only the moment about that axis has an effect.
     let chain = identified(
         "struct Turntable { }
         link base;
@@ -296,8 +296,7 @@ fn what_cannot_be_told_is_in_no_group() {
     );
 }
 
-/// How many of the columns of a function's rows do not depend on each other where fields are far from what is
-/// described.
+/// Number of independent columns among a function's rows, if fields are far from their described values.
 fn rank_elsewhere(chain: &Chain, function: Function, columns: usize) -> usize {
     let program = program_of(chain, function);
     let mut found = vec![Vec::new(); columns];
@@ -320,7 +319,7 @@ fn rank_elsewhere(chain: &Chain, function: Function, columns: usize) -> usize {
 }
 
 #[test]
-fn base_parameters_are_refused_where_fields_reveal_others() {
+fn base_parameters_are_refused_if_fields_reveal_others() {
     let file = format!("{}/../robots/panda_class.urdf", env!("CARGO_MANIFEST_DIR"));
     let mut errors = Errors::new();
     let described = read_file(Path::new(&file), None, &mut errors).expect("a robot that ships");
@@ -351,8 +350,8 @@ fn base_parameters_are_refused_where_fields_reveal_others() {
         let base = planned(&chain, Function::BaseRegressor);
         if reveals {
             let refusal = base.expect_err("it is wrong elsewhere").to_string();
-            let expected = "error: torques can tell other base parameters where field `free` is not what is \
-                            described\n  hint: ask for `regressor`";
+            let expected = "error: torques determine other base parameters if field `free` differs from the \
+                            description\n  hint: ask for `regressor`";
             assert!(refusal.contains(&expected[7..]), "{refusal}");
         } else {
             assert!(base.is_ok(), "{target:?}");

@@ -1,4 +1,4 @@
-//! What becomes of links and joints: merged, locked, left out, ordered, told.
+//! Links and joints: merged, locked, left out, ordered, reported.
 
 use super::*;
 use crate::description::Number;
@@ -33,15 +33,15 @@ const ROD: &str = "
     link tip { mass: 1.0, com: [0.2, 0, 0], inertia: [0.01, 0.02, 0.03] }";
 
 #[test]
-fn what_is_fixed_becomes_part_of_the_body_that_carries_it() {
+fn links_on_fixed_joints_are_merged_with_the_body_that_carries_them() {
     let chain = fine(&format!(
         "struct Arm; link base; {ROD}
         joint hinge: revolute(z) {{ from: base, to: rod }}
         joint weld: fixed {{ from: rod, to: tip, at: xyz(0.5, 0, 0) rz(pi/2) }}"
     ));
     // By hand: the tip's centre of mass is at (0.5, 0.2, 0), and its x axis along y. Second moments
-    // are ½ Tr(I) − I about the centre of mass: (0.025, 0.015, 0.005) of the rod and, turned,
-    // (0.01, 0.02, 0) of the tip; m c cᵗ adds (0.02, 0, 0) and (0.25, 0.04, 0) with 0.1 at xy.
+    // are ½ Tr(I) − I about the centre of mass: (0.025, 0.015, 0.005) for the rod and, rotated,
+    // (0.01, 0.02, 0) for the tip; m c cᵗ adds (0.02, 0, 0) and (0.25, 0.04, 0) with 0.1 at xy.
     let expected = [
         0.305, 0.075, 0.005, 0.1, 0.0, 0.0, // second moments
         0.7, 0.2, 0.0, // first moments
@@ -60,7 +60,7 @@ fn what_is_fixed_becomes_part_of_the_body_that_carries_it() {
 }
 
 #[test]
-fn what_is_fixed_to_the_base_is_felt_by_no_joint() {
+fn links_merged_with_the_base_affect_no_joint() {
     let chain = fine(&format!(
         "struct Arm; link base; link plate {{ mass: 50, com: [1, 1, 1], inertia: [9, 9, 9] }} {ROD}
         joint bolts: fixed {{ from: base, to: plate, at: xyz(0, 0, 0.3) }}
@@ -110,7 +110,7 @@ fn a_branch_is_dropped_with_its_mass_and_locked_without_loss() {
     assert_eq!(names(&locked), ["hinge", "gaze"]);
     close(&inertia(&locked, 0)[6..], &[0.65, 0.0, 0.0, 3.0]);
     assert_eq!(locked.report.locked, [("slide".into(), 0.25)]);
-    // Off the way to the tip, at zero or where it is said.
+    // Joints off the path to the tip are locked at zero or at a given value.
     let path = whole("tip: eye, path_only");
     assert_eq!(names(&path), ["hinge", "gaze"]);
     close(&inertia(&path, 0)[6..], &[0.4, 0.0, 0.0, 3.0]);
@@ -119,7 +119,7 @@ fn a_branch_is_dropped_with_its_mass_and_locked_without_loss() {
 }
 
 #[test]
-fn right_angles_are_exact_and_told_unless_they_are_wanted_as_written() {
+fn right_angles_are_exact_and_reported_unless_exact_is_set() {
     let arm = |settings| {
         fine(&format!(
             "struct Arm {{ {settings} }} link base; link rod;
@@ -142,7 +142,7 @@ fn right_angles_are_exact_and_told_unless_they_are_wanted_as_written() {
 }
 
 #[test]
-fn residues_are_zero_and_told_unless_they_are_wanted_as_written() {
+fn residues_are_zero_and_reported_unless_exact_is_set() {
     let arm = |settings| {
         fine(&format!(
             "struct Arm {{ {settings} }} link base; link rod;
@@ -171,7 +171,7 @@ fn residues_are_zero_and_told_unless_they_are_wanted_as_written() {
 }
 
 #[test]
-fn numbers_that_nothing_can_be_computed_with_are_refused() {
+fn impossible_numbers_are_refused() {
     let (mut description, request) = read(
         "struct Arm; link base; link rod { mass: 1.0, inertia: [0, 0, 0] }
         joint hinge: revolute(z) { from: base, to: rod, at: xyz(0.5, 0.0, 0.0) rz(1e17) }",
@@ -190,7 +190,7 @@ fn numbers_that_nothing_can_be_computed_with_are_refused() {
         .expect_err("three mistakes")
         .to_string();
     for mistake in [
-        "has an angle so large that its digits end above a turn",
+        "has an angle so large that its digits do not resolve a revolution",
         "has an axis without a direction",
         "link \"rod\" has a number that is not finite",
     ] {
@@ -207,13 +207,13 @@ fn numbers_whose_products_would_overflow_are_refused_each() {
             joint hinge: revolute(z) {{ from: base, to: rod }}"
         )
     };
-    let mistake = r#"error: link "rod" has a number larger than anything is"#;
+    let mistake = r#"error: link "rod" has a number that is too large"#;
     assert_eq!(said(&arm("1e300", "1e50", "-1.1e30")), lines(&[mistake; 3]));
     fine(&arm("1e30", "-1e30", "1e30"));
 }
 
 #[test]
-fn a_chain_of_thousands_of_which_one_joint_moves_is_a_chain() {
+fn a_chain_of_thousands_of_joints_with_one_that_moves_is_accepted() {
     let joint = |k: usize| {
         format!(
             "joint j{k}: revolute(y) {{ at: xyz(0.1, 0, 0) rpy(0.1, 0.2, 0.3) }}
@@ -241,7 +241,7 @@ fn with_field(text: &str, target: Target) -> Chain {
 }
 
 #[test]
-fn fields_are_inputs_from_here_on() {
+fn fields_become_inputs() {
     let arm = format!(
         "struct Arm; link base; {ROD}
         joint hinge: revolute(z) {{ from: base, to: rod, at: xyz(1, 2, 3) rx(0.3) }}
@@ -278,7 +278,7 @@ fn fields_are_inputs_from_here_on() {
 }
 
 #[test]
-fn a_payload_on_a_link_that_weighs_nothing_is_a_point() {
+fn a_payload_on_a_massless_link_is_a_point_mass() {
     let arm = "struct Arm { strict } link base; link flange;
         joint hinge: revolute(z) { from: base, to: rod }
         joint mount: fixed { from: rod, to: flange, at: xyz(0.5, 0, 0) } link rod;";
@@ -302,18 +302,18 @@ fn a_payload_on_a_link_that_weighs_nothing_is_a_point() {
 }
 
 #[test]
-fn links_without_inertia_are_doubted_in_one_sentence() {
+fn links_without_inertia_give_one_warning() {
     let chain = fine(
         "struct Arm; link base; joint one: revolute(z); link upper; joint two: revolute(y);
         link fore; joint three: revolute(y); link hand;",
     );
     let told = chain.report.warnings.iter();
-    let told: Vec<_> = told.map(|doubt| doubt.message.as_str()).collect();
+    let told: Vec<_> = told.map(|warning| warning.message.as_str()).collect();
     let expected =
         "links \"upper\", \"fore\" and \"hand\" move and have no inertia: taken as massless";
     assert_eq!(told, [expected]);
 
-    // Who asks for kinematics alone does without.
+    // Kinematics needs no inertia.
     let of_frames = "struct Arm { strict, generate(forward_kinematics, velocity) } link base;
         joint one: revolute(z); link upper;";
     assert_eq!(fine(of_frames).report.warnings.len(), 0);
@@ -322,7 +322,7 @@ fn links_without_inertia_are_doubted_in_one_sentence() {
 }
 
 #[test]
-fn what_no_body_can_have_is_told_with_the_amount() {
+fn non_physical_inertias_are_reported_with_the_amount() {
     let arm = |settings| {
         format!(
             "struct Arm {{ {settings} }} link base;
@@ -334,15 +334,15 @@ fn what_no_body_can_have_is_told_with_the_amount() {
     };
     let chain = fine(&arm(""));
     let told = chain.report.warnings.iter();
-    let told: Vec<_> = told.map(|doubt| doubt.message.as_str()).collect();
+    let told: Vec<_> = told.map(|warning| warning.message.as_str()).collect();
     let expected = [
-        "no body has the inertia of link \"rod\": a second moment about its centre of mass is \
+        "the inertia of link \"rod\" is not physical: a second moment about its centre of mass is \
          -1.000e-1 kg m² (-33.3 % of the largest)",
         "link \"tip\" has no mass but an inertia",
     ];
     assert_eq!(told, expected);
     close(&inertia(&chain, 0)[..3], &[0.35, 0.25, -0.05]);
-    let refused = expected.map(|doubt| format!("error: {doubt} (refused: strict)\n"));
+    let refused = expected.map(|warning| format!("error: {warning} (refused: strict)\n"));
     assert_eq!(said(&arm("strict")), refused.concat());
 }
 
@@ -356,9 +356,9 @@ fn places_in_a_file_reach_the_messages_of_the_chain() {
     let description = crate::description::read_text(text, "arm.urdf", None, &mut errors);
     let description = description.expect("it can be read");
     let errors = build(&description, &Request::default()).expect_err("no such link");
-    // What was doubtful until then stands beside it.
-    let expected = "error: arm.urdf:5:17: there is no link \"bas\"\n  hint: did you mean \"base\"?\n\
-        warning: arm.urdf:4:1: joint \"hinge\" has no <axis>: it moves about or along x, as URDF has it\n  \
+    // Earlier warnings are listed beside the error.
+    let expected = "error: arm.urdf:5:17: there is no link \"bas\"\n  hint: did you mean \"base\"? links: \"base\" and \"rod\"\n\
+        warning: arm.urdf:4:1: joint \"hinge\" has no <axis>: its axis is x, as URDF defines\n  \
         hint: write <axis xyz=\"1 0 0\"/>\n";
     assert_eq!(errors.to_string(), expected);
 }

@@ -1,4 +1,4 @@
-//! What joints feel beside their bodies: what is said of it, by whom, and what of that is modelled.
+//! Armature, damping and friction: their sources, and which of them are modelled.
 
 use super::*;
 use crate::builder::Builder;
@@ -20,7 +20,7 @@ fn drives(chain: &Chain) -> Vec<[f64; 3]> {
 const NOTHING: [f64; 3] = [0.0; 3];
 
 #[test]
-fn what_is_said_in_attributes() {
+fn actuators_in_attributes_are_modelled() {
     let chain = fine(&arm(
         "armature(shoulder = 0.5), rotor(shoulder = 0.25, elbow = 2.0), ratio(shoulder = -4), \
          damping(elbow: 3/4), friction(\"elbow\" = [0.125])",
@@ -28,9 +28,9 @@ fn what_is_said_in_attributes() {
     assert_eq!(drives(&chain), [[4.5, 0.0, 0.0], [2.0, 0.75, 0.125]]);
 }
 
-/// Nobody else has written them.
+/// A setting of the struct replaces the value in the joint.
 #[test]
-fn what_is_said_in_a_joints_braces_is_modelled() {
+fn actuators_in_an_inline_joint_are_modelled() {
     let arm = arm("damping(elbow = 7)").replace(
         "joint elbow: revolute(y) { ",
         "joint elbow: cylindrical(y) { armature: [0.5, 2.0], damping: 0.25, friction: [1, 0], ",
@@ -40,7 +40,7 @@ fn what_is_said_in_a_joints_braces_is_modelled() {
 }
 
 #[test]
-fn drives_that_cannot_be_meant() {
+fn impossible_actuators_are_refused() {
     let settings = "lock(elbow), armature(shoulder = -1, mount = 1, elbow = 2, elbo = 3), \
         damping(shoulder = [1, 2]), ratio(shoulder = 100), friction(shoulder = 1, shoulder = 2), \
         rotor(shoulder = 1e60)";
@@ -51,10 +51,10 @@ fn drives_that_cannot_be_meant() {
             r#"error: joint "elbow" does not move: its armature changes nothing"#,
             "  hint: leave it out, or do not lock the joint",
             r#"error: there is no joint "elbo""#,
-            r#"  hint: did you mean "elbow"?"#,
-            r#"error: the friction of joint "shoulder" is given twice"#,
+            r#"  hint: did you mean "elbow"? joints: "shoulder", "elbow" and "mount""#,
+            r#"error: the friction of joint "shoulder" occurs twice"#,
             r#"error: the armature of joint "shoulder" is negative: -1"#,
-            r#"error: the rotor of joint "shoulder" is larger than anything is"#,
+            r#"error: the rotor of joint "shoulder" is too large"#,
             r#"error: the damping of joint "shoulder" has 2 numbers for 1 of its velocities"#,
             "  hint: give one number for all of them, or one for each",
         ])
@@ -65,13 +65,13 @@ fn drives_that_cannot_be_meant() {
         )),
         lines(&[
             r#"error: joint "elbow" is not modelled"#,
-            r#"error: the ratio of joint "shoulder" is that of no rotor"#,
-            "  hint: give the inertia of the rotor, or the armature alone, which has the ratio in it",
+            r#"error: the ratio of joint "shoulder" has no rotor"#,
+            "  hint: set rotor as well, or only armature, which includes the ratio",
         ])
     );
 }
 
-/// A file whose joint has friction, and behind a gear a rotor.
+/// A file whose joint has friction, and a rotor behind a gear.
 fn file(dynamics: &str) -> String {
     let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" \
          iyz=\"0\" izz=\"1\"/></inertial>";
@@ -94,22 +94,22 @@ fn read_file(text: &str) -> Description {
     description.expect("no mistakes, so a description")
 }
 
-/// The drives of a file, and what is doubted.
+/// The armature, damping and friction of a file, and the warnings.
 fn modelled(request: &Request) -> (Vec<[f64; 3]>, Vec<String>) {
     let description = read_file(&file(DYNAMICS));
     let chain = build(&description, request).expect("a chain");
-    let doubts = chain.report.warnings.iter();
-    let doubts = doubts.map(|doubt| description.source.errors().locate(doubt));
-    (drives(&chain), doubts.collect())
+    let warnings = chain.report.warnings.iter();
+    let warnings = warnings.map(|warning| description.source.errors().locate(warning));
+    (drives(&chain), warnings.collect())
 }
 
 #[test]
-fn what_a_file_says_is_modelled_where_it_is_asked_for() {
+fn actuators_of_a_file_are_modelled_if_requested() {
     let friction = "r.urdf:2:87: not modelled: damping and friction of joint \"j\"";
     let other = "r.urdf:2:127: not modelled: attribute \"D\" of the <dynamics> of joint \"j\": other dynamics";
     let gear = "r.urdf:4:20: not modelled: the reduction of transmission \"t\"";
     let rotor = "r.urdf:5:1: not modelled: the rotor of transmission \"t\"";
-    let told = |doubts: &[&str]| doubts.iter().map(|&doubt| doubt.to_owned()).collect();
+    let told = |warnings: &[&str]| warnings.iter().map(|&warning| warning.to_owned()).collect();
     let nothing = Request::default();
     let expected = (vec![NOTHING], told(&[other, friction, gear, rotor]));
     assert_eq!(modelled(&nothing), expected);
@@ -128,7 +128,7 @@ fn what_a_file_says_is_modelled_where_it_is_asked_for() {
 }
 
 #[test]
-fn drakes_gear_ratio_goes_before_a_reduction() {
+fn drakes_gear_ratio_takes_precedence_over_a_reduction() {
     let text = file("").replace(
         "<drake:rotor_inertia",
         "<drake:gear_ratio value=\"10\"/><drake:rotor_inertia",
@@ -170,14 +170,14 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
         let description = read_file(&format!("{robot}{motors}</robot>"));
         let chain = build(&description, &asked()).expect("a chain");
         assert_eq!(drives(&chain), [[9.0, 0.0, 0.0]], "{motors}");
-        // The check of every expansion adds them up by itself.
+        // The check of every expansion computes the sum independently.
         let request = Request {
             functions: vec![vec![Function::InverseDynamics]],
             ..asked()
         };
         let module = crate::expand::expand(&description, &request);
         assert!(module.is_ok(), "{:?}", module.err());
-        // What is asked for replaces them all, rotor and ratio together.
+        // The request replaces them all, rotor and ratio together.
         let number = |value: f64| Number {
             value,
             ..Number::default()
@@ -190,7 +190,7 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
             .expect_err("a rotor of which motor")
             .to_string();
         assert!(
-            refused.contains("the rotor of joint \"j\" is that of one motor, and the file has"),
+            refused.contains("the rotor of joint \"j\" is for one motor, but the file has"),
             "{refused}"
         );
         request.drives = vec![alone, ratio];
@@ -200,7 +200,7 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
 }
 
 #[test]
-fn a_rotor_of_no_joint_is_told_though_rotors_are_asked_for() {
+fn a_rotor_of_no_joint_is_reported_although_rotors_are_requested() {
     let text = file("").replace(
         "<transmission name=\"t\"><joint name=\"j\"/>",
         "<transmission name=\"t\"><joint name=\"k\"/>",
@@ -216,12 +216,12 @@ fn a_rotor_of_no_joint_is_told_though_rotors_are_asked_for() {
         .iter()
         .map(|told| told.message.as_str())
         .collect();
-    let lost = "not modelled: the rotor of transmission \"t\", which is of no joint alone";
+    let lost = "not modelled: the rotor of transmission \"t\", which has no single joint";
     assert!(told.contains(&lost), "{told:?}");
 }
 
 #[test]
-fn what_is_no_number_is_refused_where_it_is_asked_for() {
+fn impossible_numbers_of_actuators_are_refused_if_requested() {
     let description = read_file(&file("<dynamics damping=\"much\" friction=\"-1\"/>"));
     assert!(build(&description, &Request::default()).is_ok());
     let asked = Request {
@@ -240,23 +240,23 @@ fn what_is_no_number_is_refused_where_it_is_asked_for() {
 }
 
 #[test]
-fn what_is_asked_for_and_not_described_is_doubted() {
+fn requested_and_undescribed_actuators_give_a_warning() {
     let chain = fine(&arm("friction, rotors"));
-    let doubts = chain.report.warnings.iter();
-    let doubts: Vec<&str> = doubts.map(|doubt| doubt.message.as_str()).collect();
-    let any = "is asked for, and no joint that moves is described with any";
+    let warnings = chain.report.warnings.iter();
+    let warnings: Vec<&str> = warnings.map(|warning| warning.message.as_str()).collect();
+    let any = "is requested, but no moving joint has it in the description";
     assert!(
-        doubts.contains(&format!("friction {any}").as_str()),
-        "{doubts:?}"
+        warnings.contains(&format!("friction {any}").as_str()),
+        "{warnings:?}"
     );
     assert!(
-        doubts.contains(&format!("an armature {any}").as_str()),
-        "{doubts:?}"
+        warnings.contains(&format!("armature {any}").as_str()),
+        "{warnings:?}"
     );
 }
 
 #[test]
-fn every_door_says_the_same_and_tells_it() {
+fn every_front_end_gives_the_same_and_documents_it() {
     let builder = Builder::from_description(read_file(&file(DYNAMICS)))
         .friction()
         .damping("j", [2.0])
@@ -272,7 +272,7 @@ fn every_door_says_the_same_and_tells_it() {
          that of q̇, 0 at rest: a step) of 1 joint; ";
     assert!(facts.starts_with(expected), "{facts}");
     let price = module.functions[0].price.to_string();
-    // 1 kg m² of the link, 3 of the drive.
+    // 1 kg m² of the link, 3 of the armature.
     assert!(
         price.starts_with("3 mul, 2 add, 0 div, 1 sign, "),
         "{price}"
@@ -293,9 +293,9 @@ fn every_door_says_the_same_and_tells_it() {
     }
 }
 
-/// What is expanded is held against dense matrices of the description, which know drives by their own way.
+/// Every expansion is compared with dense matrices of the description, which compute these terms independently.
 #[test]
-fn every_kind_of_joint_can_have_a_drive() {
+fn every_type_of_joint_can_have_an_actuator() {
     let link = |name: &str| {
         format!(
             "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
@@ -354,7 +354,7 @@ fn every_kind_of_joint_can_have_a_drive() {
         );
         let facts = module.about.facts.join("; ");
         assert!(facts.starts_with("armature of 3 joints"), "{facts}");
-        // Without the follower there are articulated bodies as well.
+        // Without the mimic joint there are articulated bodies as well.
         let alone = Request {
             drop: vec![named("c")],
             formulation: crate::formulation::Formulation {
@@ -374,10 +374,10 @@ fn every_kind_of_joint_can_have_a_drive() {
     }
 }
 
-/// What drives and the surroundings do, together, where an action turns with its link and where it stays; by joints
-/// whose velocities carry each other's screws, and by one that follows another.
+/// Armature, damping, friction and external wrenches together, with wrenches in the link's frame and in frame 0, on
+/// joints with several velocities and on a mimic joint.
 #[test]
-fn derivatives_know_drives_and_actions_on_every_kind_of_joint() {
+fn derivatives_include_actuators_and_wrenches_on_every_type_of_joint() {
     let link = |name: &str| {
         format!(
             "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
@@ -405,9 +405,9 @@ fn derivatives_know_drives_and_actions_on_every_kind_of_joint() {
     }
 }
 
-/// Ṁ − 2C is skew-symmetric, with and without friction: it is none of what rates do by the inertia of bodies.
+/// Ṁ − 2C is skew-symmetric, with and without friction, since friction is not in C.
 #[test]
-fn the_coriolis_matrix_has_none() {
+fn the_coriolis_matrix_has_no_friction() {
     let builder = |settings: &str| {
         let (description, request) = read(&arm(settings));
         let builder = Builder::from_description(description).request(request);
@@ -424,15 +424,15 @@ fn the_coriolis_matrix_has_none() {
             .to_source()
             .expect("no mistakes")
             .to_string();
-        source.contains("friction and armature are not in them")
+        source.contains("do not include friction and armature")
     };
     assert_eq!([says(drives), says("")], [true, false]);
 }
 
-/// Behind the columns of links three for each velocity of a joint, where any drive is modelled; that they are right is held
-/// by every expansion.
+/// The columns of links are followed by three for each velocity of a joint, if any of these is modelled. Every
+/// expansion checks their values.
 #[test]
-fn regressors_have_columns_of_drives() {
+fn regressors_have_columns_of_actuators() {
     let said_of = |settings: &str| {
         let (description, request) = read(&arm(settings));
         let builder = Builder::from_description(description).request(request);
@@ -454,9 +454,9 @@ fn regressors_have_columns_of_drives() {
     }
 }
 
-/// In the words that stand above generated code, and beside the values of base parameters.
+/// Checks the comments of generated code, and the names beside the values of base parameters.
 #[test]
-fn regressors_say_what_their_columns_are() {
+fn regressors_document_their_columns() {
     let source = |settings: &str| {
         let (description, request) = read(&arm(settings));
         let builder = Builder::from_description(description).request(request);
@@ -464,8 +464,8 @@ fn regressors_say_what_their_columns_are() {
         builder.to_source().expect("no mistakes").to_string()
     };
     for said in [
-        "armature, damping and friction of each velocity",
-        "of drives N m s and N m",
+        "armature, damping and friction of each degree of freedom",
+        "damping in N m s/rad or N s/m",
     ] {
         assert!(source("friction").contains(said), "{said}");
         assert!(!source("").contains(said), "{said}");

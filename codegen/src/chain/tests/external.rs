@@ -1,6 +1,6 @@
-//! Actions from outside: on which links, in which frame, and what of them is refused.
+//! External wrenches: on which links, in which frame, and which are refused.
 //!
-//! What is expanded is held against dense matrices, which take each action to frame 0 as M Φ Mᵗ.
+//! Every expansion is compared with dense matrices, which take each wrench to frame 0 as M Φ Mᵗ.
 
 use super::*;
 use crate::builder::Builder;
@@ -9,7 +9,7 @@ use crate::function::Function;
 use crate::module::Module;
 use crate::space::Variable;
 
-/// A joint with several velocities, parallel axes, a link that is merged.
+/// A robot with a joint with several velocities, parallel axes, and a merged link.
 fn tree(settings: &str) -> (Description, Request) {
     read(&format!(
         "struct Tree {{ {settings} }}
@@ -36,7 +36,7 @@ const ALL: [Function; 4] = [
 ];
 
 fn listed(settings: &str, formulation: Formulation) -> Module {
-    // Derivatives are dear, and do not depend on the form of accelerations that are asked for.
+    // Derivatives are expensive, and do not depend on the form of the requested accelerations.
     let functions = if formulation.forward.is_some() {
         &ALL[..2]
     } else {
@@ -52,7 +52,7 @@ fn listed(settings: &str, formulation: Formulation) -> Module {
 }
 
 #[test]
-fn every_form_agrees_with_dense_matrices() {
+fn every_formulation_agrees_with_dense_matrices() {
     let forms = [
         Formulation::default(),
         Formulation {
@@ -89,7 +89,7 @@ fn every_form_agrees_with_dense_matrices() {
 }
 
 #[test]
-fn what_is_printed_tells_links_and_frame() {
+fn generated_code_documents_links_and_frame() {
     let facts = |settings: &str| {
         listed(settings, Formulation::default())
             .about
@@ -107,7 +107,7 @@ fn what_is_printed_tells_links_and_frame() {
 }
 
 #[test]
-fn inverse_and_forward_dynamics_and_their_derivatives_take_them() {
+fn inverse_and_forward_dynamics_and_their_derivatives_take_wrenches() {
     let (description, request) = tree("tip: tool, external(finger, h)");
     let builder = Builder::from_description(description)
         .request(request)
@@ -126,7 +126,7 @@ fn inverse_and_forward_dynamics_and_their_derivatives_take_them() {
     let count = |text: &str| source.matches(text).count();
     assert_eq!(count("actions: &[::homogen::Action<T>; 2],"), 2, "{source}");
     assert_eq!(count("actions.map(|action| (action.c(), action.f()))"), 2);
-    // The traits' methods know of none.
+    // The methods of the traits have no wrenches.
     assert_eq!(count("&[::homogen::Action::zero(); 2]"), 2, "{source}");
     let core = builder
         .extern_c("arm_")
@@ -138,32 +138,32 @@ fn inverse_and_forward_dynamics_and_their_derivatives_take_them() {
 }
 
 #[test]
-fn actions_that_change_nothing() {
+fn wrenches_without_effect_are_refused() {
     assert_eq!(
         said(&arm(
             "drop(tool), external(tool, base, fore, fore, gripper)"
         )),
         lines(&[
             r#"error: link "tool" is not modelled"#,
-            r#"error: link "base" does not move: an action on it changes nothing"#,
-            "  hint: leave it out, or choose a base upstream of the link",
-            r#"error: the action on link "fore" is asked for twice"#,
+            r#"error: link "base" does not move: a wrench on it changes nothing"#,
+            "  hint: leave it out, or choose a base above the link in the tree",
+            r#"error: the external wrench on link "fore" is requested twice"#,
             r#"error: there is no link "gripper""#,
-            r#"  hint: did you mean "upper"?"#,
+            r#"  hint: did you mean "upper"? links: "base", "upper", "fore" and "tool""#,
         ])
     );
     assert_eq!(
         said(&arm("external(tool), generate(gravity, bias)")),
         lines(&[
-            "error: actions from outside enter inverse and forward dynamics and their derivatives, and none is asked for",
-            "  hint: leave them out, or ask for inverse_dynamics or forward_dynamics",
+            "error: external wrenches enter inverse and forward dynamics and their derivatives, but none of these is generated",
+            "  hint: leave them out, or generate inverse_dynamics or forward_dynamics",
         ])
     );
     assert_eq!(
         said(&arm("external(frame = 0)")),
         lines(&[
-            "error: actions from outside are in frame 0, and there are none",
-            "  hint: name the links on which they act",
+            "error: external_in_frame_0 is set, but there are no external wrenches",
+            "  hint: name the links on which they act with external",
         ])
     );
 }

@@ -1,4 +1,4 @@
-//! What struct fields stand for: what becomes of it, and what none can stand for.
+//! Struct fields: what they replace, and what they cannot replace.
 
 use super::*;
 use crate::expression::{Double, Evaluation, Expr, Input};
@@ -36,25 +36,25 @@ fn close(results: &[f64], expected: &[f64]) {
     }
 }
 
-/// The first moves; the last weighs nothing, and stands turned about x.
+/// The first link moves; the last has no mass, and is rotated about x.
 const ARM: &str = "struct Arm { strict } link base;
     link rod { mass: 2.0, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04] } link flange;
     joint hinge: revolute(z) { from: base, to: rod }
     joint weld: fixed { from: rod, to: flange, at: xyz(0.5, 0, 0) rx(pi/2) }";
 
 #[test]
-fn a_payload_is_a_body_beside_what_is_described() {
+fn a_payload_is_added_to_the_described_inertia() {
     let chain = with_fields(ARM, vec![("load", Target::PayloadOn(named("flange")))]);
     let chain = chain.unwrap_or_else(|errors| panic!("{errors}"));
     assert_eq!(*chain.nominal, [[0.0; 10].to_vec()]);
     let inertia = chain.joints[BodyId(0)].inertia.entries();
-    // By hand: of the rod second moments are (0.025, 0.015, 0.005), and 0.02 more at xx.
+    // By hand: the rod's second moments are (0.025, 0.015, 0.005), and 0.02 more at xx.
     let empty = at(&chain, &inertia, &[0.0; 10]);
     close(
         &empty,
         &[0.045, 0.015, 0.005, 0.0, 0.0, 0.0, 0.2, 0.0, 0.0, 2.0],
     );
-    // (0.1, 0.2, 0.3) of the flange is (0.6, −0.3, 0.2) of the rod. About that, ∫rrᵗdm is
+    // (0.1, 0.2, 0.3) in the flange is (0.6, −0.3, 0.2) in the rod. About that point, ∫rrᵗdm is
     // (0.03, 0.02, 0.01) with 0.004 at xy, −0.003 at xz and 0.002 at yz in the flange's axes; in the
     // rod's y is −z, and z is y.
     let load = [4.0, 0.1, 0.2, 0.3, 0.03, -0.004, 0.003, 0.04, -0.002, 0.05];
@@ -68,7 +68,7 @@ fn a_payload_is_a_body_beside_what_is_described() {
 }
 
 #[test]
-fn nothing_is_carried_by_what_is_not_there_or_never_moves_and_twice_by_nothing() {
+fn payloads_on_unknown_or_fixed_links_and_duplicates_are_refused() {
     let load = |link: &str| Target::PayloadOn(named(link));
     let fields = vec![
         ("one", load("flang")),
@@ -82,9 +82,9 @@ fn nothing_is_carried_by_what_is_not_there_or_never_moves_and_twice_by_nothing()
             r#"error: field `four` stands for a payload on link "rod", as `three` does"#,
             "  hint: leave out one of them",
             r#"error: there is no link "flang""#,
-            r#"  hint: did you mean "flange"?"#,
+            r#"  hint: did you mean "flange"? links: "base", "rod" and "flange""#,
             r#"error: link "base" does not move: a payload on it changes nothing"#,
-            "  hint: leave the field out, or choose a base upstream of the link"
+            "  hint: leave the field out, or choose a base above the link in the tree"
         ])
     );
     assert_eq!(
@@ -94,7 +94,7 @@ fn nothing_is_carried_by_what_is_not_there_or_never_moves_and_twice_by_nothing()
 }
 
 #[test]
-fn a_payload_is_meant_to_be_what_a_body_can_have() {
+fn the_default_range_of_a_payload_is_physical() {
     let load = Parameter {
         field: quote::format_ident!("load"),
         target: Target::PayloadOn(named("rod")),
@@ -125,11 +125,11 @@ fn an_inertia_is_about_the_centre_of_mass_in_the_axes_of_the_inertial() {
     let inertia = chain.joints[BodyId(0)].inertia.entries();
     let tensor = [0.05, 0.001, 0.002, 0.06, 0.003, 0.07];
     let found = at(&chain, &inertia, &tensor);
-    // ½ Tr(I) − I, and of a mass of 2 at x = 0.1 0.02 more at xx.
+    // ½ Tr(I) − I, and for a mass of 2 at x = 0.1 0.02 more at xx.
     let expected = [0.06, 0.03, 0.02, -0.001, -0.002, -0.003, 0.2, 0.0, 0.0, 2.0];
     close(&found, &expected);
 
-    // An inertial that stands turned about x: its y is z of the link.
+    // An inertial that is rotated about x: its y is z of the link.
     let turned = r#"<robot name="arm"><link name="base"/><link name="rod"><inertial>
         <origin rpy="1.5707963267948966 0 0"/><mass value="1"/>
         <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
@@ -151,7 +151,7 @@ fn an_inertia_is_about_the_centre_of_mass_in_the_axes_of_the_inertial() {
 }
 
 #[test]
-fn the_inertia_of_what_has_no_mass_is_doubted_and_of_what_never_moves_refused() {
+fn the_inertia_of_a_massless_link_gives_a_warning_and_of_a_fixed_one_is_refused() {
     let of = |link: &str| vec![("tensor", Target::InertiaOf(named(link)))];
     assert_eq!(
         refused(ARM, of("flange")),
@@ -161,7 +161,7 @@ fn the_inertia_of_what_has_no_mass_is_doubted_and_of_what_never_moves_refused() 
         refused(ARM, of("base")),
         lines(&[
             r#"error: link "base" does not move: its inertia changes nothing"#,
-            "  hint: leave the field out, or choose a base upstream of the link"
+            "  hint: leave the field out, or choose a base above the link in the tree"
         ])
     );
     let tensor = Target::InertiaOf(named("rod"));
@@ -181,7 +181,7 @@ fn the_inertia_of_what_has_no_mass_is_doubted_and_of_what_never_moves_refused() 
 }
 
 #[test]
-fn the_base_stands_where_a_field_says() {
+fn the_base_has_the_position_of_a_field() {
     let text = "struct Arm; link base; link eye;
         joint hinge: revolute(z) { from: base, to: rod, at: xyz(1, 2, 3) rx(0.3) } link rod
             { mass: 1.0, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01] }
@@ -213,7 +213,7 @@ fn the_base_stands_where_a_field_says() {
 }
 
 #[test]
-fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
+fn joint_and_base_have_the_placements_of_fields() {
     let text = "struct Arm { tip: rod } link base;
         joint hinge: revolute(z) { from: base, to: rod, at: xyz(1, 2, 3) rz(0.5) rx(pi/2) } link rod
             { mass: 1.0, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01] }";
@@ -239,7 +239,7 @@ fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
         &at(&chain, &placement.translation.0, &place),
         &[4.0, 5.0, 6.0],
     );
-    // As it is described: about z, then about the new x.
+    // As described: about z, then about the new x.
     close(
         &chain.nominal[0_u16.into()],
         &[1.0, 2.0, 3.0, std::f64::consts::FRAC_PI_2, 0.0, 0.5],
@@ -262,7 +262,7 @@ fn a_joint_and_the_base_stand_and_are_turned_as_fields_say() {
 }
 
 #[test]
-fn a_placement_is_one_field_and_its_joint_is_there() {
+fn a_placement_is_one_field_of_an_existing_joint() {
     let text = "struct Arm { drop(tool) } link base; link tool;
         joint hinge: revolute(z) { from: base, to: rod } link rod
             { mass: 1.0, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01] }

@@ -1,5 +1,5 @@
-//! Joints with several coordinates, joints that follow others, and a free base: which entries they have,
-//! and what is said of those that cannot be.
+//! Joints with several coordinates, mimic joints, and floating bases: their entries, and the errors about impossible
+//! ones.
 
 use super::{BodyId, fine, lines, read, said};
 use crate::builder::Builder;
@@ -16,12 +16,12 @@ fn entries(chain: &Chain, space: Space) -> Vec<&str> {
     chain.spaces().names(space).collect()
 }
 
-fn doubts(chain: &Chain) -> Vec<&str> {
-    let doubts = chain.report.warnings.iter();
-    doubts.map(|doubt| doubt.message.as_str()).collect()
+fn warnings(chain: &Chain) -> Vec<&str> {
+    let warnings = chain.report.warnings.iter();
+    warnings.map(|warning| warning.message.as_str()).collect()
 }
 
-/// A body on a joint of a kind, of which more may be said, and another beyond it.
+/// A body on a joint of a type, with more settings, and another body beyond it.
 fn joint_of(kind: &str, more: &str) -> String {
     let body = "{ mass: 2.0, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.01, 0.02, 0.4, 0.03, 0.5] }";
     format!(
@@ -33,7 +33,7 @@ fn joint_of(kind: &str, more: &str) -> String {
 }
 
 #[test]
-fn each_kind_has_its_coordinates_and_velocities() {
+fn each_type_has_its_coordinates_and_velocities() {
     let kinds: [(&str, &[&str], &[&str]); 6] = [
         (
             "universal(x, y)",
@@ -83,10 +83,9 @@ fn each_kind_has_its_coordinates_and_velocities() {
     }
 }
 
-/// The check of every expansion holds each function against products of matrices that know nothing of
-/// the chain.
+/// The check of every expansion compares each function with products of matrices that are independent of the chain.
 #[test]
-fn every_kind_has_every_function() {
+fn every_type_has_every_function() {
     for kind in [
         "universal(x, [0.0, 0.6, 0.8])",
         "translation",
@@ -111,9 +110,9 @@ fn every_kind_has_every_function() {
     }
 }
 
-/// A joint of one branch leads one of another: to eliminate its velocity couples the two.
+/// A joint of one branch mimics one of another, which couples their velocities in the elimination.
 #[test]
-fn branches_that_only_a_follower_connects_are_coupled() {
+fn branches_connected_only_by_a_mimic_joint_are_coupled() {
     let body = "{ mass: 2.0, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.4, 0.5] }";
     let text = format!(
         "struct Arms {{ tip = d, formulation(refined = 0) }}
@@ -132,7 +131,7 @@ fn branches_that_only_a_follower_connects_are_coupled() {
     );
 }
 
-/// Two fingers on a hand, of which one follows the other.
+/// A hand with two fingers, one of which mimics the other.
 fn hand(settings: &str, finger: &str) -> String {
     format!(
         "struct Hand {{ {settings} }} link base; link palm {{ mass: 1.0, inertia: [1, 1, 1] }}
@@ -144,7 +143,7 @@ fn hand(settings: &str, finger: &str) -> String {
 }
 
 #[test]
-fn a_follower_has_no_entries_and_tells_what_moves_it() {
+fn a_mimic_joint_has_no_entries_and_is_reported_with_its_mimicked_joint() {
     let chain = fine(&hand("", "mimic: one, multiplier: -2.0, offset: 0.1"));
     assert_eq!(entries(&chain, Space::Coordinates), ["wrist", "one"]);
     assert_eq!(entries(&chain, Space::Velocities), ["wrist", "one"]);
@@ -167,7 +166,7 @@ fn a_follower_has_no_entries_and_tells_what_moves_it() {
 }
 
 #[test]
-fn a_follower_stands_still_with_its_leader() {
+fn a_mimic_joint_is_locked_with_its_mimicked_joint() {
     let follower = "mimic: one, multiplier: 2.0, offset: 0.1";
     let locked = fine(&hand("lock(one = 0.2)", follower));
     assert_eq!(entries(&locked, Space::Coordinates), ["wrist"]);
@@ -177,15 +176,19 @@ fn a_follower_stands_still_with_its_leader() {
     );
     let dropped = fine(&hand("drop(left)", follower));
     assert_eq!(dropped.report.locked, [("other".to_owned(), 0.1)]);
-    let said = "joint \"other\" follows joint \"one\", which has no coordinate here: held where zero \
-                would take it";
-    assert!(doubts(&dropped).contains(&said), "{:?}", doubts(&dropped));
+    let said = "joint \"other\" mimics joint \"one\", which has no coordinate here: held at its \
+                position for coordinate 0";
+    assert!(
+        warnings(&dropped).contains(&said),
+        "{:?}",
+        warnings(&dropped)
+    );
     // What moves the tip by way of another joint is not locked.
     let path = fine(&hand("tip = right, path_only", follower));
     assert_eq!(entries(&path, Space::Coordinates), ["wrist", "one"]);
     let beside = fine(&hand("tip = palm, path_only", follower));
     assert_eq!(entries(&beside, Space::Coordinates), ["wrist"]);
-    // A joint that is not there passes on what it follows.
+    // A joint that is left out passes on what it mimics.
     let through = hand("drop(left)", "mimic: one").replace(
         "one: prismatic(y) { from: palm, to: left }",
         "one: prismatic(y) { from: palm, to: left, mimic: wrist, multiplier: 0.5 }",
@@ -193,14 +196,14 @@ fn a_follower_stands_still_with_its_leader() {
     let through = fine(&through);
     assert_eq!(entries(&through, Space::Coordinates), ["wrist"]);
     assert_eq!(through.report.mimicked[0].leader, "wrist");
-    // Held by itself, it follows nobody, who need not be there.
+    // Locked by itself, it mimics nothing, and an unknown name is allowed.
     let alone = fine(&hand("lock(other)", "mimic: nobody"));
     assert_eq!(entries(&alone, Space::Coordinates), ["wrist", "one"]);
 }
 
-/// −8e-13 and −2 have no sum in 53 bits: what is printed is the sine of it, rounded once, as every expansion checks.
+/// −8e-13 and −2 have no exact sum in 53 bits: its sine is printed, rounded once, as every expansion checks.
 #[test]
-fn offsets_of_followers_of_followers_are_not_rounded_before_they_are_used() {
+fn offsets_of_chained_mimic_joints_are_not_rounded_before_use() {
     let (description, request) = read(
         "struct Hand { tip = finger } link base; link palm; link left; link right; link finger;
          joint turn: revolute(y) { from: base, to: palm }
@@ -220,18 +223,18 @@ fn offsets_of_followers_of_followers_are_not_rounded_before_they_are_used() {
 }
 
 #[test]
-fn who_follows_must_be_able_to() {
+fn a_mimic_joint_must_have_one_coordinate_and_no_cycle() {
     assert_eq!(
         said(&hand("", "mimic: on")),
         lines(&[
             r#"error: there is no joint "on""#,
-            r#"  hint: did you mean "one"?"#
+            r#"  hint: did you mean "one"? joints: "wrist", "one" and "other""#
         ])
     );
     assert_eq!(
         said(&hand("", "mimic: other")),
         lines(&[
-            r#"error: joint "other" follows itself"#,
+            r#"error: joint "other" mimics itself"#,
             "  hint: one of them must have its own coordinate",
         ])
     );
@@ -239,14 +242,14 @@ fn who_follows_must_be_able_to() {
     assert_eq!(
         said(&ball),
         lines(&[
-            r#"error: joint "other" follows joint "one", and "one" has several coordinates"#,
-            "  hint: only joints with one coordinate can lead and follow",
+            r#"error: joint "other" mimics joint "one", and "one" has several coordinates"#,
+            "  hint: mimic joints and mimicked joints must have one coordinate",
         ])
     );
 }
 
 #[test]
-fn in_a_file_who_follows_nobody_goes_alone_with_a_doubt() {
+fn in_a_file_a_joint_that_mimics_an_unknown_one_moves_independently_with_a_warning() {
     let text = r#"<robot name="r"><link name="a"/><link name="b"/>
         <joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
         <mimic joint="k"/></joint></robot>"#;
@@ -255,12 +258,12 @@ fn in_a_file_who_follows_nobody_goes_alone_with_a_doubt() {
     let chain = build(&description, &Request::default()).expect("a chain");
     assert_eq!(entries(&chain, Space::Coordinates), ["j"]);
     let said =
-        "joint \"j\" follows joint \"k\", which there is none of: it has a coordinate of its own";
-    assert!(doubts(&chain).contains(&said), "{:?}", doubts(&chain));
+        "joint \"j\" mimics joint \"k\", which does not exist: it gets a coordinate of its own";
+    assert!(warnings(&chain).contains(&said), "{:?}", warnings(&chain));
 }
 
 #[test]
-fn a_free_base_hangs_on_a_frame_of_no_link() {
+fn a_floating_base_is_carried_by_a_new_link() {
     let free = fine(&hand("floating", "mimic: one"));
     assert_eq!(free.report.base, "world");
     assert_eq!(free.report.joints, ["root", "wrist", "one"]);
@@ -268,22 +271,22 @@ fn a_free_base_hangs_on_a_frame_of_no_link() {
         entries(&free, Space::Velocities)[..2],
         ["root.vx", "root.vy"]
     );
-    // What carried the base is left behind.
+    // The joint that carried the base is left out.
     let palm = fine(&hand("floating, base = palm", "mimic: one"));
     assert_eq!(palm.report.joints, ["root", "one"]);
     assert_eq!(palm.report.dropped, ["base"]);
-    // So is what it leads.
+    // So is a joint that it moves by mimicry.
     let led = fine(&hand("floating, base = palm", "mimic: wrist, offset: 0.1"));
     assert_eq!(led.report.joints, ["root", "one"]);
     assert_eq!(led.report.locked, [("other".to_owned(), 0.1)]);
-    // Where that stands, a lock tells as ever.
+    // A lock sets the coordinate of the joint that is left out.
     for floating in ["", "floating, "] {
         let asked = format!("{floating}base = palm, lock(wrist = 0.3)");
         let locked = fine(&hand(&asked, "mimic: wrist, offset: 0.1"));
         assert_eq!(locked.report.locked, [("other".to_owned(), 0.4)]);
-        assert!(doubts(&locked).is_empty(), "{:?}", doubts(&locked));
+        assert!(warnings(&locked).is_empty(), "{:?}", warnings(&locked));
     }
-    // Names that are taken are not taken again.
+    // Names that are taken are skipped.
     let taken = hand("floating", "")
         .replace("base", "world")
         .replace("wrist", "root");
@@ -293,7 +296,7 @@ fn a_free_base_hangs_on_a_frame_of_no_link() {
 }
 
 #[test]
-fn a_robot_without_joints_moves_where_its_base_is_free() {
+fn a_robot_without_joints_moves_on_a_floating_base() {
     let chain = fine("struct Drone { floating } link frame { mass: 1.0, inertia: [1, 1, 1] }");
     assert_eq!(chain.spaces().velocities.len(), 6);
 }

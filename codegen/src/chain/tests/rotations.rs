@@ -1,4 +1,4 @@
-//! Rotations by quaternions, and the frames of planes.
+//! Rotations by quaternions, and the frames of planar joints.
 
 use super::*;
 use crate::description::read_text;
@@ -23,7 +23,7 @@ fn file(origin: &str, kind: &str, axis: &str) -> Description {
     description.expect("no mistakes, so a description")
 }
 
-/// Where the first joint stands, row by row.
+/// Rotation of the first joint's placement, by rows.
 fn rotation(chain: &Chain) -> [[f64; 3]; 3] {
     let rotation = chain.joints[BodyId(0)].placement.rotation;
     let value = |entry| chain.graph.value(entry).map_or(f64::NAN, Double::to_f64);
@@ -47,7 +47,7 @@ fn a_quaternion_is_the_rotation_of_its_angles() {
     for (rpy, quaternion) in [
         ("0.4 0 0", "0.198669330795061 0 0 0.980066577841242"),
         ("0 0 -1.2", "0 0 -0.564642473395035 0.825335614909678"),
-        // Of any length, and of either sign.
+        // Any length, and either sign.
         ("0 0.6 0", "0 -2.95520206661340 0 -9.55336489125606"),
         (
             "0.3 -0.5 0.7",
@@ -68,7 +68,7 @@ fn a_quaternion_is_the_rotation_of_its_angles() {
 }
 
 #[test]
-fn a_quaternion_of_right_angles_is_exact_and_told_unless_it_is_wanted_as_written() {
+fn a_quaternion_of_right_angles_is_exact_and_reported_unless_exact_is_set() {
     for (quaternion, entries, told) in [
         (
             "0.7071068 0 0 0.7071068",
@@ -102,13 +102,13 @@ fn a_quaternion_of_right_angles_is_exact_and_told_unless_it_is_wanted_as_written
         let written = build(&description, &exact()).expect("a chain");
         assert!(written.report.turned.is_empty());
     }
-    // Its entries differ, and what is left of that is wanted.
+    // Its entries differ, and `exact` keeps the difference.
     let description = file("quat_xyzw=\"0.707 0 0 0.7071\"", "revolute", "0 0 1");
     let written = rotation(&build(&description, &exact()).expect("a chain"));
     assert!((written[1][1] - 1e-4 / 0.70705).abs() < 1e-8, "{written:?}");
 }
 
-/// The check of every expansion computes quaternions by itself.
+/// The check of every expansion computes quaternions independently.
 #[test]
 fn the_check_agrees_on_quaternions() {
     for quaternion in [
@@ -141,7 +141,7 @@ fn plane(axis: [f64; 3]) -> [[f64; 3]; 2] {
 }
 
 #[test]
-fn a_plane_across_an_axis_has_those_that_follow_it() {
+fn a_plane_across_a_coordinate_axis_has_the_next_two_axes() {
     let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let opposite = |axis: [f64; 3]| axis.map(|entry| 0.0 - entry);
     for (axis, along) in [
@@ -157,7 +157,7 @@ fn a_plane_across_an_axis_has_those_that_follow_it() {
 }
 
 #[test]
-fn a_plane_turns_no_further_than_its_axis_does() {
+fn a_plane_rotates_no_further_than_its_axis() {
     // In steps of a degree along great circles, through all axes and their opposites, and past (1, 1, 1).
     let circles: [fn(f64, f64) -> [f64; 3]; 4] = [
         |c, s| [c, s, 0.0],
@@ -183,7 +183,7 @@ fn a_plane_turns_no_further_than_its_axis_does() {
 }
 
 #[test]
-fn what_rounding_left_of_an_axis_turns_no_plane() {
+fn residues_of_an_axis_rotate_no_plane() {
     for (axis, along) in [
         ([1e-17, 0.0, 1.0], [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
         ([0.0, -6e-17, -1.0], [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]),
@@ -197,7 +197,7 @@ fn what_rounding_left_of_an_axis_turns_no_plane() {
 }
 
 #[test]
-fn a_plane_across_the_diagonal_has_a_frame_like_any_other() {
+fn a_plane_across_the_diagonal_is_continuous() {
     for axis in [
         "1 1 1",
         "-1 -1 -1",

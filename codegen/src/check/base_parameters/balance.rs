@@ -28,7 +28,7 @@ pub(super) fn units(mut sizes: Vec<Vec<f64>>) -> [Vec<f64>; 2] {
     units
 }
 
-/// A power of two near the root of the largest size, the same on every platform; one where all are zero.
+/// A power of two near the root of the largest size, the same on every platform; 1 if all are zero.
 fn root(sizes: impl Iterator<Item = f64>) -> f64 {
     let largest = sizes.fold(0.0, f64::max);
     if largest > 0.0 {

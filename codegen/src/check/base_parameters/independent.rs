@@ -1,8 +1,8 @@
-//! Whether columns of the regressor depend on each other, by elimination of rows.
+//! Linear independence of columns of the regressor, by elimination of rows.
 //!
-//! In: the blocks in which base parameters were found, and rows of regressors. Out: the first column that depends
-//! on others. Rows of a block's velocities are zero in columns of blocks further inwards, which is looked at first: so
-//! the columns are independent if those of each block are in its own rows.
+//! In: the blocks in which base parameters were found, and rows of regressors. Out: the first column that depends on
+//! others. Rows of a block's velocities are zero in columns of blocks further inwards, which is checked first: so the
+//! columns are independent if those of each block are in its own rows.
 
 use std::collections::BTreeSet;
 
@@ -13,10 +13,10 @@ use crate::expression::Double;
 use crate::list::List;
 use crate::space::{ParameterId, VelocityId};
 
-/// What is left beside the size of what an entry is a sum of is rounding of 106 bits.
+/// Ratio of an entry to the size of its terms below which it is a rounding error of 106 bits.
 pub(super) const ROUNDED: f64 = 1e-24;
 
-/// The regressor at a state: Y, and the sizes of what its entries are sums of; and torques of the motion.
+/// The regressor at a state: Y, and the sizes of the terms of its entries; and torques of the motion.
 pub(super) struct Seen {
     pub(super) torques: List<VelocityId, Approximate>,
     pub(super) regressor: Columns<Approximate>,
@@ -29,10 +29,10 @@ pub(super) struct Dependent(pub(super) ParameterId);
 /// The rows of a block's velocities in the columns of its leaders, at some states.
 pub(super) type Rows = Vec<Vec<Entry>>;
 
-/// An entry, and the size of what it is a sum of.
+/// An entry, and the size of its terms.
 type Entry = (Double, f64);
 
-/// Those of a state.
+/// The rows at one state.
 pub(super) fn own_rows(block: &Block, at: &Seen) -> impl Iterator<Item = Vec<Entry>> {
     block.velocities.iter().map(|&row| {
         let leaders = block.leaders.iter();
@@ -52,7 +52,7 @@ pub(super) fn first_dependent(
     if let Some(unknown) = base.columns().find(|column| !leaders.contains(column)) {
         return Some(Dependent(unknown));
     }
-    // Of each velocity, which block it is of.
+    // The leading parameters of the blocks further inwards.
     let mut inner: Vec<ParameterId> = Vec::new();
     for block in base.blocks.iter().rev() {
         let sees = |&parameter: &ParameterId| {
@@ -68,8 +68,8 @@ pub(super) fn first_dependent(
     blocks.find_map(|(block, rows)| Some(Dependent(block.leaders[dependent(rows)?])))
 }
 
-/// The first column that has no pivot in some rows, by complete pivoting. What is left of an entry is one if it is more than
-/// rounding of what that is a sum of.
+/// The first column without a pivot in some rows, by complete pivoting. A residual is a pivot if it is larger than the
+/// rounding of its terms.
 fn dependent(mut rows: Rows) -> Option<usize> {
     balance(&mut rows);
     let mut columns: Vec<usize> = (0..rows.first().map_or(0, Vec::len)).collect();
@@ -96,8 +96,8 @@ fn dependent(mut rows: Rows) -> Option<usize> {
     None
 }
 
-/// Divides rows and columns by units of their own: else a pivot that is large beside what it is a sum of may be little
-/// beside the rest of its row, and rounding grows.
+/// Divides rows and columns by units of their own. Otherwise a pivot that is large relative to its terms may be small
+/// in its row, and rounding errors grow.
 fn balance(rows: &mut Rows) {
     let sizes = rows.iter().map(|row| row.iter().map(|(_, size)| *size));
     let [of_rows, of_columns] = units(sizes.map(Iterator::collect).collect());
@@ -109,7 +109,7 @@ fn balance(rows: &mut Rows) {
     }
 }
 
-/// Takes a multiple of a row off another one, in some columns.
+/// Subtracts a multiple of a row from another one, in some columns.
 fn reduce(row: &mut [Entry], pivot: &[Entry], factor: Double, columns: &[usize]) {
     let scale = factor.to_f64();
     if scale == 0.0 {

@@ -1,4 +1,4 @@
-//! Base parameters: as many as the rank of the regressor, right, and refused where digits do not tell.
+//! Base parameters: their number is the rank of the regressor, their values are right, and uncertain ones are refused.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -14,8 +14,8 @@ use crate::function::Function;
 use crate::list::Id;
 use crate::request::Request;
 
-/// An arm with a residue of its third axis, which is parallel to the second but for the last digit of a number of 64 bits:
-/// its cosine and the square of that are far apart, and no number of 106 bits holds both.
+/// An arm with a residue in its third axis, which is parallel to the second but for the last digit of a number of 64
+/// bits: the residue and its square are so far apart that 106 bits do not hold both.
 const ASKEW: &str = r#"<robot name="askew"><link name="base"/>
     <link name="a"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
     <link name="b"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
@@ -27,7 +27,7 @@ const ASKEW: &str = r#"<robot name="askew"><link name="base"/>
     <origin xyz="0.2 0.1 0" rpy="0 0 1.5707963267948966"/></joint></robot>"#;
 
 #[test]
-fn base_parameters_that_cannot_be_told_apart_are_refused_by_name() {
+fn undeterminable_base_parameters_are_refused_by_name() {
     let mut errors = Errors::new();
     let askew = read_text(ASKEW, "askew.urdf", None, &mut errors).expect("a robot");
     let asked = |functions| Request {
@@ -37,19 +37,19 @@ fn base_parameters_that_cannot_be_told_apart_are_refused_by_name() {
     };
     let alone = asked(vec![vec![Function::BaseRegressor]]);
     let refusal = expand(&askew, &alone).expect_err("106 bits do not tell");
-    let said = refusal.to_string();
+    let found = refusal.to_string();
     assert!(
-        said.contains("base parameters cannot be told apart"),
-        "{said}"
+        found.contains("base parameters cannot be told apart"),
+        "{found}"
     );
-    assert!(!said.contains("fault"), "{said}");
-    // Of all functions that one is left out.
-    let listing = expand(&askew, &asked(Vec::new())).unwrap_or_else(|errors| panic!("{errors}"));
+    assert!(!found.contains("fault"), "{found}");
+    // A request of all functions leaves that one out.
+    let module = expand(&askew, &asked(Vec::new())).unwrap_or_else(|errors| panic!("{errors}"));
     let of = |generated: &crate::module::GeneratedFunction| {
         generated.functions.contains(&Function::BaseRegressor)
     };
-    assert!(!listing.functions.iter().any(of) && listing.functions.len() > 20);
-    let left_out = listing.about.left_out.iter();
+    assert!(!module.functions.iter().any(of) && module.functions.len() > 20);
+    let left_out = module.about.left_out.iter();
     let left_out = left_out.filter(|left_out| left_out.functions == ["base_regressor"]);
     assert_eq!(
         left_out.map(|one| one.is_fault).collect::<Vec<_>>(),
@@ -57,10 +57,10 @@ fn base_parameters_that_cannot_be_told_apart_are_refused_by_name() {
     );
 }
 
-/// An arm whose last link slides a hundred kilometres from the others, where moments of inertia are within a billionth of
-/// what torques see of its mass.
+/// An arm whose last link moves a hundred kilometres away, where moments of inertia are a billionth of the effect of
+/// its mass on torques.
 #[test]
-fn base_parameters_of_lengths_that_differ_by_five_orders_are_told_apart() {
+fn base_parameters_of_lengths_that_differ_by_five_orders_are_determined() {
     let far = table(
         "convention modified
 joint     kind        a    alpha   d     theta  link    mass cx   cy cz   ixx  ixy ixz iyy  iyz izz
@@ -73,10 +73,10 @@ quill     prismatic   0    1.5708  100000.1 0   rod     0.5  0    0  0    0    0
     assert_eq!(judged(&far, &Request::default()), Ok(BASE_OF_FAR));
 }
 
-/// As many as of the same arm with a last link that slides 10 cm from the others.
+/// As many as for the same arm with a last link that moves 10 cm away.
 const BASE_OF_FAR: usize = 19;
 
-/// How many base parameters a robot has, if they are right.
+/// The number of a robot's base parameters, if they are right.
 fn judged(description: &Description, request: &Request) -> Result<usize, String> {
     let chain = understand(description, request).unwrap_or_else(|errors| panic!("{errors}"));
     let chain = chain.identified();
@@ -88,7 +88,8 @@ fn judged(description: &Description, request: &Request) -> Result<usize, String>
     )
 }
 
-/// A chain of joints about y, x and z in turn, in units of that length, all but the first of some joints mimicking it.
+/// A chain of joints about y, x and z in turn, with links of a length, in which all but the first of some joints
+/// mimic it.
 fn snake(joints: usize, length: f64, mimics: usize) -> Description {
     let mut text = r#"<robot name="snake"><link name="l0"/>"#.to_owned();
     let [mass, inertia] = [
@@ -127,7 +128,7 @@ fn snake(joints: usize, length: f64, mimics: usize) -> Description {
 
 #[test]
 fn base_parameters_of_many_joints_on_a_path_are_as_many_as_the_rank() {
-    // Of a first joint about a horizontal axis six, of each other one seven: as 20 known joints have 136.
+    // The first joint, about a horizontal axis, has three, each other one seven: 136 for 20 joints.
     let request = Request::default();
     for joints in [1, 12, 20, 40] {
         let expected = judged(&snake(joints, 1.0, 0), &request);
@@ -154,10 +155,10 @@ fn base_parameters_do_not_depend_on_the_unit_of_length() {
     }
 }
 
-/// A link slides along the axis about which gravity turns it: what its drive accelerates is mass, but for what gravity and the
-/// turn see of that, which the first link has to make up for.
+/// A link slides along the axis about which gravity rotates it: its armature acts like mass, except for the weight
+/// and the moment of that mass, which the first link's parameters compensate.
 #[test]
-fn an_armature_along_an_axis_that_turns_is_mass_without_weight() {
+fn an_armature_along_a_rotating_axis_is_mass_without_weight() {
     let text = r#"<robot name="lathe"><link name="bed"/>
         <link name="arm"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
         <link name="slide"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
@@ -170,12 +171,12 @@ fn an_armature_along_an_axis_that_turns_is_mass_without_weight() {
         friction: true,
         ..Request::default()
     };
-    // J_yy, q_x and q_z of the arm, the mass of the slide, and damping and friction of both.
+    // J_yy, q_x and q_z of the arm, the mass of the slider, and damping and friction of both.
     assert_eq!(judged(&lathe, &request), Ok(8));
 }
 
 #[test]
-fn base_parameters_that_are_wrong_are_a_fault() {
+fn wrong_base_parameters_are_a_fault() {
     let (description, request) = (described("puma560.urdf"), Request::default());
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let chain = chain.identified();
@@ -189,11 +190,11 @@ fn base_parameters_that_are_wrong_are_a_fault() {
     };
     assert_eq!(refused(&|_| {}), None);
     let expect = |change: &dyn Fn(&mut BaseParameters), what: &str| {
-        let (fault, said) = refused(change).expect("it is wrong");
-        assert!(fault && said.contains(what), "{said}");
+        let (fault, found) = refused(change).expect("it is wrong");
+        assert!(fault && found.contains(what), "{found}");
     };
     let off = "by base parameters would be off by";
-    // One too few, and a factor that is off by a millionth.
+    // One too few, and a factor with an error of a millionth.
     expect(&|base| drop(base.groups.remove(5)), off);
     let changed = |base: &mut BaseParameters| {
         let mut members = base
@@ -228,12 +229,12 @@ fn base_parameters_that_are_wrong_are_a_fault() {
         });
         block.expect("its link has others").leaders.push(member);
     };
-    let (fault, said) = refused(&split).expect("it is wrong");
-    assert!(fault, "{said}");
+    let (fault, found) = refused(&split).expect("it is wrong");
+    assert!(fault, "{found}");
 }
 
 #[test]
-fn base_parameters_round_as_what_they_are_sums_of() {
+fn base_parameters_have_the_rounding_errors_of_their_terms() {
     let tokens = quote::quote! {
         struct Scara { tip: tool }
         link base;

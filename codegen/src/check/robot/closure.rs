@@ -1,7 +1,7 @@
-//! The loops of a robot as it was described.
+//! The loops of the described robot.
 //!
-//! In: the loops that the chain has, and the bodies that links became. Out: their frames, as bodies that are held
-//! on those, and their rows of residuals.
+//! In: the loops of the chain, and the bodies of the links. Out: their frames, as bodies fixed to the links, and their
+//! residuals.
 
 use std::collections::HashMap;
 
@@ -14,11 +14,11 @@ use crate::list::{Id, List};
 use crate::space::FrameId;
 
 impl Reader<'_> {
-    /// The loops that the chain has, with their frames as bodies that are held on the links.
+    /// The loops of the chain, with their frames as bodies fixed to the links.
     pub(super) fn loops(
         &self,
         chain: &Chain,
-        seats: &HashMap<&str, BodyId>,
+        attached: &HashMap<&str, BodyId>,
         bodies: &mut List<BodyId, Body>,
         frames: &mut List<FrameId, Option<BodyId>>,
     ) -> Result<Vec<Closed>, Contradiction> {
@@ -43,7 +43,7 @@ impl Reader<'_> {
                     axes.push(axis);
                 }
                 let nothing = [[Scalar::literal(0.0); 3]; 2];
-                let link = seats.get(link.text.as_str()).copied();
+                let link = attached.get(link.text.as_str()).copied();
                 frames.push(Some(bodies.push(held(
                     link,
                     placement,

@@ -1,7 +1,7 @@
-//! What a link weighs and what a drive adds, by matrices.
+//! Inertias of links and actuators, by matrices.
 //!
-//! In: the description, and the struct fields that stand for parts of it or for a payload. Out: J of a link in its
-//! own frame; armature, damping and friction of a velocity.
+//! In: the description, and the struct fields that replace parts of it or add a payload. Out: J of a link in its own
+//! frame; armature, damping and friction of a velocity.
 
 use super::matrices::loaded;
 use super::{Contradiction, Reader, Scalar};
@@ -48,31 +48,31 @@ impl Reader<'_> {
         })
     }
 
-    /// Armature, damping and friction of the velocity that has this place among those of a joint.
+    /// Armature, damping and friction of the velocity with this index among those of a joint.
     pub(super) fn drive(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
-        let said = |part: Part| {
+        let number = |part: Part| {
             let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
             let number = numbers.get(if numbers.len() == 1 { 0 } else { place });
             number.map(|number| Scalar::written(number.exact()))
         };
         let zero = Scalar::literal(0.0);
-        let ratio = said(Part::Ratio).unwrap_or(Scalar::exact(1.0));
-        let mut rotor = said(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
+        let ratio = number(Part::Ratio).unwrap_or(Scalar::exact(1.0));
+        let mut rotor = number(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
         for motor in self.request.further_motors(&joint.name.text, &joint.drive) {
-            let turns = motor
+            let ratio = motor
                 .ratio
-                .map_or(Scalar::exact(1.0), |ratio| Scalar::literal(ratio.value));
+                .map_or(Scalar::exact(1.0), |ratio| Scalar::written(ratio.exact()));
             let inertia = motor
                 .rotor
-                .map_or(zero, |rotor| Scalar::literal(rotor.value));
-            rotor = rotor + turns * turns * inertia;
+                .map_or(zero, |rotor| Scalar::written(rotor.exact()));
+            rotor = rotor + ratio * ratio * inertia;
         }
         [Part::Armature, Part::Damping, Part::Friction].map(|part| {
             let field = self.field(|target| {
                 let of = target.drives();
                 of.is_some_and(|(name, of)| of == part && name.text == joint.name.text)
             });
-            let described = said(part).unwrap_or(zero);
+            let described = number(part).unwrap_or(zero);
             match (field, part) {
                 (Some([field]), _) => field,
                 (None, Part::Armature) => described + rotor,

@@ -1,7 +1,7 @@
-//! The bodies of a joint, each beyond one of its motions.
+//! The bodies of a joint, one for each of its motions.
 //!
-//! In: a joint, what moves it, and where it stands. Out: its bodies without mass, at the end of a list. What
-//! the last of them moves is the link.
+//! In: a joint, its motion, and its placement. Out: its bodies without mass, at the end of a list; the last of them is
+//! the link.
 
 use super::matrices::across;
 use super::{Contradiction, Motion, Places, Reader, Scalar, held, place};
@@ -12,7 +12,7 @@ use crate::joint::{self, Along, Movement, Posture};
 use crate::list::List;
 
 impl Reader<'_> {
-    /// Adds the bodies of a joint whose motions come one after the other; the last of them.
+    /// Adds the bodies of a joint whose motions follow one another; returns the last of them.
     pub(super) fn in_series(
         &self,
         joint: &Joint,
@@ -50,8 +50,8 @@ impl Reader<'_> {
         Ok(parent.expect("joints that move have velocities"))
     }
 
-    /// Adds the bodies of a joint whose coordinates are a posture: its own, and, where that is seen in other
-    /// axes than the link's, the link's; the last of them.
+    /// Adds the body of a joint without an axis of its own, and, if its frame has other axes than the link's, a body
+    /// for the link's frame; returns the last of them.
     pub(super) fn placed(
         &self,
         joint: &Joint,
@@ -61,12 +61,12 @@ impl Reader<'_> {
         bodies: &mut List<BodyId, Body>,
     ) -> Result<BodyId, Contradiction> {
         let name = &joint.name.text;
-        let turn = match posture {
+        let rotation = match posture {
             Posture::Planar => Some(across(self.direction(joint, &joint.axis)?)),
             Posture::Spherical | Posture::Floating => None,
         };
-        if let Some(turn) = &turn {
-            placement = placement.times(turn);
+        if let Some(rotation) = &rotation {
+            placement = placement.times(rotation);
         }
         let coordinates = joint.kind.coordinates(name);
         let mut freedoms = Vec::new();
@@ -85,10 +85,10 @@ impl Reader<'_> {
             freedoms,
             inertia: Matrix::zero(),
         });
-        Ok(match turn {
-            Some(turn) => {
+        Ok(match rotation {
+            Some(rotation) => {
                 let nothing = [[Scalar::literal(0.0); 3]; 2];
-                bodies.push(held(Some(body), turn.inverse(), nothing, Double::ZERO))
+                bodies.push(held(Some(body), rotation.inverse(), nothing, Double::ZERO))
             }
             None => body,
         })

@@ -1,7 +1,6 @@
-//! Matrices and directions of a few numbers.
+//! Matrices and directions.
 //!
-//! In: numbers that may be as rough as they were written. Out: placements, turns and the inertia of a payload. None
-//! of it knows of robots.
+//! In: numbers with the uncertainty of their digits. Out: placements, rotations and the inertia of a payload.
 
 use super::Scalar;
 use crate::dense::Matrix;
@@ -10,14 +9,14 @@ use crate::matrix::across::is_diagonal;
 
 /// A placement by its origin and its roll, pitch and yaw.
 pub(super) fn placed([x, y, z, roll, pitch, yaw]: [Scalar; 6]) -> Matrix<Scalar> {
-    let turns = [(2, yaw), (1, pitch), (0, roll)].into_iter();
-    let turns = turns.map(|(axis, angle)| Matrix::rotation(axis, angle.sin_cos()));
-    turns.fold(Matrix::translation([x, y, z]), |placement, turn| {
-        placement.times(&turn)
+    let rotations = [(2, yaw), (1, pitch), (0, roll)].into_iter();
+    let rotations = rotations.map(|(axis, angle)| Matrix::rotation(axis, angle.sin_cos()));
+    rotations.fold(Matrix::translation([x, y, z]), |placement, rotation| {
+        placement.times(&rotation)
     })
 }
 
-/// J of a payload in the frame of its link: ∫rrᵗdm of what is about its centre, and m c cᵗ.
+/// J of a payload in the frame of its link: ∫rrᵗdm about its centre, plus m c cᵗ.
 pub(super) fn loaded([mass, x, y, z, xx, xy, xz, yy, yz, zz]: [Scalar; 10]) -> Matrix<Scalar> {
     let half = (xx + yy + zz) * Scalar::exact(0.5);
     let at = |a, b| mass * a * b;
@@ -51,8 +50,8 @@ pub(super) fn by_quaternion(entries: [Scalar; 4]) -> Matrix<Scalar> {
     by_products(entries, |a, b| a * b, twice)
 }
 
-/// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w, from products of its entries, and what they are multiplied by to be
-/// twice those of one of length 1.
+/// R = 1 + 2 w v̲ + 2 v̲² of a quaternion v, w, from products of its entries; `twice` is 2 divided by the squared
+/// length of the quaternion.
 pub(super) fn by_products<T: Copy>(
     [x, y, z, w]: [T; 4],
     product: impl Fn(T, T) -> Scalar,
@@ -76,17 +75,17 @@ pub(super) fn by_products<T: Copy>(
             one - (product(x, x) + product(y, y)) * twice,
         ],
     ];
-    let mut turn = Matrix::identity();
+    let mut rotation = Matrix::identity();
     for (row, entries) in rows.into_iter().enumerate() {
         for (column, entry) in entries.into_iter().enumerate() {
-            turn.0[row][column] = entry;
+            rotation.0[row][column] = entry;
         }
     }
-    turn
+    rotation
 }
 
-/// A turn that takes z to the normal a b c of a plane, and y to its product with c² a² b²; with the x axis where
-/// that is along the normal.
+/// A rotation that maps z to the normal (a, b, c) of a plane, and y to its product with (c², a², b²); with the x axis
+/// if that is along the normal.
 pub(super) fn across(normal: [Scalar; 3]) -> Matrix<Scalar> {
     let [a, b, c] = normal;
     let [one, zero] = [1.0, 0.0].map(Scalar::exact);
@@ -99,8 +98,8 @@ pub(super) fn across(normal: [Scalar; 3]) -> Matrix<Scalar> {
     of_columns(&[cross(y, normal), y, normal])
 }
 
-/// A turn that takes z to the axis of a loop. Along an axis of the frame, x and y go to those that follow it; else x
-/// goes to the product of the axis with that of the frame that it is farthest from.
+/// A rotation that maps z to the axis of a loop. For a coordinate axis, x and y map to the next two; otherwise x maps
+/// to the product of the axis with the coordinate axis that is farthest from it.
 pub(super) fn with_z(axis: [Scalar; 3]) -> Matrix<Scalar> {
     let sizes = axis.map(Scalar::size);
     let alone = (0..3).find(|&k| sizes[(k + 1) % 3] == 0.0 && sizes[(k + 2) % 3] == 0.0);
@@ -119,13 +118,13 @@ pub(super) fn with_z(axis: [Scalar; 3]) -> Matrix<Scalar> {
 }
 
 fn of_columns(axes: &[[Scalar; 3]; 3]) -> Matrix<Scalar> {
-    let mut turn = Matrix::identity();
+    let mut rotation = Matrix::identity();
     for (column, axis) in axes.iter().enumerate() {
         for (row, entry) in axis.iter().enumerate() {
-            turn.0[row][column] = *entry;
+            rotation.0[row][column] = *entry;
         }
     }
-    turn
+    rotation
 }
 
 fn cross([ax, ay, az]: [Scalar; 3], [bx, by, bz]: [Scalar; 3]) -> [Scalar; 3] {

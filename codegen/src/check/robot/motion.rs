@@ -1,8 +1,8 @@
-//! What is modelled of a description, and what moves each joint of it.
+//! The modelled part of a description, and the motion of each of its joints.
 //!
-//! In: the joints as they were described, and what the request drops, locks and cuts. Out: the joints that are
-//! kept, and whether each moves by itself, with another, or not at all. Where a follower is held is computed
-//! in 106 bits.
+//! In: the joints of the description, and what the request drops, locks and leaves off the path. Out: the joints that
+//! are kept, and whether each moves independently, mimics another, or is held. The coordinate of a held mimic joint is
+//! computed in 106 bits.
 
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ use crate::expression::Double;
 use crate::list::List;
 
 impl<'d> Reader<'d> {
-    /// The joints that carry what is modelled, parents before children.
+    /// The joints of the modelled links, parents before children.
     pub(super) fn kept(&self, base: &'d str, links: &HashMap<&'d str, LinkId>) -> Vec<&'d Joint> {
         let mut carried: List<LinkId, Vec<&Joint>> = List::filled(Vec::new(), links.len());
         for joint in &self.description.joints {
@@ -48,7 +48,7 @@ impl<'d> Reader<'d> {
         path
     }
 
-    /// What moves one of the joints that are kept.
+    /// The motion of one of the kept joints.
     pub(super) fn motion(&self, joint: &'d Joint, kept: &[&'d Joint], path: &[&str]) -> Motion<'d> {
         if let Some(at) = self.locked(joint) {
             return Motion::Held(at);
@@ -66,7 +66,7 @@ impl<'d> Reader<'d> {
             };
         }
         let (mut factor, mut offset) = (Scalar::exact(1.0), Scalar::exact(0.0));
-        // Where it is held is a number of 106 bits.
+        // The coordinate of a held joint, in 106 bits.
         let [mut value, mut along] = [0.0, 1.0].map(Double::from);
         let mut at = joint;
         while let Some((mimic, leader)) = self.leader(at) {
@@ -82,13 +82,13 @@ impl<'d> Reader<'d> {
             Motion::Own if there && !along.is_zero() => {
                 Motion::Follows(&at.name.text, factor, offset)
             }
-            // Also where a joint stands that is not kept, a lock tells.
+            // A joint that is left out has the coordinate of its lock.
             Motion::Held(held) => Motion::Held(along * held + value),
             _ => Motion::Held(value),
         }
     }
 
-    /// What a joint makes of another, and that, where it follows one.
+    /// The mimic data and the mimicked joint of a mimic joint.
     fn leader(&self, joint: &'d Joint) -> Option<(&'d Mimic, &'d Joint)> {
         let mimic = joint
             .mimic
@@ -99,14 +99,14 @@ impl<'d> Reader<'d> {
         Some((mimic, leader))
     }
 
-    /// Whether a joint is another, or moves it.
+    /// True if a joint is another one, or is mimicked by it.
     fn leads(&self, joint: &Joint, other: &'d Joint) -> bool {
         let next = |joint: &&'d Joint| self.leader(joint).map(|(_, leader)| leader);
         let mut chain = std::iter::successors(Some(other), next);
         chain.any(|other| other.name.text == joint.name.text)
     }
 
-    /// Where a joint is held, by its kind or by what was asked.
+    /// The coordinate at which a joint is held, by its type or by the request.
     fn locked(&self, joint: &Joint) -> Option<Double> {
         if !joint.kind.moves() {
             return Some(Double::ZERO);

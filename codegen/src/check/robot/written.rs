@@ -1,7 +1,7 @@
-//! Numbers as they were written, and what was made of them.
+//! Numbers as written, with the corrections of the report.
 //!
-//! In: offsets, angles and axes, and the struct fields that stand for some. Out: dense matrices and directions of
-//! them. That a number is a right angle or zero, as a report claims, is held against its digits.
+//! In: offsets, angles and axes, and the struct fields that replace some. Out: dense matrices and directions. That a
+//! number is a right angle or zero, as a report claims, is checked against its digits.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -15,7 +15,7 @@ use crate::request::Target;
 use crate::space::FieldId;
 
 impl Reader<'_> {
-    /// The value of the field that stands for a target.
+    /// The value of the field with a target.
     pub(super) fn field<const N: usize>(
         &self,
         is: impl Fn(&Target) -> bool,
@@ -27,7 +27,7 @@ impl Reader<'_> {
         }))
     }
 
-    /// Where the base is, if a field says so.
+    /// The pose of the base, if a field sets it.
     pub(super) fn base(&self) -> Option<Matrix<Scalar>> {
         let position = self.field(|target| matches!(target, Target::BasePosition));
         let placement = self.field(|target| matches!(target, Target::BasePlacement));
@@ -81,7 +81,7 @@ impl Reader<'_> {
                         Axis::Y => 1,
                         Axis::Z => 2,
                     };
-                    let turn = match self.quarters(item, angle)? {
+                    let sine_and_cosine = match self.quarters(item, angle)? {
                         Some(quarters) => {
                             let [sine, cosine] = [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0]]
                                 [usize::try_from(quarters.rem_euclid(4)).unwrap_or(0)];
@@ -89,7 +89,7 @@ impl Reader<'_> {
                         }
                         None => Scalar::written(angle.exact()).sin_cos(),
                     };
-                    Matrix::rotation(axis, turn)
+                    Matrix::rotation(axis, sine_and_cosine)
                 }
                 Step::Turn(entries) => self.turned(item, entries)?,
             };
@@ -98,14 +98,13 @@ impl Reader<'_> {
         Ok(placement)
     }
 
-    /// The rotation by a quaternion. That it is one by right angles, as a report claims, is held against its
-    /// digits.
+    /// The rotation by a quaternion. That it is one by right angles, as a report claims, is checked against its digits.
     fn turned(&self, item: &str, entries: &[Number; 4]) -> Result<Matrix<Scalar>, Contradiction> {
         let written = entries.map(|entry| entry.value);
         let bits = written.map(f64::to_bits);
         let Some(&squares) = self.turned.get(&(item, bits)) else {
             let is_large = written.iter().any(|entry| entry.abs() >= 0.5);
-            let mut meant = written.map(Scalar::literal);
+            let mut meant = entries.map(|entry| Scalar::written(entry.exact()));
             if is_large {
                 for (meant, entry) in meant.iter_mut().zip(entries) {
                     *meant = self.component(item, entry)?;
@@ -125,7 +124,7 @@ impl Reader<'_> {
                 "that {written:?} of {item} is rounded"
             )));
         }
-        // 4 a b of two entries is whole, since both squares are the same; a matrix of 0 and ±1.
+        // 4 a b of two entries is an integer, since both squares are the same; the matrix has entries 0 and ±1.
         let product = |a: i64, b: i64| {
             #[expect(clippy::cast_precision_loss, reason = "at most 4")]
             let product = (a.signum() * b) as f64;
@@ -154,17 +153,17 @@ impl Reader<'_> {
         Ok(Scalar::written(number.exact()))
     }
 
-    /// What was made of a number, if that is within its digits or its last bits.
+    /// The quarter turns that a number was taken for, if they are within its digits or its last bits.
     fn quarters(&self, item: &str, number: &Number) -> Result<Option<i64>, Contradiction> {
         let Some(&quarters) = self.snapped.get(&(item, number.value.to_bits())) else {
-            // `pi/2` is what it says, and so is 0.
-            let turns = (number.value / FRAC_PI_2).round();
-            let distance = (number.value - turns * FRAC_PI_2).abs();
-            let said = number.resolution == 0.0
-                && turns.abs() <= 1e6
+            // `pi/2` is exact, and so is 0.
+            let quarters = (number.value / FRAC_PI_2).round();
+            let distance = (number.value - quarters * FRAC_PI_2).abs();
+            let is_exact = number.resolution == 0.0
+                && quarters.abs() <= 1e6
                 && distance <= number.value.abs() * f64::EPSILON;
             #[expect(clippy::cast_possible_truncation, reason = "a whole number of turns")]
-            return Ok(said.then_some(turns as i64));
+            return Ok(is_exact.then_some(quarters as i64));
         };
         #[expect(clippy::cast_precision_loss, reason = "few turns are many")]
         let distance = (number.value - quarters as f64 * FRAC_PI_2).abs();

@@ -1,9 +1,9 @@
-//! What a small change of q or q̇ does to the torques of a motion, by the rule for products.
+//! Derivatives of the torques of a motion by q and q̇, by the product rule.
 //!
-//! In: a posture and rates. Out: matrices, row by row, a row a force. A motion along L changes what it carries
-//! by ∂L' = L L' − L' L and ∂J = L J + J Lᵗ; all else follows from W, H and Φ as sums and products of 4×4
-//! matrices, whose changes are carried from link to link. It knows no composite, and no formula for
-//! a derivative.
+//! In: a configuration, q̇ and q̈. Out: matrices, with a row for each torque. A displacement along L changes the
+//! matrices of the bodies that it carries by ∂L' = L L' − L' L and ∂J = L J + J Lᵗ; the rest follows from W, H and Φ
+//! as sums and products of 4×4 matrices, whose changes are passed from link to link. Neither composite inertias nor
+//! closed formulas of derivatives are used.
 
 use super::{Posture, Rates, Scalar};
 use crate::dense::{BodyId, Matrix};
@@ -11,18 +11,18 @@ use crate::expression::Double;
 use crate::list::{List, Square};
 use crate::space::VelocityId;
 
-/// With respect to what.
+/// The variable of a derivative.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Of {
     Coordinates,
     Rates,
 }
 
-/// What a link changes by.
+/// The derivatives of a link's matrices.
 struct Change {
     w: Matrix<Scalar>,
     h: Matrix<Scalar>,
-    /// Of each L of its joint.
+    /// The derivative of each L of its joint.
     screws: Vec<Matrix<Scalar>>,
 }
 
@@ -34,7 +34,7 @@ impl Posture {
     ) -> [Square<VelocityId, Scalar>; 2] {
         let [by_coordinate, mut by_rate] = [Of::Coordinates, Of::Rates]
             .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)));
-        // Of drives only viscous friction changes; the sign of a rate does not, but where it steps.
+        // Of the actuator's terms only viscous friction depends on q̇; the sign is constant between its steps.
         for freedom in self.freedoms() {
             let [_, damping, _] = freedom.drive;
             let own = &mut by_rate[(freedom.velocity, freedom.velocity)];
@@ -43,16 +43,16 @@ impl Posture {
         [by_coordinate, by_rate]
     }
 
-    /// ∂(Σ Jᵗ Φ)/∂q of actions from outside: Φ of a link turns with it, Φ in frame 0 stays.
-    pub(in crate::dense) fn outside_derivative(
+    /// ∂(Σ Jᵗ Φ)/∂q of external wrenches: Φ in the link's frame rotates with it, Φ in frame 0 is constant.
+    pub(in crate::dense) fn external_derivative(
         &self,
         actions: &[Double],
     ) -> Square<VelocityId, Scalar> {
-        let turns = !self.robot.external.1;
-        let actions: Vec<_> = self.outside_actions(actions).collect();
+        let rotates = !self.robot.external.1;
+        let actions: Vec<_> = self.external_wrenches(actions).collect();
         self.by_columns(|joint, along| {
             let carried = self.carried(joint);
-            let mut felt = self.nothing();
+            let mut torques = self.nothing();
             for (link, action) in &actions {
                 let turned = along.times(action);
                 let turned = turned.plus(&action.times(&along.transposed()));
@@ -62,18 +62,18 @@ impl Posture {
                         if carried[body] {
                             change = change + super::along(&along.commutator(screw), action);
                         }
-                        if turns && carried[*link] {
+                        if rotates && carried[*link] {
                             change = change + super::along(screw, &turned);
                         }
-                        felt[*velocity] = felt[*velocity] + change;
+                        torques[*velocity] = torques[*velocity] + change;
                     }
                 }
             }
-            felt
+            torques
         })
     }
 
-    /// C of M q̈ + C q̇, by what H at q̈ = 0 is linear in: Σ (L̇ₘ + Lₘ W) q̇ₘ.
+    /// C of M q̈ + C q̇, from the part of H at q̈ = 0 that is linear in each q̇ₘ: Σ (L̇ₘ + Lₘ W) q̇ₘ.
     pub(in crate::dense) fn coriolis_matrix(&self, rates: &Rates) -> Square<VelocityId, Scalar> {
         let motions = self.motions(rates);
         self.by_columns(|joint, screw| {
@@ -82,8 +82,8 @@ impl Posture {
         })
     }
 
-    /// A matrix by its columns, each the sum of those of all screws that go with a velocity, each with the body
-    /// whose joint has it.
+    /// A matrix by its columns. Each is the sum over all screws that belong to a velocity; `column` gets such a screw
+    /// with the body whose joint has it.
     fn by_columns(
         &self,
         column: impl Fn(BodyId, &Matrix<Scalar>) -> List<VelocityId, Scalar>,
@@ -100,7 +100,7 @@ impl Posture {
         matrix
     }
 
-    /// Which bodies the joint of a body carries, with it.
+    /// For each body, true if the joint of a body carries it.
     fn carried(&self, joint: BodyId) -> List<BodyId, bool> {
         let mut carried = List::new();
         for (link, body) in self.robot.bodies.numbered() {
@@ -110,8 +110,7 @@ impl Posture {
         carried
     }
 
-    /// What the torques change by, for each unit that the joint of a body moves farther along a screw, or
-    /// faster.
+    /// The derivative of the torques by a displacement or a velocity of a body's joint along a screw.
     fn change(
         &self,
         rates: &Rates,
@@ -121,12 +120,12 @@ impl Posture {
     ) -> List<VelocityId, Scalar> {
         let carried = self.carried(joint);
         let motions = self.motions(rates);
-        let falling = self.falling();
+        let minus_gravity = self.minus_gravity();
         let mut changes: List<BodyId, Change> = List::new();
         let mut actions: List<BodyId, [Matrix<Scalar>; 2]> = List::new();
         for (link, body) in self.robot.bodies.numbered() {
             let inertia = &self.inertias[link];
-            let h = motions[link].1.plus(&falling);
+            let h = motions[link].1.plus(&minus_gravity);
             let action = h.times(inertia).skew();
             let screws = self.screws[link].iter().map(|(_, screw)| match of {
                 Of::Coordinates if carried[link] => along.commutator(screw),
@@ -144,7 +143,7 @@ impl Posture {
                 let Change { w, h, .. } = &changes[parent];
                 (motions[parent].0.clone(), w.clone(), h.clone())
             });
-            // Of H + Σ L q̈ + (Σ L q̇)² + 2 W Σ L q̇.
+            // The derivative of H + Σ L q̈ + (Σ L q̇)² + 2 W Σ L q̇.
             let (mut own, mut own_change) = (Matrix::zero(), Matrix::zero());
             let mut second_change = Matrix::zero();
             for ((k, screw), change) in self.screws[link].iter().zip(&screws) {
@@ -171,18 +170,18 @@ impl Posture {
                 screws,
             });
         }
-        let mut felt = self.nothing();
+        let mut torques = self.nothing();
         for (link, body) in self.robot.bodies.numbered().rev() {
             let [action, action_change] = actions[link].clone();
             for ((k, screw), change) in self.screws[link].iter().zip(&changes[link].screws) {
                 let own = super::along(screw, &action_change) + super::along(change, &action);
-                felt[*k] = felt[*k] + own;
+                torques[*k] = torques[*k] + own;
             }
             if let Some(parent) = body.parent {
                 let [outer, outer_change] = &actions[parent];
                 actions[parent] = [outer.plus(&action), outer_change.plus(&action_change)];
             }
         }
-        felt
+        torques
     }
 }

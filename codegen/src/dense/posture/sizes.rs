@@ -1,8 +1,8 @@
-//! Sizes of what the entries of the regressor are sums of.
+//! Sizes of the terms of the regressor's entries.
 //!
-//! In: a posture and rates. Out: for each parameter and velocity the product of lengths of vectors whose components the
-//! entry is made of. They are lengths and not sums of magnitudes, so that no number of turns makes them larger than what
-//! rounding errors come from.
+//! In: a configuration, q̇ and q̈. Out: for each parameter and velocity the product of the lengths of the vectors whose
+//! components the entry is made of. Lengths do not grow with the number of rotations of a frame, as sums of magnitudes
+//! would, so that they stay in proportion to rounding errors.
 
 use super::{MOMENTS, Posture, Rates, Scalar};
 use crate::dense::{BodyId, Columns, Matrix};
@@ -12,8 +12,8 @@ use crate::space::{ParameterId, VelocityId};
 /// Lengths of the parts of L, of the terms of W or of those of H.
 #[derive(Clone, Copy, Default)]
 struct Lengths {
-    turn: f64,
-    slide: f64,
+    angular: f64,
+    linear: f64,
 }
 
 impl Lengths {
@@ -21,36 +21,36 @@ impl Lengths {
         let [x, y, z, a, b, c] = screw.vectors().map(Scalar::to_f64);
         let length = |x: f64, y: f64, z: f64| (x * x + y * y + z * z).sqrt();
         Self {
-            turn: length(x, y, z),
-            slide: length(a, b, c),
+            angular: length(x, y, z),
+            linear: length(a, b, c),
         }
     }
 
     fn times(self, factor: f64) -> Self {
         Self {
-            turn: factor * self.turn,
-            slide: factor * self.slide,
+            angular: factor * self.angular,
+            linear: factor * self.linear,
         }
     }
 
     fn plus(self, other: Self) -> Self {
         Self {
-            turn: self.turn + other.turn,
-            slide: self.slide + other.slide,
+            angular: self.angular + other.angular,
+            linear: self.linear + other.linear,
         }
     }
 
-    /// Those at a point so far from the origin.
+    /// The lengths about a reference point at a distance from the origin.
     fn at(self, distance: f64) -> Self {
         Self {
-            turn: self.turn,
-            slide: self.slide + self.turn * distance,
+            angular: self.angular,
+            linear: self.linear + self.angular * distance,
         }
     }
 }
 
 impl Posture {
-    /// The sizes of the entries of the regressor's columns; of a link of which none is wanted they are empty.
+    /// The sizes of the entries of the regressor's columns; links without a wanted column have empty ones.
     pub(in crate::dense) fn regressor_sizes(
         &self,
         rates: &Rates,
@@ -66,14 +66,14 @@ impl Posture {
             let [x, y, z] = self.poses[link].column().map(Scalar::to_f64);
             let distance = (x * x + y * y + z * z).sqrt();
             let h = accelerations[link].at(distance);
-            // Of m, of each of q and of each entry of J.
+            // For m, for each entry of q and for each entry of J.
             let mut sizes = [(); 3].map(|()| self.nothing().map(|_| 0.0));
             for body in self.inwards(link) {
                 for (velocity, screw) in &self.screws[body] {
                     let l = Lengths::of(screw).at(distance);
-                    sizes[0][*velocity] += h.slide * l.slide;
-                    sizes[1][*velocity] += h.slide * l.turn + h.turn * l.slide;
-                    sizes[2][*velocity] += h.turn * l.turn;
+                    sizes[0][*velocity] += h.linear * l.linear;
+                    sizes[1][*velocity] += h.linear * l.angular + h.angular * l.linear;
+                    sizes[2][*velocity] += h.angular * l.angular;
                 }
             }
             for (sizes, count) in sizes.iter().zip([1, 3, 6]) {
@@ -85,7 +85,7 @@ impl Posture {
         columns
     }
 
-    /// Lengths of the terms of H against gravity, of each body.
+    /// Lengths of the terms of H − H_g, for each body.
     fn acceleration_lengths(&self, rates: &Rates) -> List<BodyId, Lengths> {
         let gravity = self.gravity().map(Scalar::to_f64);
         let gravity = gravity
@@ -98,8 +98,8 @@ impl Posture {
             let rest = [
                 Lengths::default(),
                 Lengths {
-                    turn: 0.0,
-                    slide: gravity,
+                    angular: 0.0,
+                    linear: gravity,
                 },
             ];
             let [w, h] = body.parent.map_or(rest, |parent| motions[parent]);
@@ -109,7 +109,7 @@ impl Posture {
                 terms.fold(Lengths::default(), Lengths::plus)
             };
             let (own, second) = (sum(&rates.first), sum(&rates.second));
-            let squares = own.times(own.turn).plus(own.times(2.0 * w.turn));
+            let squares = own.times(own.angular).plus(own.times(2.0 * w.angular));
             motions.push([w.plus(own), h.plus(second).plus(squares)]);
         }
         motions.map(|[_, h]| *h)

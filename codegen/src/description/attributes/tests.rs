@@ -1,4 +1,4 @@
-//! Every message of the attributes, and what they ask for.
+//! Tests of each message of the attributes, and of the request.
 
 use super::*;
 use crate::description::tokens::show;
@@ -10,7 +10,7 @@ const ARM: &str = r#"<robot name="arm"><link name="base"/><link name="tool"/>
 <joint name="j" type="revolute"><parent link="base"/><child link="tool"/>
 <axis xyz="0 0 1"/></joint></robot>"#;
 
-/// A folder with `arm.urdf` and the broken `bad.urdf` in it.
+/// A folder with `arm.urdf` and the broken `bad.urdf`.
 fn folder() -> &'static Path {
     static FOLDER: std::sync::OnceLock<std::path::PathBuf> = std::sync::OnceLock::new();
     FOLDER.get_or_init(|| {
@@ -33,12 +33,12 @@ fn try_read(text: &str) -> (Option<Item>, String) {
 }
 
 fn fine(text: &str) -> Item {
-    let (item, said) = try_read(text);
-    assert_eq!(said, "");
+    let (item, messages) = try_read(text);
+    assert_eq!(messages, "");
     item.unwrap()
 }
 
-/// What is said of an attribute that stands in line 1 from column 9.
+/// The errors of an attribute in line 1 from column 9.
 fn errors_in(attribute: &str) -> String {
     try_read(&format!(
         "#[robot({attribute})]\n#[robot(link base)]\nstruct Arm;"
@@ -46,14 +46,14 @@ fn errors_in(attribute: &str) -> String {
     .1
 }
 
-/// What is said of the fields of a struct, in line 2 from column 1.
+/// The errors of the fields of a struct, in line 2 from column 1.
 fn errors_in_fields(fields: &str) -> String {
     try_read(&format!("#[robot(link base)] struct Arm {{\n{fields} }}")).1
 }
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn everything_that_can_be_asked_for() {
+fn all_settings_are_read() {
     let item = fine(
         r#"/// Docs.
         #[derive(Clone)]
@@ -67,7 +67,7 @@ fn everything_that_can_be_asked_for() {
             payload: T,
             #[robot(com_of = tool)] center: [T; 3],
             #[robot(origin_of = "j")] offset: [T; 3],
-            /// The user's own.
+            /// A field of the user.
             counter: u32,
         }"#,
     );
@@ -131,7 +131,7 @@ fn gravity_may_be_none_or_a_field() {
             "#[robot(link base, gravity = none)] struct Arm { #[robot(gravity)] g: [f64; 3] }"
         )
         .1,
-        "1:68: gravity is given as a vector and in field `g`\n  hint: leave out one of them\n"
+        "1:68: gravity is both a vector and the field `g`\n  hint: leave out one of them\n"
     );
 }
 
@@ -149,7 +149,7 @@ fn a_robot_may_be_described_in_the_attribute() {
 
 #[test]
 fn all_mistakes_are_reported_at_once() {
-    let (item, said) = try_read(
+    let (item, messages) = try_read(
         "#[robot(tipp = \"a\", scalar = f16, gravity = [0, 0])]\n\
          #[robot(generate(inverse_dynamic, gravity), link base)]\n\
          struct Arm {\n\
@@ -159,19 +159,19 @@ fn all_mistakes_are_reported_at_once() {
     );
     let functions = list(Function::names());
     let expected = format!(
-        "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
+        "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, mjcf, dh, base, floating, tip, \
+         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\
          1:45: gravity has 2 numbers instead of 3\n\
          2:18: unknown function \"inverse_dynamic\"\n  \
          hint: did you mean \"inverse_dynamics\"? known functions: {functions}\n\
          4:9: a field cannot stand for \"mass\"\n  \
-         hint: known keys: mass_of, com_of, inertia_of, payload_on, gravity, origin_of, placement_of, base_position, base_placement, armature_of, damping_of, friction_of and range\n\
+         hint: did you mean \"mass_of\"? known keys: mass_of, com_of, inertia_of, payload_on, gravity, origin_of, placement_of, base_position, base_placement, armature_of, damping_of, friction_of and range\n\
          5:3: field `g` stands for two numbers\n"
     );
-    assert_eq!(said, expected);
-    // The functions that were understood stay, for the stub.
+    assert_eq!(messages, expected);
+    // The valid functions stay, for the stub.
     assert_eq!(item.unwrap().request.functions, [[Function::Gravity]]);
 }
 
@@ -182,7 +182,7 @@ fn settings_need_their_values() {
     assert_eq!(errors_in("tip = \"\""), "1:15: this name is empty\n");
     assert_eq!(
         errors_in("tip = a, tip = b"),
-        "1:18: the key \"tip\" is given twice\n"
+        "1:18: the key \"tip\" occurs twice\n"
     );
     assert_eq!(
         errors_in("tip = a base = b"),
@@ -200,13 +200,13 @@ fn settings_need_their_values() {
     for few in ["0", "-1", "2.5", "\"800\"", "few"] {
         assert_eq!(
             errors_in(&format!("section = {few}")),
-            "1:19: `section` needs the most statements of one compiled function\n  hint: write section = 2000\n"
+            "1:19: `section` needs the maximum number of statements of one compiled function\n  hint: write section = 2000\n"
         );
     }
     assert_eq!(errors_in("drop(a b)"), "1:16: expected `,`\n");
     assert_eq!(
         errors_in("gravity = down"),
-        "1:19: gravity is neither a vector nor none\n  \
+        "1:19: gravity must be a vector or none\n  \
          hint: write gravity = [0.0, 0.0, -9.81], or gravity = none\n"
     );
     assert_eq!(
@@ -235,16 +235,13 @@ fn settings_need_their_values() {
 fn functions_are_asked_for_once() {
     assert_eq!(
         errors_in("generate(bias, bias)"),
-        "1:24: \"bias\" is asked for twice\n"
+        "1:24: \"bias\" occurs twice\n"
     );
     assert_eq!(
         errors_in("generate(all_of(bias, bias))"),
-        "1:31: \"bias\" is asked for twice\n"
+        "1:31: \"bias\" occurs twice\n"
     );
-    assert_eq!(
-        errors_in("generate(all_of())"),
-        "1:18: `all_of` of no functions\n"
-    );
+    assert_eq!(errors_in("generate(all_of())"), "1:18: `all_of` is empty\n");
     assert_eq!(
         errors_in("generate(all_of)"),
         "1:24: `all_of` needs a list in parentheses\n  hint: write all_of(mass_matrix, bias)\n"
@@ -276,7 +273,7 @@ fn a_file_that_cannot_be_read_is_said_under_its_path() {
         try_read("#[robot(urdf = \"robots/amr.urdf\")] struct Arm;").1,
         format!(
             "1:16: cannot read {}: there is no such file\n  \
-             hint: a path begins at the folder of Cargo.toml\n",
+             hint: paths are relative to the folder of Cargo.toml\n",
             path.display()
         )
     );
@@ -301,9 +298,9 @@ fn a_robot_is_a_struct_with_named_fields() {
         try_read("#[robot(link base)] union Arm { a: f64 }").1,
         "1:21: Arm is a union: a robot is a struct\n"
     );
-    let (item, said) = try_read("fn arm() {}");
+    let (item, message) = try_read("fn arm() {}");
     assert!(item.is_none());
-    assert_eq!(said, "1:1: expected one of: `struct`, `enum`, `union`\n");
+    assert_eq!(message, "1:1: expected one of: `struct`, `enum`, `union`\n");
 }
 
 #[test]
@@ -329,7 +326,7 @@ fn a_field_stands_for_one_number_and_a_number_for_one_field() {
 }
 
 #[test]
-fn words_of_a_formulation_are_each_told() {
+fn each_wrong_word_of_a_formulation_is_an_error() {
     assert_eq!(
         errors_in("formulation(row, refined, articulated, refined: 1, unfused = yes, raw)"),
         "1:21: unknown word \"row\"\n  hint: did you mean \"raw\"? known words: link_frames, \
@@ -377,7 +374,7 @@ fn a_field_may_have_a_range() {
 }
 
 #[test]
-fn a_range_that_no_field_can_have_is_refused_where_it_stands() {
+fn impossible_ranges_are_errors() {
     let text = "#[robot(urdf = \"none.urdf\")] struct Arm {\n\
                 #[robot(mass_of = \"a\", range = -1.0..=3.0)] a: f64,\n\
                 #[robot(mass_of = \"b\", range = 3.0..=1.0)] b: f64,\n\
@@ -419,7 +416,7 @@ fn a_field_holds_as_many_numbers_as_it_stands_for() {
     for expected in expected {
         assert!(found.contains(expected), "{expected}\nis not in\n{found}");
     }
-    // What a name stands for cannot be seen.
+    // The size of a named type is unknown here.
     assert!(
         !["`d`", "`e`", "`f`"]
             .iter()
@@ -428,7 +425,7 @@ fn a_field_holds_as_many_numbers_as_it_stands_for() {
 }
 
 #[test]
-fn a_string_is_no_word() {
+fn a_string_is_not_a_word() {
     assert_eq!(
         errors_in("scalar = \"f32\""),
         "1:18: expected a word, not the string \"f32\"\n  hint: write f32, without quotes\n"

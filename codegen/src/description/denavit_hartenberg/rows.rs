@@ -1,4 +1,4 @@
-//! From rows to links and joints, by either convention.
+//! Converts rows of a table to links and joints, by either convention.
 
 use crate::description::{Axis, Inertial, Joint, Limits, Link, Name, Number, Step, number};
 use crate::error::Place;
@@ -6,7 +6,7 @@ use crate::joint::JointKind;
 use crate::joint::drive::Parts;
 use crate::wording::{known, quoted};
 
-/// Which of the two conventions a table follows.
+/// Convention of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::description) enum Convention {
     /// Denavit and Hartenberg 1955, Paul 1981: frame i at the far end of link i.
@@ -15,10 +15,10 @@ pub(in crate::description) enum Convention {
     Modified,
 }
 
-/// A row: a joint and the link it carries.
+/// A row: a joint and the link that it moves.
 pub(in crate::description) struct Row {
     pub(in crate::description) joint: Name,
-    /// The link's name, where it is given.
+    /// The link's name, if the row has one.
     pub(in crate::description) link: Option<Name>,
     pub(in crate::description) kind: JointKind,
     pub(in crate::description) a: Number,
@@ -31,7 +31,7 @@ pub(in crate::description) struct Row {
 }
 
 impl Convention {
-    /// The convention of that name, or a message and a hint.
+    /// The convention with a name, or a message and a hint.
     pub(in crate::description) fn from_name(name: &str) -> Result<Self, (String, String)> {
         match name {
             "standard" => Ok(Self::Standard),
@@ -44,7 +44,7 @@ impl Convention {
     }
 }
 
-/// The chain of the rows; `place` is where the table stands.
+/// The chain of the rows; `place` is that of the table.
 pub(in crate::description) fn assemble(
     convention: Convention,
     rows: Vec<Row>,
@@ -135,7 +135,7 @@ fn along(axis: Axis, length: Number) -> Step {
     Step::Translate(step)
 }
 
-/// The frame on a joint's axis is no body of its own, and its mass is not missing.
+/// The frame on a joint's axis has no body, so its mass is not missing.
 fn massless(place: Place) -> Inertial {
     let zero = number::computed(0.0, place);
     Inertial {

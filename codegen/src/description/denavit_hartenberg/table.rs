@@ -1,9 +1,9 @@
 //! Tables as text files.
 //!
-//! In: a line that names the convention, a line that names the columns, a line for each joint, from
-//! base to tip. Out: a [`Description`]. Lengths are metres, angles radians, and `pi/2` is a right
-//! angle; inertias are about the centre of mass, in the axes of the row's frame. Behind `#` stands
-//! a comment, and `-` stands for nothing. It never guesses a convention.
+//! Reads a [`Description`] from a line with the convention, a line with the names of columns, and a line for each
+//! joint, from base to end effector. Lengths are in metres, angles in radians, and `pi/2` is an exact right angle.
+//! Inertias are about the centre of mass, in the axes of the row's frame. `#` begins a comment, and `-` is an empty
+//! cell. A missing convention is an error.
 //!
 //! ```text
 //! convention modified
@@ -26,34 +26,34 @@ use crate::error::{Errors, Place};
 use crate::joint::JointKind;
 use crate::wording::{known, list, quoted};
 
-/// The columns; the first ones must be there.
+/// The columns; the first [`REQUIRED`] are required.
 pub(in crate::description) const COLUMNS: [&str; 21] = [
     "joint", "kind", "a", "alpha", "d", "theta", "pitch", "link", "lower", "upper", "velocity",
     "mass", "cx", "cy", "cz", "ixx", "ixy", "ixz", "iyy", "iyz", "izz",
 ];
 
-/// How many of the columns must be there.
+/// Number of required columns.
 const REQUIRED: usize = 6;
 
-/// The most rows: more joints than any robot has, and a bound on memory.
+/// Maximum number of rows, which bounds memory.
 const MOST_ROWS: usize = 10_000;
 
-/// The most lines, with and without rows in them.
+/// Maximum number of lines, including empty ones.
 const MOST_LINES: usize = 100_000;
 
-/// What to do where the columns are not named.
+/// Hint for missing names of columns.
 const HEADER: &str = "name the columns first: joint kind a alpha d theta";
 
-/// A word of a line.
+/// A word of a line, with its place.
 #[derive(Clone, Copy)]
 struct Cell<'t> {
     text: &'t str,
     place: Place,
 }
 
-/// Reads the text of a table in a file of that name; `anchor` is the token that named the file.
+/// Reads the text of the table `file`; `anchor` is the token that named the file.
 ///
-/// Where something was pushed, the description holds what could be read all the same.
+/// A description returned together with errors is partial.
 pub fn read(
     text: &str,
     file: &str,
@@ -118,11 +118,14 @@ pub fn read(
         source: Source {
             file: Some(file.to_owned()),
             anchor,
+            included: Vec::new(),
+            beside: Vec::new(),
             hash: fingerprint(text.as_bytes()),
         },
         links,
         joints,
         loops: Vec::new(),
+        gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     };
@@ -130,7 +133,7 @@ pub fn read(
     Some(description)
 }
 
-/// The words of each line that has any; no more of a line than a row may hold, and one.
+/// The words of each line that has some; at most one word more than a row may have.
 fn lines_of<'t>(positions: &Positions<'t>) -> impl Iterator<Item = Vec<Cell<'t>>> {
     let text = positions.text();
     let mut end = 0;
@@ -172,11 +175,11 @@ fn read_convention(cells: &[Cell<'_>], errors: &mut Errors) -> Convention {
     })
 }
 
-/// The names of the columns; none where the line is none of columns.
+/// The names of the columns; `None` if the line has none.
 fn read_columns<'t>(cells: &[Cell<'t>], errors: &mut Errors) -> Option<Vec<&'t str>> {
     let columns: Vec<&str> = cells.iter().map(|cell| cell.text).collect();
     if !columns.contains(&"joint") {
-        errors.push_with_hint(cells[0].place, "these are no names of columns", HEADER);
+        errors.push_with_hint(cells[0].place, "this line has no names of columns", HEADER);
         return None;
     }
     for (n, cell) in cells.iter().enumerate() {
@@ -187,7 +190,7 @@ fn read_columns<'t>(cells: &[Cell<'t>], errors: &mut Errors) -> Option<Vec<&'t s
                 known(cell.text, "columns", &COLUMNS),
             );
         } else if columns[..n].contains(&cell.text) {
-            let message = format!("column {} is there twice", quoted(cell.text));
+            let message = format!("column {} occurs twice", quoted(cell.text));
             errors.push(cell.place, message);
         }
     }
@@ -208,7 +211,7 @@ fn read_columns<'t>(cells: &[Cell<'t>], errors: &mut Errors) -> Option<Vec<&'t s
     Some(columns)
 }
 
-/// A row while it is read.
+/// State of the reader in a row.
 struct Reader<'r, 't> {
     columns: &'r [&'t str],
     cells: &'r [Cell<'t>],
@@ -216,7 +219,7 @@ struct Reader<'r, 't> {
     errors: &'r mut Errors,
 }
 
-/// Reads a row; none where its name or its type is missing or refused.
+/// Reads a row; `None` if its name or type is missing or wrong.
 fn row(columns: &[&str], cells: &[Cell<'_>], errors: &mut Errors) -> Option<Row> {
     let mut reader = Reader {
         columns,
@@ -270,7 +273,7 @@ fn name(cell: Cell<'_>) -> Name {
 }
 
 impl<'t> Reader<'_, 't> {
-    /// What stands in a column; none for `-`, and for a row that ends before.
+    /// The cell of a column; `None` if it is `-` or missing.
     fn cell(&self, column: &str) -> Option<Cell<'t>> {
         let index = self.columns.iter().position(|name| *name == column)?;
         self.cells
@@ -287,7 +290,7 @@ impl<'t> Reader<'_, 't> {
         }
     }
 
-    /// The number in a column; none where there is none, or where it was refused.
+    /// The number in a column; `None` if it is empty or malformed.
     fn number(&mut self, column: &str) -> Option<Number> {
         let cell = self.cell(column)?;
         constant::read(cell.text, cell.place)
@@ -335,7 +338,7 @@ impl<'t> Reader<'_, 't> {
         };
         if count < TENSOR.len() {
             let message = format!("the link of {} has a mass but no inertia", self.subject);
-            let hint = "fill the columns ixx to izz, with zeros for a mass in a point";
+            let hint = "fill the columns ixx to izz, with zeros for a point mass";
             self.errors.push_with_hint(cell.place, message, hint);
         }
         let mass = self.number("mass");

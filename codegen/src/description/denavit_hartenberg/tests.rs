@@ -1,4 +1,4 @@
-//! Both conventions against the products of their book, and every message of the tables.
+//! Both conventions compared with the products of their textbooks, and each message of the tables.
 
 use super::*;
 use crate::description::changed::changed;
@@ -13,12 +13,12 @@ fn try_read(text: &str) -> (Option<Description>, String) {
 }
 
 fn fine(text: &str) -> Description {
-    let (description, said) = try_read(text);
-    assert_eq!(said, "");
+    let (description, messages) = try_read(text);
+    assert_eq!(messages, "");
     description.unwrap()
 }
 
-/// What is said of rows that begin in line 3.
+/// The errors of rows that begin in line 3.
 fn errors_in(rows: &str) -> String {
     let columns = "joint kind a alpha d theta mass cx ixx ixy ixz iyy iyz izz lower upper pitch";
     try_read(&format!("convention modified\n{columns}\n{rows}")).1
@@ -68,7 +68,7 @@ fn placement(steps: &[Step]) -> Matrix {
     })
 }
 
-/// The pose of a link of a serial chain whose moving joints all have the coordinate q.
+/// The pose of a link of a serial chain in which all moving joints have the coordinate q.
 fn pose(description: &Description, link: &str, q: f64) -> Matrix {
     let mut m = IDENTITY;
     for joint in &description.joints {
@@ -106,7 +106,7 @@ three     continuous 0     0       0.5   0
 four      fixed      0.7   0.2     0.1   0.6
 ";
 
-/// a, α, d, θ of the rows above, and whether they turn and slide.
+/// a, α, d, θ of the rows above, and true for rotations and for translations.
 const NUMBERS: [[f64; 6]; 4] = [
     [0.1, std::f64::consts::FRAC_PI_2, 0.4, 0.3, 1.0, 0.0],
     [
@@ -126,16 +126,16 @@ fn standard_frames_are_those_of_the_book() {
     let arm = fine(&format!("convention standard\n{ROWS}"));
     let mut m = IDENTITY;
     let q = 0.7;
-    for (name, [a, alpha, d, theta, turns, slides]) in
+    for (name, [a, alpha, d, theta, rotates, translates]) in
         ["one", "two", "three", "four"].iter().zip(NUMBERS)
     {
-        m = product(&m, &rotation(Axis::Z, theta + turns * q));
-        m = product(&m, &translation([0.0, 0.0, d + slides * q]));
+        m = product(&m, &rotation(Axis::Z, theta + rotates * q));
+        m = product(&m, &translation([0.0, 0.0, d + translates * q]));
         m = product(&m, &translation([a, 0.0, 0.0]));
         m = product(&m, &rotation(Axis::X, alpha));
         assert_close(&m, &pose(&arm, &format!("{name}_link"), q));
     }
-    // Only rows whose frame lies off the joint's axis need one on it.
+    // Only rows with a frame off the joint's axis need a frame on it.
     let links: Vec<_> = arm
         .links
         .iter()
@@ -161,13 +161,13 @@ fn modified_frames_are_those_of_the_book() {
     let arm = fine(&format!("convention modified\n{ROWS}"));
     let mut m = IDENTITY;
     let q = -0.4;
-    for (name, [a, alpha, d, theta, turns, slides]) in
+    for (name, [a, alpha, d, theta, rotates, translates]) in
         ["one", "two", "three", "four"].iter().zip(NUMBERS)
     {
         m = product(&m, &rotation(Axis::X, alpha));
         m = product(&m, &translation([a, 0.0, 0.0]));
-        m = product(&m, &rotation(Axis::Z, theta + turns * q));
-        m = product(&m, &translation([0.0, 0.0, d + slides * q]));
+        m = product(&m, &rotation(Axis::Z, theta + rotates * q));
+        m = product(&m, &translation([0.0, 0.0, d + translates * q]));
         assert_close(&m, &pose(&arm, &format!("{name}_link"), q));
     }
     assert_eq!(arm.links.len(), 5);
@@ -224,8 +224,8 @@ fn all_mistakes_are_reported_at_once() {
          error: arm.dh:4:22: d of joint \"two\" is not a number: \"x\"\n\
          error: arm.dh:4:24: theta of joint \"two\" is not a number: \"0,5\"\n  \
          hint: write a decimal point, and spaces between numbers\n\
-         error: arm.dh:5:7: joint \"three\" is universal, and a table gives it one axis\n  \
-         hint: write two rows that turn\n\
+         error: arm.dh:5:7: joint \"three\" has the type universal, but a row of a table has one axis\n  \
+         hint: write a revolute row for each axis\n\
          error: arm.dh:6:20: mass of joint \"two\" is negative: -1\n\
          error: arm.dh:6:35: izz of joint \"two\" is infinite: \"inf\"\n\
          error: arm.dh:7:6: joint \"four\" has no pitch\n  \
@@ -249,7 +249,7 @@ fn masses_and_limits_are_checked() {
     assert_eq!(
         errors_in("one fixed 0 0 0 0 1.0 0"),
         "error: arm.dh:3:19: the link of joint \"one\" has a mass but no inertia\n  \
-         hint: fill the columns ixx to izz, with zeros for a mass in a point\n"
+         hint: fill the columns ixx to izz, with zeros for a point mass\n"
     );
     assert_eq!(
         errors_in("one fixed 0 0 0 0 - 0.1"),
@@ -287,7 +287,7 @@ fn a_table_names_its_convention_and_its_columns() {
     let header = "name the columns first: joint kind a alpha d theta";
     assert_eq!(
         try_read("convention standard\none fixed 0 0 0 0").1,
-        format!("error: arm.dh:2:1: these are no names of columns\n  hint: {header}\n")
+        format!("error: arm.dh:2:1: this line has no names of columns\n  hint: {header}\n")
     );
     assert_eq!(
         try_read("# nothing\n").1,
@@ -296,7 +296,7 @@ fn a_table_names_its_convention_and_its_columns() {
     assert_eq!(
         try_read("convention standard\njoint kind a a alpah d").1,
         format!(
-            "error: arm.dh:2:14: column \"a\" is there twice\n\
+            "error: arm.dh:2:14: column \"a\" occurs twice\n\
              error: arm.dh:2:16: unknown column \"alpah\"\n  \
              hint: did you mean \"alpha\"? known columns: joint, kind, a, alpha, d, theta, pitch, \
              link, lower, upper, velocity, mass, cx, cy, cz, ixx, ixy, ixz, iyy, iyz and izz\n\
@@ -317,11 +317,7 @@ fn hostile_tables_are_refused_quickly() {
         "error: arm.dh:100001:1: the table has more than 100000 lines\n"
     );
     let wide = "joint ".repeat(100_000);
-    assert!(
-        try_read(&wide)
-            .1
-            .contains("column \"joint\" is there twice")
-    );
+    assert!(try_read(&wide).1.contains("column \"joint\" occurs twice"));
     assert_eq!(
         errors_in(&format!("one fixed {}", "0 ".repeat(1_000_000)))
             .lines()
@@ -331,7 +327,7 @@ fn hostile_tables_are_refused_quickly() {
 }
 
 #[test]
-fn random_changes_are_survived() {
+fn random_changes_never_panic() {
     let text = format!("convention standard\n{ROWS}");
     let bytes = b"#\n -+./*pie0\xc3\xa4";
     for text in changed(&text, bytes, 0x9e37_79b9_7f4a_7c15).take(2000) {

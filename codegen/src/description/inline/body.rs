@@ -1,7 +1,6 @@
-//! What stands in the braces of a link and of a row of a table: mass, centre of mass, inertia.
+//! Mass, centre of mass and inertia, in the braces of a link or of a row of a table.
 //!
-//! In: the values of keys, one by one. Out: an [`Inertial`], or a complaint where a part of it is
-//! missing. A mass without inertia is not taken for a point: whoever means a point writes zeros.
+//! A mass without inertia is an error; a point mass is written with zeros.
 
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -13,7 +12,7 @@ use crate::error::{Errors, Place};
 /// The keys of mass and inertia.
 pub(in crate::description) const INERTIA: [&str; 4] = ["mass", "com", "inertia", "inertia_rpy"];
 
-/// What was given of an inertial.
+/// The inertia keys read so far.
 #[derive(Default)]
 pub(super) struct Inertia {
     mass: Value<Number>,
@@ -22,7 +21,7 @@ pub(super) struct Inertia {
     rotation: Value<[Number; 3]>,
 }
 
-/// A value that may have been given, and given wrongly.
+/// A value that may be missing or malformed.
 #[derive(Default)]
 struct Value<T> {
     given: bool,
@@ -61,7 +60,7 @@ impl Inertia {
         }
     }
 
-    /// The inertial, where there is one.
+    /// The inertia, if any of its keys was written.
     pub(super) fn finish(
         self,
         name: &Name,
@@ -75,7 +74,7 @@ impl Inertia {
         }
         if self.mass.given && !self.tensor.given {
             let message = format!("{subject} has a mass but no inertia");
-            let hint = "add inertia: [0.01, 0.01, 0.01], with zeros for a mass in a point";
+            let hint = "add inertia: [0.01, 0.01, 0.01], with zeros for a point mass";
             errors.push_with_hint(name.place, message, hint);
         }
         let mut origin: Vec<Step> = self.center.read.map(Step::Translate).into_iter().collect();
@@ -111,7 +110,7 @@ fn tensor(input: ParseStream, subject: &str) -> Parsed<[Number; 6]> {
     }
 }
 
-/// Rotations about fixed axes x, y, z, which are those about moving axes in the reverse order.
+/// Rotations about the fixed axes x, y, z, written as rotations about moving axes in reverse order.
 pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [Number; 3]) -> [Step; 3] {
     [
         Step::Rotate(Axis::Z, yaw),
@@ -120,7 +119,7 @@ pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [Number; 3]) -> [Step; 3] {
     ]
 }
 
-/// Complains where neither braces nor an end follow.
+/// Reports an error unless braces or an end follow.
 pub(super) fn end(input: ParseStream, subject: &str) -> Parsed<()> {
     let ends = input.is_empty() || input.peek(Token![;]) || input.peek(Token![,]);
     if ends || input.peek(token::Brace) {

@@ -1,8 +1,8 @@
 //! `loop NAME: revolute(z) { from: …, to: …, at: …, to_at: … }`.
 //!
-//! In: tokens. Out: a joint between two links that hang on the base anyhow. Its axis is given as that of a
-//! joint is, in the frame that `at` and `to_at` make of those of the links; a universal one has two, the
-//! first in that of `from` and the second in that of `to`; a rod has a length in metres.
+//! A joint that closes a loop between two links of the tree. Its axis is in the frames that `at` and `to_at` place on
+//! these links. A universal joint has two axes, the first in the frame on `from` and the second in that on `to`; a rod
+//! has a length in metres.
 
 use syn::parse::{ParseStream, Parser};
 use syn::{Token, token};
@@ -17,14 +17,14 @@ use crate::wording::{known, quoted};
 /// The keys.
 pub(in crate::description) const KEYS: [&str; 4] = ["from", "to", "at", "to_at"];
 
-/// What closes a loop, and along or about which axes.
+/// The type of a loop, with its axes.
 struct Closing {
     closure: Closure,
     axes: [[Number; 3]; 2],
-    doubts: Vec<Complaint>,
+    warnings: Vec<Complaint>,
 }
 
-/// Reads what stands behind the word `loop`, from a text.
+/// Reads a loop from a text: the part after the word `loop`.
 pub(super) fn read_text(text: &str, errors: &mut Errors) -> Option<(Loop, Vec<Complaint>)> {
     let mut found = None;
     let parser = |input: ParseStream| {
@@ -38,14 +38,13 @@ pub(super) fn read_text(text: &str, errors: &mut Errors) -> Option<(Loop, Vec<Co
     if let Err(reason) = parser.parse_str(text) {
         errors.push(
             Place::Unknown,
-            format!("{} is no loop: {reason}", quoted(text)),
+            format!("{} is not a loop: {reason}", quoted(text)),
         );
     }
     found
 }
 
-/// Reads a loop behind the word `loop`, with what is doubtful about it; none where a mistake of it has
-/// been told.
+/// Reads the part after the word `loop`, with its warnings; `None` after a reported error.
 pub(super) fn read(
     input: ParseStream,
     errors: &mut Errors,
@@ -85,7 +84,7 @@ pub(super) fn read(
     let Closing {
         closure,
         axes,
-        doubts,
+        warnings,
     } = closing;
     let described = Loop {
         name,
@@ -96,10 +95,10 @@ pub(super) fn read(
         to_at,
         axes,
     };
-    Ok(Some((described, doubts)))
+    Ok(Some((described, warnings)))
 }
 
-/// `revolute(z)`, `universal(x, y)`, `rod(0.3)`, `spherical`; none where it was refused.
+/// `revolute(z)`, `universal(x, y)`, `rod(0.3)`, `spherical`; `None` after a reported error.
 fn closing(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Option<Closing>> {
     let word = tokens::word(input)?;
     let text = word.to_string();
@@ -130,7 +129,7 @@ fn closing(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opt
         return Ok(Some(Closing {
             closure: kind.with_length(|| Ok::<_, Complaint>(Number::default()))?,
             axes: [[Number::default(); 3]; 2],
-            doubts: Vec::new(),
+            warnings: Vec::new(),
         }));
     }
     let content = tokens::parentheses(input)?;
@@ -147,7 +146,7 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         return Err(complaint(input.span(), message));
     }
     let mut axes = [[Number::default(); 3]; 2];
-    let mut doubts = Vec::new();
+    let mut warnings = Vec::new();
     for k in 0..kind.axes {
         if k > 0 {
             let span = input.span();
@@ -157,10 +156,10 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
                 .parse::<Token![,]>()
                 .map_err(|_| complaint_with_hint(span, message, hint))?;
         }
-        let (axis, doubt) = joint::direction(input, subject)?;
-        // The first is that of both frames where there is no other.
+        let (axis, warning) = joint::direction(input, subject)?;
+        // A single axis is that of both frames.
         axes[k..].fill(axis);
-        doubts.extend(doubt);
+        warnings.extend(warning);
     }
     let closure = kind.with_length(|| -> Parsed<Number> {
         let span = input.span();
@@ -169,16 +168,16 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
             return Ok(length);
         }
         let message = format!("the length of {subject} is not positive: {}", length.value);
-        let hint = "to hold two points together, write spherical";
+        let hint = "write spherical to join two points";
         Err(complaint_with_hint(span, message, hint))
     })?;
     if !input.is_empty() {
-        let message = format!("expected `)` after what {subject} is about");
+        let message = format!("expected `)` after the axes of {subject}");
         return Err(complaint(input.span(), message));
     }
     Ok(Closing {
         closure,
         axes,
-        doubts,
+        warnings,
     })
 }

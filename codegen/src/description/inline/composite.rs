@@ -1,9 +1,8 @@
 //! `joint hip: composite(yaw: revolute(z) { limits: […] }, roll: revolute(x)) { from: …, to: …, at: … }`.
 //!
-//! In: tokens. Out: the joints that it is composed of, from the link that it hangs on outwards, each called by
-//! both names, `hip.yaw`, and all but the last with a link without mass, called as the joint. The first
-//! stands where the whole does, and where it is itself told to. What is composed knows nothing of it
-//! afterwards: a composite is a way of writing.
+//! A composite is written as one joint and read as several in series, with the names `hip.yaw` and `hip.roll`. Massless
+//! links with the names of their joints are between them. The placement `at` of the whole comes before that of the
+//! first motion.
 
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -17,18 +16,18 @@ use crate::joint::drive::Part;
 use crate::joint::entry;
 use crate::wording::quoted;
 
-/// What it is called.
+/// The word for the type.
 pub(in crate::description) const WORD: &str = "composite";
 
-/// The keys of one motion: all but those that name links.
+/// The keys of one motion: all except those that name links.
 const OF_ONE: [&str; 6] = ["at", "limits", "velocity", "mimic", "multiplier", "offset"];
 
-/// Whether a composite stands there.
+/// True if a composite follows.
 pub(super) fn is_next(input: ParseStream) -> bool {
     tokens::word(&input.fork()).is_ok_and(|word| word == WORD)
 }
 
-/// Reads a composite behind its name.
+/// Reads a composite after its name.
 pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Joint>> {
     let subject = format!("joint {}", quoted(&name.text));
     let word = tokens::word(input)?;
@@ -38,7 +37,7 @@ pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Pars
         Vec::new()
     };
     if joints.is_empty() && errors.is_empty() {
-        let message = format!("{subject} is composed of nothing");
+        let message = format!("{subject} has no motions");
         let hint = "write composite(yaw: revolute(z), roll: revolute(x))";
         tokens::push(errors, complaint_with_hint(word.span(), message, hint));
     }
@@ -56,7 +55,7 @@ pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Pars
                     "{subject} has the key {} for all of its motions",
                     quoted(key)
                 );
-                let hint = format!("write it behind one: yaw: revolute(z) {{ {key}: … }}");
+                let hint = format!("write it after one of them: yaw: revolute(z) {{ {key}: … }}");
                 return Err(complaint_with_hint(input.span(), message, hint));
             }
         }
@@ -74,7 +73,7 @@ pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Pars
     Ok(joints)
 }
 
-/// `yaw: revolute(z) { limits: […] }, roll: revolute(x)`: each on the link that the one before it carries.
+/// `yaw: revolute(z) { limits: […] }, roll: revolute(x)`: each motion's parent is the child of the one before.
 fn motions(whole: &Name, input: ParseStream, errors: &mut Errors) -> Vec<Joint> {
     let mut joints: Vec<Joint> = Vec::new();
     while !input.is_empty() {
@@ -94,7 +93,7 @@ fn motions(whole: &Name, input: ParseStream, errors: &mut Errors) -> Vec<Joint> 
     joints
 }
 
-/// One of them, with the link that it carries.
+/// One motion, with the link that it moves.
 fn motion(whole: &Name, input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
     let Name { text, place } = joint::named(input)?;
     let name = Name {

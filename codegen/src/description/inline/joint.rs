@@ -1,9 +1,9 @@
 //! `joint NAME: revolute(z) { from: …, to: …, at: …, limits: […], velocity: … }`.
 //!
-//! In: tokens. Out: a joint whose links may still be open. The axis is `x`, `y`, `z`, `-z` and so
-//! on, or a vector (of another length than 1 with a doubt); a screw joint adds `pitch: 0.01`, in metres per radian,
-//! a universal one its second axis; translation, spherical and floating have none. A joint that follows another
-//! has `mimic: leader, multiplier: -1.0, offset: 0.1`, and one with a drive `armature: 0.01, damping: 0.5`.
+//! The axis is `x`, `y`, `z`, `-z` and so on, or a vector; a length other than 1 is a warning. A screw joint adds
+//! `pitch: 0.01` in metres per radian, a universal joint its second axis; translation, spherical and floating joints
+//! have none. A mimic joint has `mimic: other, multiplier: -1.0, offset: 0.1`; armature and friction are `armature: 0.01` and
+//! `damping: 0.5`.
 
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -17,7 +17,7 @@ use crate::joint::drive::{Part, Parts};
 use crate::joint::{Definition, JointKind};
 use crate::wording::{known, quoted};
 
-/// The keys of a joint, but for those of its drive.
+/// The keys of a joint, except those of armature, rotors and friction.
 pub(in crate::description) const KEYS: [&str; 8] = [
     "from",
     "to",
@@ -32,7 +32,7 @@ pub(in crate::description) const KEYS: [&str; 8] = [
 /// The steps of a placement.
 pub(in crate::description) const STEPS: [&str; 5] = ["xyz", "rpy", "rx", "ry", "rz"];
 
-/// A joint, its links known as far as they were named.
+/// A joint with the links named so far.
 pub(super) struct Joint {
     name: Name,
     motion: Option<Motion>,
@@ -41,19 +41,19 @@ pub(super) struct Joint {
     pub(super) origin: Vec<Step>,
     limits: Option<Limits>,
     mimic: Option<Mimic>,
-    /// What its drive adds.
+    /// Armature, rotors, damping and friction.
     pub(super) drive: Parts,
-    /// Whether the link that it carries is written nowhere: one without mass, between two motions.
+    /// True if the child link is a massless one between two motions, which has no entry in the text.
     pub(super) is_between: bool,
-    /// What is doubtful about it.
-    pub(super) doubts: Vec<Complaint>,
+    /// Warnings.
+    pub(super) warnings: Vec<Complaint>,
 }
 
-/// What a joint allows, and along or about which axes.
+/// The type of a joint, with its axes.
 struct Motion {
     kind: JointKind,
     axes: [[Number; 3]; 2],
-    doubts: Vec<Complaint>,
+    warnings: Vec<Complaint>,
 }
 
 /// `NAME:`.
@@ -68,7 +68,7 @@ pub(super) fn named(input: ParseStream) -> Parsed<Name> {
     Ok(name)
 }
 
-/// Reads what a joint allows behind its name, and its keys: some of [`KEYS`], and those of its drive.
+/// Reads type, axes and keys of a joint: some of [`KEYS`], and those of armature, rotors and friction.
 pub(super) fn of(
     name: Name,
     keys: &[&str],
@@ -78,13 +78,13 @@ pub(super) fn of(
     let subject = format!("joint {}", quoted(&name.text));
     let mut motion = motion(input, &subject, errors)?;
     body::end(input, &subject)?;
-    let doubts = motion
+    let warnings = motion
         .as_mut()
-        .map(|motion| std::mem::take(&mut motion.doubts));
+        .map(|motion| std::mem::take(&mut motion.warnings));
     let mut joint = Joint {
         name,
         motion,
-        doubts: doubts.unwrap_or_default(),
+        warnings: warnings.unwrap_or_default(),
         from: None,
         to: None,
         origin: Vec::new(),
@@ -94,7 +94,7 @@ pub(super) fn of(
         is_between: false,
     };
     let mut range = Range::default();
-    let mut follows = Follows::default();
+    let mut mimic_keys = MimicKeys::default();
     let drive = Part::ALL.map(Part::word);
     let keys: Vec<&str> = keys.iter().copied().chain(drive).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
@@ -107,33 +107,33 @@ pub(super) fn of(
             "from" => joint.from = Some(tokens::name(input)?),
             "to" => joint.to = Some(tokens::name(input)?),
             "at" => joint.origin = placement(input, &subject)?,
-            "mimic" | "multiplier" | "offset" => follows.read(key, input, &subject)?,
+            "mimic" | "multiplier" | "offset" => mimic_keys.read(key, input, &subject)?,
             _ => range.read(key, input, &subject)?,
         }
         Ok(())
     })?;
     joint.limits = range.finish();
-    joint.mimic = follows.finish(&joint.name, errors);
+    joint.mimic = mimic_keys.finish(&joint.name, errors);
     Ok(joint)
 }
 
 impl Joint {
-    /// What it is called.
+    /// The joint's name.
     pub(super) const fn name(&self) -> &Name {
         &self.name
     }
 
-    /// The joint between its links; complains where one is not known.
+    /// The joint with its links; a missing link is an error.
     pub(super) fn finish(self, errors: &mut Errors) -> Option<crate::description::Joint> {
         let subject = format!("joint {}", quoted(&self.name.text));
         let place = self.name.place;
         if self.from.is_none() {
-            let message = format!("{subject} hangs on no link");
+            let message = format!("{subject} has no parent link");
             let hint = "name it, from: base, or write the link before the joint";
             errors.push_with_hint(place, message, hint);
         }
         if self.to.is_none() {
-            let message = format!("{subject} carries no link");
+            let message = format!("{subject} has no child link");
             let hint = "name it, to: upper, or write the link after the joint";
             errors.push_with_hint(place, message, hint);
         }
@@ -145,7 +145,7 @@ impl Joint {
         let motion = self.motion.unwrap_or_else(|| Motion {
             kind: JointKind::Fixed,
             axes: [along_x(place); 2],
-            doubts: Vec::new(),
+            warnings: Vec::new(),
         });
         let [axis, second_axis] = motion.axes;
         Some(crate::description::Joint {
@@ -164,7 +164,7 @@ impl Joint {
     }
 }
 
-/// `revolute(z)`, `screw(z, pitch: 0.01)`, `fixed`; none where it was refused.
+/// `revolute(z)`, `screw(z, pitch: 0.01)`, `fixed`; `None` after a reported error.
 fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Option<Motion>> {
     let word = tokens::word(input)?;
     let kind = match kind::read(&word.to_string(), subject) {
@@ -183,7 +183,7 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
             return Ok(Some(Motion {
                 kind: kind.with_pitch(|| Ok::<_, Complaint>(Number::default()))?,
                 axes: [along_x(Place::Token(word.span())); 2],
-                doubts: Vec::new(),
+                warnings: Vec::new(),
             }));
         }
         let message = format!("{subject} has no axis");
@@ -205,9 +205,9 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         let message = format!("{subject} is {} and has no axis", kind.word);
         return Err(complaint(input.span(), message));
     }
-    let (axis, doubt) = direction(input, subject)?;
+    let (axis, warning) = direction(input, subject)?;
     let mut axes = [axis; 2];
-    let mut doubts: Vec<Complaint> = doubt.into_iter().collect();
+    let mut warnings: Vec<Complaint> = warning.into_iter().collect();
     if kind.axes() == 2 {
         let hint = format!("write {}(x, y)", kind.word);
         let missing = format!("{subject} has no second axis");
@@ -215,9 +215,9 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         input
             .parse::<Token![,]>()
             .map_err(|_| complaint_with_hint(span, missing, hint))?;
-        let (second, doubt) = direction(input, subject)?;
+        let (second, warning) = direction(input, subject)?;
         axes[1] = second;
-        doubts.extend(doubt);
+        warnings.extend(warning);
     }
     let kind = kind.with_pitch(|| -> Parsed<Number> {
         let hint = "write screw(z, pitch: 0.01), in metres per radian";
@@ -234,14 +234,18 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         let message = format!("expected `)` after the axis of {subject}");
         return Err(complaint(input.span(), message));
     }
-    Ok(Motion { kind, axes, doubts })
+    Ok(Motion {
+        kind,
+        axes,
+        warnings,
+    })
 }
 
 fn along_x(place: Place) -> [Number; 3] {
     [1.0, 0.0, 0.0].map(|value| number::computed(value, place))
 }
 
-/// `z`, `-z`, or a vector; and a doubt where that is not of length 1.
+/// `z`, `-z`, or a vector; with a warning if its length is not 1.
 pub(super) fn direction(
     input: ParseStream,
     subject: &str,
@@ -254,7 +258,7 @@ pub(super) fn direction(
             complaint_with_hint(span, format!("{subject} {}", remark.what), remark.hint)
         };
         return match axis::direction(numbers) {
-            Ok((axis, doubt)) => Ok((axis, doubt.map(say))),
+            Ok((axis, warning)) => Ok((axis, warning.map(say))),
             Err(refusal) => Err(say(refusal)),
         };
     }
@@ -270,7 +274,7 @@ pub(super) fn direction(
         Some("y") => [0.0, sign, 0.0],
         Some("z") => [0.0, 0.0, sign],
         _ => {
-            let message = format!("{subject} is neither x, y, z nor a vector");
+            let message = format!("{subject} must be x, y, z or a vector");
             let hint = "write revolute(z), revolute(-z) or revolute([0.0, 0.6, 0.8])";
             return Err(complaint_with_hint(span, message, hint));
         }
@@ -279,7 +283,7 @@ pub(super) fn direction(
     Ok((axis, None))
 }
 
-/// `xyz(…) rpy(…)`, or any other product of steps, from left to right.
+/// `xyz(…) rpy(…)`, or another product of steps, from left to right.
 pub(super) fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> {
     let mut steps = Vec::new();
     while !input.is_empty() && !input.peek(Token![,]) {
@@ -289,11 +293,14 @@ pub(super) fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> 
         match text.as_str() {
             "xyz" => steps.push(Step::Translate(tokens::arguments(input, &part)?)),
             "rpy" => steps.extend(body::roll_pitch_yaw(tokens::arguments(input, &part)?)),
-            "rx" => steps.push(turn(Axis::X, input, &part)?),
-            "ry" => steps.push(turn(Axis::Y, input, &part)?),
-            "rz" => steps.push(turn(Axis::Z, input, &part)?),
+            "rx" => steps.push(rotation(Axis::X, input, &part)?),
+            "ry" => steps.push(rotation(Axis::Y, input, &part)?),
+            "rz" => steps.push(rotation(Axis::Z, input, &part)?),
             _ => {
-                let message = format!("{subject} is placed by the unknown step {}", quoted(&text));
+                let message = format!(
+                    "{subject} has the unknown step {} in its placement",
+                    quoted(&text)
+                );
                 let hint = known(&text, "steps", &STEPS);
                 return Err(complaint_with_hint(word.span(), message, hint));
             }
@@ -302,20 +309,20 @@ pub(super) fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> 
     Ok(steps)
 }
 
-fn turn(axis: Axis, input: ParseStream, subject: &str) -> Parsed<Step> {
+fn rotation(axis: Axis, input: ParseStream, subject: &str) -> Parsed<Step> {
     let [angle] = tokens::arguments(input, subject)?;
     Ok(Step::Rotate(axis, angle))
 }
 
-/// What was given of the joint that moves this one.
+/// The keys of a mimic joint read so far.
 #[derive(Default)]
-struct Follows {
+struct MimicKeys {
     leader: Option<Name>,
     multiplier: Option<Number>,
     offset: Option<Number>,
 }
 
-impl Follows {
+impl MimicKeys {
     /// Reads the value of `mimic`, `multiplier` or `offset`.
     fn read(&mut self, key: &str, input: ParseStream, subject: &str) -> Parsed<()> {
         let number = || tokens::number(input, &format!("the {key} of {subject}"));
@@ -327,15 +334,18 @@ impl Follows {
         Ok(())
     }
 
-    /// The whole, where a leader was given.
+    /// The mimic joint, if `mimic` was written.
     fn finish(self, joint: &Name, errors: &mut Errors) -> Option<Mimic> {
         let place = joint.place;
         let Some(leader) = self.leader else {
             if self.multiplier.is_some() || self.offset.is_some() {
                 errors.push_with_hint(
                     place,
-                    format!("joint {} follows no other joint", quoted(&joint.text)),
-                    "name it, mimic: finger",
+                    format!(
+                        "joint {} has a multiplier or an offset, but no mimicked joint",
+                        quoted(&joint.text)
+                    ),
+                    "name it: mimic: finger",
                 );
             }
             return None;
@@ -349,7 +359,7 @@ impl Follows {
     }
 }
 
-/// What was given of the limits.
+/// The limits read so far.
 #[derive(Default)]
 pub(super) struct Range {
     ends: Option<[f64; 2]>,
@@ -377,7 +387,7 @@ impl Range {
         Ok(())
     }
 
-    /// The limits, where any were given.
+    /// The limits, if there are any.
     pub(super) fn finish(self) -> Option<Limits> {
         if self.ends.is_none() && self.velocity.is_none() {
             return None;

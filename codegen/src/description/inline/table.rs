@@ -1,7 +1,6 @@
 //! `denavit_hartenberg(modified) { shoulder: revolute { a: …, alpha: …, d: …, theta: … } … }`.
 //!
-//! In: tokens. Out: links and joints, put together as for a table in a file. Lengths and angles
-//! that are not written are zero.
+//! The rows become links and joints, as in a table in a file. Missing lengths and angles are zero.
 
 use proc_macro2::Span;
 use syn::Token;
@@ -32,7 +31,7 @@ pub(in crate::description) const KEYS: [&str; 12] = [
     "velocity",
 ];
 
-/// Reads a table behind the word `denavit_hartenberg`.
+/// Reads a table after the word `denavit_hartenberg`.
 pub(super) fn read(
     input: ParseStream,
     word: Span,
@@ -71,7 +70,7 @@ pub(super) fn read(
     ))
 }
 
-/// One row; none where its type was refused.
+/// One row; `None` if its type is unknown.
 fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
     let joint = tokens::name(input)?;
     let subject = format!("joint {}", quoted(&joint.text));

@@ -1,4 +1,4 @@
-//! Every message of the grammar, and what it can say.
+//! Tests of the grammar and of each of its messages.
 
 mod closure;
 mod composite;
@@ -30,24 +30,24 @@ fn try_read(text: &str) -> (Option<Item>, String) {
 }
 
 fn fine(text: &str) -> Item {
-    let (item, said) = try_read(text);
-    assert_eq!(said, "");
+    let (item, messages) = try_read(text);
+    assert_eq!(messages, "");
     item.unwrap()
 }
 
-/// What is said of items that begin in line 2.
+/// The errors of items that begin in line 2.
 fn errors_in(items: &str) -> String {
     try_read(&format!("struct Arm;\n{items}")).1
 }
 
-/// What is said of a joint from a to b.
+/// The errors of a joint from a to b.
 fn errors_in_joint(joint: &str) -> String {
     errors_in(&format!("{joint}\nlink a; link b;"))
 }
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn a_whole_robot_in_place() {
+fn an_inline_description_of_a_whole_robot() {
     let item = fine(SCARA);
     assert_eq!(item.ident, "Scara");
     assert_eq!(item.attributes.len(), 2);
@@ -116,7 +116,7 @@ fn a_whole_robot_in_place() {
 }
 
 #[test]
-fn a_table_in_place_is_a_table_in_a_file() {
+fn an_inline_table_equals_a_table_in_a_file() {
     let item = fine(
         "struct Arm;
         denavit_hartenberg(modified) {
@@ -152,7 +152,7 @@ fn a_table_in_place_is_a_table_in_a_file() {
 
 #[test]
 fn all_mistakes_are_reported_at_once() {
-    let (item, said) = try_read(
+    let (item, messages) = try_read(
         "pub struct Arm { tipp: a, exact }\n\
          link base { mass: -1, com: [0, 0], inertia: [1, 1], colour: red }\n\
          joint one: revolut(z) { at: xyz(0, 0) }\n\
@@ -163,9 +163,9 @@ fn all_mistakes_are_reported_at_once() {
          link tool;",
     );
     assert_eq!(
-        said,
-        "1:18: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
+        messages,
+        "1:18: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, mjcf, dh, base, floating, tip, \
+         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          2:19: the mass of link \"base\" is negative: -1\n\
          2:28: the centre of mass of link \"base\" has 2 numbers instead of 3\n\
          2:45: the inertia of link \"base\" has 2 numbers \
@@ -183,10 +183,10 @@ fn all_mistakes_are_reported_at_once() {
          4:54: the lower limit of joint \"two\", 1, is above the upper one, -1\n\
          5:14: joint \"three\" has no axis\n  \
          hint: write planar(z)\n\
-         6:1: unknown key \"jiont\"\n  hint: did you mean \"joint\"? known keys: urdf, dh, base, floating, tip, \
-         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
+         6:1: unknown key \"jiont\"\n  hint: did you mean \"joint\"? known keys: urdf, mjcf, dh, base, floating, tip, \
+         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          7:6: link \"tool\" has a mass but no inertia\n  \
-         hint: add inertia: [0.01, 0.01, 0.01], with zeros for a mass in a point\n\
+         hint: add inertia: [0.01, 0.01, 0.01], with zeros for a point mass\n\
          8:6: there is another link \"tool\"\n"
     );
     let item = item.unwrap();
@@ -195,21 +195,21 @@ fn all_mistakes_are_reported_at_once() {
 }
 
 #[test]
-fn the_word_that_the_command_line_has_for_a_key_is_understood() {
-    let (_, said) = try_read("pub struct Arm { functions: gravity }\nlink base;");
+fn the_option_of_the_command_line_is_a_hint_for_the_key() {
+    let (_, message) = try_read("pub struct Arm { functions: gravity }\nlink base;");
     let meant = "1:18: unknown key \"functions\"\n  hint: did you mean \"generate\"? ";
-    assert!(said.starts_with(meant), "{said}");
+    assert!(message.starts_with(meant), "{message}");
 }
 
 #[test]
-fn joints_are_refused_with_what_to_write() {
+fn errors_of_joints_show_the_syntax() {
     assert_eq!(
         errors_in_joint("joint j: revolute { from: a, to: b }"),
         "2:10: joint \"j\" has no axis\n  hint: write revolute(z)\n"
     );
     assert_eq!(
         errors_in_joint("joint j: revolute(w) { from: a, to: b }"),
-        "2:19: the axis of joint \"j\" is neither x, y, z nor a vector\n  \
+        "2:19: the axis of joint \"j\" must be x, y, z or a vector\n  \
          hint: write revolute(z), revolute(-z) or revolute([0.0, 0.6, 0.8])\n"
     );
     assert_eq!(
@@ -239,7 +239,7 @@ fn joints_are_refused_with_what_to_write() {
     );
     assert_eq!(
         errors_in_joint("joint j: fixed { from: a, to: b, at: xyx(0, 0, 0) }"),
-        "2:38: joint \"j\" is placed by the unknown step \"xyx\"\n  \
+        "2:38: joint \"j\" has the unknown step \"xyx\" in its placement\n  \
          hint: did you mean \"xyz\"? known steps: xyz, rpy, rx, ry and rz\n"
     );
     assert_eq!(
@@ -266,24 +266,27 @@ fn an_axis_of_another_length_is_kept_with_a_warning() {
     );
     let arm = item.description.unwrap();
     assert_eq!(arm.joints[0].axis.map(|x| x.value), [0.0, 0.75, 1.0]);
-    let [doubt] = &arm.warnings[..] else {
+    let [warning] = &arm.warnings[..] else {
         panic!("{:?}", arm.warnings);
     };
     assert_eq!(
-        doubt.message,
-        "the axis of joint \"j\" has length 5: taken with length 1"
+        warning.message,
+        "the axis of joint \"j\" has length 5, and is normalised"
     );
-    assert_eq!(doubt.hint.as_deref(), Some("of length 1 it is 0 0.6 0.8"));
-    assert!(matches!(doubt.place, Place::Token(_)));
+    assert_eq!(
+        warning.hint.as_deref(),
+        Some("the unit vector is 0 0.6 0.8")
+    );
+    assert!(matches!(warning.place, Place::Token(_)));
 }
 
 #[test]
-fn joints_join_two_links() {
+fn a_joint_needs_two_links() {
     assert_eq!(
         errors_in("joint j: fixed;"),
-        "2:7: joint \"j\" hangs on no link\n  \
+        "2:7: joint \"j\" has no parent link\n  \
          hint: name it, from: base, or write the link before the joint\n\
-         2:7: joint \"j\" carries no link\n  \
+         2:7: joint \"j\" has no child link\n  \
          hint: name it, to: upper, or write the link after the joint\n"
     );
     assert_eq!(
@@ -293,12 +296,12 @@ fn joints_join_two_links() {
 }
 
 #[test]
-fn masses_and_inertias_come_together() {
+fn mass_and_inertia_need_each_other() {
     assert_eq!(
         errors_in("link a { com: [0, 0, 1] }"),
         "2:6: link \"a\" has an inertia but no mass\n  hint: add mass: 1.0\n"
     );
-    // A mass that is there and wrong is not missing as well.
+    // A malformed mass is not reported as missing, too.
     assert_eq!(
         errors_in("link a { mass: heavy, inertia: [0, 0, 0] }"),
         "2:16: the mass of link \"a\" is not a number\n  \
@@ -316,7 +319,7 @@ fn masses_and_inertias_come_together() {
 }
 
 #[test]
-fn tables_are_refused_with_what_to_write() {
+fn errors_of_tables_show_the_syntax() {
     let hint = "hint: write denavit_hartenberg(modified) { … }, or (standard)";
     assert_eq!(
         errors_in("denavit_hartenberg { a: fixed }"),
@@ -337,7 +340,7 @@ fn tables_are_refused_with_what_to_write() {
              }"
         ),
         "3:6: joint \"one\" has the unknown type \"ball\"\n  \
-         hint: it is called spherical here\n\
+         hint: write spherical\n\
          4:17: joint \"two\" has the unknown key \"alfa\"\n  \
          hint: did you mean \"alpha\"? known keys: mass, com, inertia, inertia_rpy, a, alpha, d, \
          theta, pitch, link, limits and velocity\n\
@@ -345,7 +348,7 @@ fn tables_are_refused_with_what_to_write() {
          6:7: joint \"four\" has no pitch\n  hint: add pitch: 0.01, in metres per radian\n\
          7:21: the mass of the link of joint \"five\" is negative: -1\n\
          7:1: the link of joint \"five\" has a mass but no inertia\n  \
-         hint: add inertia: [0.01, 0.01, 0.01], with zeros for a mass in a point\n"
+         hint: add inertia: [0.01, 0.01, 0.01], with zeros for a point mass\n"
     );
 }
 
@@ -368,18 +371,18 @@ fn a_chain_begins_with_its_struct() {
 }
 
 #[test]
-fn a_file_may_be_named_instead() {
+fn a_file_and_an_inline_description_exclude_each_other() {
     assert_eq!(
         try_read("struct Arm { urdf: \"arm.urdf\", dh: \"arm.dh\" }").1,
         "1:36: Arm is described twice\n  \
          hint: name one file, or describe links and joints in place\n\
          1:20: cannot read nowhere/arm.urdf: there is no such file\n  \
-         hint: a path begins at the folder of Cargo.toml\n"
+         hint: paths are relative to the folder of Cargo.toml\n"
     );
 }
 
 #[test]
-fn every_missing_token_is_survived() {
+fn no_missing_token_panics() {
     let tokens: Vec<proc_macro2::TokenTree> = flatten(SCARA.parse().unwrap());
     assert!(tokens.len() > 30);
     for skipped in 0..tokens.len() {
@@ -414,20 +417,16 @@ fn flatten(tokens: TokenStream) -> Vec<proc_macro2::TokenTree> {
 }
 
 #[test]
-fn brackets_without_end_are_refused() {
+fn deeply_nested_brackets_are_errors() {
     for (open, close) in [("(", ")"), ("[", "]"), ("{", "}")] {
         let nested = |depth: usize| {
             let (open, close) = (open.repeat(depth), close.repeat(depth));
             try_read(&format!("struct Arm; link base {open}{close}")).1
         };
-        assert!(
-            !nested(100).contains("within each other"),
-            "{}",
-            nested(100)
-        );
+        assert!(!nested(100).contains("are nested"), "{}", nested(100));
         assert_eq!(
             nested(100_000),
-            "1:151: more than 128 brackets within each other\n"
+            "1:151: brackets are nested more than 128 deep\n"
         );
     }
 }

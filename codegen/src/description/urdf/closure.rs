@@ -1,20 +1,19 @@
-//! `<loop_joint>`: two links that hang on the base anyhow, held together.
+//! `<loop_joint>`: a joint that closes a loop between two links of the tree.
 //!
-//! In: one element. Out: a [`Loop`], as far as it could be read, and complaints. URDF itself knows no loops;
-//! the element is that of Drake's former reader and of Isaac Sim's importer: `<loop_joint name="…"
-//! type="spherical"><link1 link="…" xyz="…" rpy="…"/><link2 …/></loop_joint>`, with the place of the joint on
-//! each link, and `<axis xyz="…"/>`, `<axis2 …/>` there where its type has such; a rod has
+//! URDF itself has no loops. The element is that of Drake's former reader and of Isaac Sim's importer:
+//! `<loop_joint name="…" type="spherical"><link1 link="…" xyz="…" rpy="…"/><link2 …/></loop_joint>`, with the frame of
+//! the joint on each link. Types with axes have `<axis xyz="…"/>` and `<axis2 …/>` in these frames, a rod has
 //! `<rod length="…"/>`.
 
 use roxmltree::Node;
 
-use super::element::Reader;
 use super::joint::{along_x, direction};
 use crate::closure::{ALL, Definition};
+use crate::description::xml::element::Reader;
 use crate::description::{Loop, Step};
 use crate::wording::{known, quoted};
 
-/// Reads a loop; none where it has no name, no type or not two links.
+/// Reads a loop; `None` without a name, a type or two links.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Loop> {
     let name = reader.name(node, "name", "a loop joint");
     let subject = match &name {
@@ -46,7 +45,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
             let what = format!("the <{name}> of {subject}");
             axes[k..].fill(direction(reader, axis, &what));
         } else if kind.is_some_and(|kind| k < kind.axes) {
-            let message = format!("{subject} has no <{name}>: it is about or along x");
+            let message = format!("{subject} has no <{name}>: its axis is x");
             let hint = format!("write <{name} xyz=\"1 0 0\"/>");
             reader.warn(reader.place(node), message, Some(hint));
         }
@@ -71,7 +70,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     })
 }
 
-/// What it leaves free; none where that was refused.
+/// The type of the loop; `None` if it is unknown.
 fn kind<'t>(
     reader: &mut Reader<'_, 't>,
     node: Node<'_, 't>,

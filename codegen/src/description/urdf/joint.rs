@@ -1,22 +1,21 @@
-//! `<joint>`: what moves, about or along which axis, from which link to which.
+//! `<joint>`: type, axes, links, limits, friction.
 //!
-//! In: one element. Out: a [`Joint`], as far as it could be read, and complaints. Friction is kept
-//! and noted, for it is modelled where it is asked for. URDF itself knows no screw joints, which have
-//! `<thread pitch="…"/>` in metres per radian, and no universal ones, which have `<axis2 xyz="…"/>`; `<drake:joint>`
-//! has types of its own (Drake, "Parsing Models for Multibody Dynamics").
+//! Friction is kept and noted, because it is modelled only on request. Extensions of URDF: screw joints with
+//! `<thread pitch="…"/>` in metres per radian, universal joints with `<axis2 xyz="…"/>`, and the types of
+//! `<drake:joint>` (Drake, "Parsing Models for Multibody Dynamics").
 
 use roxmltree::Node;
 
-use super::element::Reader;
 use super::limit;
 use crate::description::kind;
+use crate::description::xml::element::Reader;
 use crate::description::{Joint, Mimic, Name, Number, axis, number};
 use crate::error::Place;
 use crate::joint::JointKind;
 use crate::joint::drive::{Part, Parts};
 use crate::wording::quoted;
 
-/// Reads a joint; none where it has no name or hangs nowhere.
+/// Reads a joint; `None` without a name, a type or two links.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Joint> {
     let name = reader.name(node, "name", "a joint");
     let subject = match &name {
@@ -66,7 +65,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     })
 }
 
-/// What the joint allows; none where that was refused.
+/// The type of the joint; `None` if it is unknown.
 fn kind<'t>(
     reader: &mut Reader<'_, 't>,
     node: Node<'_, 't>,
@@ -97,17 +96,17 @@ fn kind<'t>(
     }
 }
 
-/// Whether it is Drake's element, whose types are `ball`, `planar` and `universal`.
+/// True for Drake's element, which has the types `ball`, `planar` and `universal`.
 fn is_of_drake(node: Node<'_, '_>) -> bool {
     node.tag_name().name() == "drake.joint"
 }
 
-/// Whether its axes are those of the frame, and nothing that is written.
+/// True if the axes are fixed by Drake's type.
 fn has_axes_of_drake(node: Node<'_, '_>, kind: JointKind) -> bool {
     is_of_drake(node) && (matches!(kind, JointKind::Planar) || kind.definition().axes() == 2)
 }
 
-/// Planar joints of Drake move across z, universal ones turn about x and then y.
+/// The axes of Drake's types: planar joints have the normal z, universal joints rotate about x and then y.
 fn axes_of_drake<'t>(
     reader: &mut Reader<'_, 't>,
     node: Node<'_, 't>,
@@ -121,7 +120,7 @@ fn axes_of_drake<'t>(
         let word = kind.map_or("", JointKind::word);
         reader.warn(
             reader.place(axis),
-            format!("the axis of {subject} is ignored, as Drake ignores that of type {word}"),
+            format!("the axis of {subject} is ignored, as in Drake for type {word}"),
             Some(format!(
                 "rotate its <origin>, or write <joint type=\"{word}\">"
             )),
@@ -134,7 +133,7 @@ fn axes_of_drake<'t>(
     [along(first), along([0.0, 1.0, 0.0])]
 }
 
-/// Warns of a second axis or a thread where the type has none.
+/// Warns of a second axis or a thread that the type does not have.
 fn out_of_place<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
@@ -155,13 +154,13 @@ fn out_of_place<'t>(
                     "<{name}> in {subject} is ignored: its type is {}",
                     kind.word()
                 ),
-                Some(format!("the type that has one is {of}")),
+                Some(format!("only type {of} has one")),
             );
         }
     }
 }
 
-/// The link at one end.
+/// The parent or child link.
 fn end<'t>(
     reader: &mut Reader<'_, 't>,
     node: Node<'_, 't>,
@@ -174,7 +173,7 @@ fn end<'t>(
     reader.name(element, "link", &format!("the {end} of {subject}"))
 }
 
-/// The joint that moves this one, if one does; a joint that does not move mimics nothing.
+/// The mimicked joint with multiplier and offset; a fixed joint ignores it, with a warning.
 fn mimic<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
@@ -206,32 +205,35 @@ fn mimic<'t>(
     })
 }
 
-/// Friction and damping; takes note of them, if they are not zero. What
-/// is not a number is one that is not finite, to be refused where it is asked for.
+/// Damping and friction; noted for a warning if they are not zero. A malformed number becomes NaN, which is an error
+/// only if friction is modelled.
 fn dynamics<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
     kind: Option<JointKind>,
     subject: &str,
 ) -> Parts {
-    let mut drive = Parts::default();
+    let mut parts = Parts::default();
     let Some(node) = reader.only(children, "dynamics", subject) else {
-        return drive;
+        return parts;
     };
     if matches!(kind, Some(JointKind::Fixed)) {
-        return drive;
+        return parts;
     }
     let mut words = Vec::new();
-    for attribute in node.attributes().filter(|said| !is_zero(said.value())) {
+    for attribute in node
+        .attributes()
+        .filter(|attribute| !is_zero(attribute.value()))
+    {
         let part = Part::from_word(attribute.name()).filter(|part| part.resists());
         if let Some(part) = part {
             let place = reader.value_place(&attribute);
             let value = reader.value(&attribute);
-            // Of a joint with several velocities one number for each.
+            // A joint with several velocities has one number for each.
             let words = value.split_ascii_whitespace();
             let number = |word| number::read(word, place);
             let number = |word| number(word).unwrap_or_else(|_| number::computed(f64::NAN, place));
-            drive.say(part, words.map(number).collect());
+            parts.say(part, words.map(number).collect());
         }
         words.extend(part.map(Part::word));
     }
@@ -239,10 +241,10 @@ fn dynamics<'t>(
         let place = reader.place(node);
         reader.unmodelled.friction(place, subject, words);
     }
-    drive
+    parts
 }
 
-/// The axis with length 1; along x where the text gives none, as URDF has it.
+/// The axis; x if the file has none, as URDF defines.
 fn axis<'t>(
     reader: &mut Reader<'_, 't>,
     node: Node<'_, 't>,
@@ -251,28 +253,28 @@ fn axis<'t>(
     subject: &str,
 ) -> [Number; 3] {
     let element = reader.only(children, "axis", subject);
-    // The axis of a joint that needs none means nothing, and is often written as zero.
+    // Joints without an axis often have one of zeros in files.
     if kind.is_none_or(|kind| kind.definition().axes() == 0) {
         return along_x(reader.place(node));
     }
     let Some(element) = element else {
         let place = reader.place(node);
-        about_pinocchio(reader, place, kind, [1.0, 0.0, 0.0], subject);
+        warn_of_normal(reader, place, kind, [1.0, 0.0, 0.0], subject);
         reader.warn(
             place,
-            format!("{subject} has no <axis>: it moves about or along x, as URDF has it"),
+            format!("{subject} has no <axis>: its axis is x, as URDF defines"),
             Some("write <axis xyz=\"1 0 0\"/>".to_owned()),
         );
         return along_x(place);
     };
     let direction = direction(reader, element, &format!("the axis of {subject}"));
     let entries = direction.map(|entry| entry.value);
-    about_pinocchio(reader, reader.place(element), kind, entries, subject);
+    warn_of_normal(reader, reader.place(element), kind, entries, subject);
     direction
 }
 
-/// Warns of a planar joint whose axis is not z, for which readers differ.
-fn about_pinocchio(
+/// Warns of a planar joint whose normal is not z, because other readers ignore the axis.
+fn warn_of_normal(
     reader: &mut Reader<'_, '_>,
     place: Place,
     kind: Option<JointKind>,
@@ -285,12 +287,12 @@ fn about_pinocchio(
     }
     reader.warn(
         place,
-        format!("{subject} is planar about another axis than z: Pinocchio and MoveIt move it across z all the same"),
-        Some("rotate its <origin> instead of its axis, where other readers must agree".to_owned()),
+        format!("{subject} is planar with a normal other than z: Pinocchio and MoveIt use z"),
+        Some("rotate its <origin> instead of its axis, to agree with other readers".to_owned()),
     );
 }
 
-/// The second axis with length 1, of a joint that has two.
+/// The second axis, of a joint that has two.
 fn second_axis<'t>(
     reader: &mut Reader<'_, 't>,
     node: Node<'_, 't>,
@@ -312,7 +314,7 @@ pub(super) fn along_x(place: Place) -> [Number; 3] {
     [1.0, 0.0, 0.0].map(|value| number::computed(value, place))
 }
 
-/// What an element says of a direction; along x where that is nothing.
+/// The direction in an element; x if it has none, which is an error.
 pub(super) fn direction<'t>(
     reader: &mut Reader<'_, 't>,
     element: Node<'_, 't>,
@@ -332,9 +334,13 @@ pub(super) fn direction<'t>(
     };
     let place = reader.value_place(&xyz);
     match axis::direction(numbers) {
-        Ok((axis, doubt)) => {
-            if let Some(doubt) = doubt {
-                reader.warn(place, format!("{subject} {}", doubt.what), Some(doubt.hint));
+        Ok((axis, warning)) => {
+            if let Some(warning) = warning {
+                reader.warn(
+                    place,
+                    format!("{subject} {}", warning.what),
+                    Some(warning.hint),
+                );
             }
             axis
         }
@@ -346,7 +352,7 @@ pub(super) fn direction<'t>(
     }
 }
 
-/// Whether a value is nothing but zeros, however they are written.
+/// True if a value consists of zeros in any notation.
 fn is_zero(value: &str) -> bool {
     let mut numbers = value.split_ascii_whitespace();
     numbers.all(|number| number.parse() == Ok(0.0))

@@ -1,17 +1,15 @@
-//! `<limit>` and `<safety_controller>`: the range of a coordinate and of its rate.
+//! `<limit>` and `<safety_controller>`: limits of position, velocity and effort.
 //!
-//! In: the elements of a joint. Out: [`Limits`], as far as they could be read, and complaints; a note of soft limits that
-//! are narrower. It never looks at the axis.
+//! Soft limits that are narrower than the limits are noted for a warning.
 
 use roxmltree::Node;
 
-use super::element::Reader;
+use crate::description::xml::element::Reader;
 use crate::description::{Limits, number};
 use crate::joint::JointKind;
 
-/// The limits, where there are any. Those of the angle mean nothing for a continuous joint, and
-/// nothing for any other where the lower one is above the upper one, by which simulators say that
-/// there are none.
+/// The limits, if there are any. Position limits are ignored for a continuous joint. They are ignored with a warning if
+/// the lower one is above the upper one: simulators write this for a joint without limits.
 pub(super) fn read<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
@@ -30,7 +28,7 @@ pub(super) fn read<'t>(
         })
     };
     let velocity = bound("velocity", f64::INFINITY);
-    // Nothing is computed of it: what is no number, or zero, says nothing.
+    // A malformed or zero effort means no limit, because files write 0 for unknown.
     let effort = node.attribute("effort").map(|text| text.trim().parse());
     let effort = effort.and_then(Result::ok).filter(|most| *most > 0.0);
     let effort = effort.unwrap_or(f64::INFINITY);
@@ -43,25 +41,25 @@ pub(super) fn read<'t>(
     match kind {
         None | Some(JointKind::Fixed) => return Some(unlimited),
         Some(JointKind::Continuous) => {
-            let says = |bound: &f64| bound.is_finite() && *bound != 0.0;
+            let is_limit = |bound: &f64| bound.is_finite() && *bound != 0.0;
             let ends = [bound("lower", 0.0), bound("upper", 0.0)];
-            if ends.iter().any(says) {
+            if ends.iter().any(is_limit) {
                 reader.unmodelled.limits(reader.place(node), subject);
             }
             return Some(unlimited);
         }
         Some(_) => {}
     }
-    // A limit that is not written is zero, says URDF.
+    // Missing limits are zero, as URDF defines.
     let (lower, upper) = (bound("lower", 0.0), bound("upper", 0.0));
     if lower > upper {
         reader.warn(
             reader.place(node),
             format!(
-                "the lower limit of {subject}, {lower}, is above the upper one, {upper}: taken as \
-                 without limits"
+                "the lower limit of {subject}, {lower}, is above the upper one, {upper}: read as \
+                 unlimited"
             ),
-            Some("swap them, if they are meant".to_owned()),
+            Some("swap them if the joint has limits".to_owned()),
         );
         return Some(unlimited);
     }
@@ -73,7 +71,7 @@ pub(super) fn read<'t>(
     })
 }
 
-/// Takes note of soft limits that are narrower than the limits, which are the range of the coordinate.
+/// Notes soft limits that are narrower than the limits, which are the range of the coordinate.
 pub(super) fn soft<'t>(
     reader: &mut Reader<'_, 't>,
     children: &[Node<'_, 't>],
@@ -94,12 +92,12 @@ pub(super) fn soft<'t>(
         written.unwrap_or(0.0)
     });
     let [lower, upper]: [f64; 2] = soft;
-    // A limit that is not written is zero, says URDF; both are where nothing is said.
-    let is_said = lower < upper;
+    // Missing limits are zero, as URDF defines; if both are missing, there are none.
+    let is_written = lower < upper;
     let (least, most) = limits.map_or((f64::NEG_INFINITY, f64::INFINITY), |limits| {
         (limits.lower, limits.upper)
     });
-    if is_said && (lower > least || upper < most) {
+    if is_written && (lower > least || upper < most) {
         reader.unmodelled.soft_limits(reader.place(node), subject);
     }
 }

@@ -1,15 +1,14 @@
-//! `<link>`: a name, mass, centre of mass, inertia tensor.
+//! `<link>`: name, mass, centre of mass, inertia tensor.
 //!
-//! In: one element. Out: a [`Link`], as far as it could be read, and complaints. A link without
-//! `<inertial>` is no mistake here: what it means depends on the rest of the robot.
+//! A link without `<inertial>` is valid here; its meaning depends on the rest of the robot.
 
 use roxmltree::Node;
 
-use super::element::Reader;
+use crate::description::xml::element::Reader;
 use crate::description::{Inertial, Link, Name, Number};
 use crate::wording::quoted;
 
-/// Reads a link; none where it has no name.
+/// Reads a link; `None` without a name.
 pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Option<Link> {
     let name = reader.name(node, "name", "a link");
     let subject = subject(name.as_ref());
@@ -55,7 +54,7 @@ fn inertial<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>, link: &str) -> 
     })
 }
 
-/// The six entries; complains of all that are missing or wrong.
+/// The six entries of the tensor; each missing or malformed one is an error.
 fn tensor<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>, link: &str) -> Option<[Number; 6]> {
     let entries = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"]
         .map(|entry| reader.number(node, entry, &format!("{entry} of {link}")));

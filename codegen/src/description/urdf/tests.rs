@@ -1,5 +1,5 @@
-//! Every message of the reader, a file for each of its own and one for texts that no reader should
-//! stumble over; here is a whole robot, without mistakes and with many.
+//! Tests of the reader and of each of its messages, with a file for each part. This file reads whole robots, one
+//! without errors and one with many.
 
 mod closure;
 mod element;
@@ -15,7 +15,7 @@ use super::*;
 use crate::description::{Axis, Modelled, Number, Step};
 use crate::joint::JointKind;
 
-/// An arm that moves in two ways, with a number of every kind.
+/// An arm with two moving joints and a number of each kind.
 const ARM: &str = r#"<?xml version="1.0"?>
 <robot name="arm">
   <material name="grey"/>
@@ -46,7 +46,7 @@ const ARM: &str = r#"<?xml version="1.0"?>
 </robot>
 "#;
 
-/// Reads, and gives back all that was complained of as the command line shows it.
+/// The errors of a text, as the command line prints them.
 fn errors(text: &str) -> String {
     let mut errors = Errors::new();
     let _ = read(text, "arm.urdf", None, &mut errors);
@@ -60,14 +60,14 @@ fn fine(text: &str) -> Description {
     description.unwrap()
 }
 
-/// What is said of one link or joint that stands in line 2 of a robot.
+/// The errors of a link or joint in line 2 of a robot.
 fn errors_in(item: &str) -> String {
     errors(&format!(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\n{item}</robot>"
     ))
 }
 
-/// What is said of a joint from a to b, whose inner text stands in line 2 from column 1.
+/// The errors of a joint from a to b, with its inner text in line 2 from column 1.
 fn errors_in_joint(kind: &str, inner: &str) -> String {
     errors(&format!(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\
@@ -76,8 +76,8 @@ fn errors_in_joint(kind: &str, inner: &str) -> String {
     ))
 }
 
-/// What is doubted of a robot, each doubt as the command line shows it.
-fn doubts(text: &str) -> Vec<String> {
+/// The warnings of a robot, as the command line prints them.
+fn warnings(text: &str) -> Vec<String> {
     let robot = fine(text);
     let modelled = Modelled {
         friction: false,
@@ -85,21 +85,23 @@ fn doubts(text: &str) -> Vec<String> {
         has_rotor: &|_| false,
     };
     let source = robot.source;
-    let doubts = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
-    let doubts = doubts.iter();
-    doubts.map(|doubt| source.errors().locate(doubt)).collect()
+    let warnings = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
+    let warnings = warnings.iter();
+    warnings
+        .map(|warning| source.errors().locate(warning))
+        .collect()
 }
 
-/// What is doubted of a joint from a to b, whose inner text stands in line 2 from column 1.
-fn doubts_in_joint(kind: &str, inner: &str) -> Vec<String> {
-    doubts(&format!(
+/// The warnings of a joint from a to b, with its inner text in line 2 from column 1.
+fn warnings_in_joint(kind: &str, inner: &str) -> Vec<String> {
+    warnings(&format!(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\
          <joint name=\"j\" type=\"{kind}\"><parent link=\"a\"/><child link=\"b\"/>\n\
          {inner}</joint></robot>"
     ))
 }
 
-/// What is said of the inertial of a link, whose inner text stands in line 2 from column 1.
+/// The errors of the inertial of a link, with its inner text in line 2 from column 1.
 fn errors_in_inertial(inner: &str) -> String {
     errors(&format!(
         "<robot name=\"r\"><link name=\"a\"><inertial>\n{inner}</inertial></link></robot>"
@@ -200,11 +202,11 @@ error: arm.urdf:9:21: ixx of link "upper" is not finite: "nan"
 error: arm.urdf:9:7: ixz of link "upper" is missing
 error: arm.urdf:9:55: izz of link "upper" is too large for 64 bits: "1e999"
 error: arm.urdf:12:29: joint "elbow" has the unknown type "hinge"
-  hint: it is called revolute here
+  hint: write revolute
 error: arm.urdf:12:3: joint "elbow" has no <parent>
   hint: add <parent link="…"/>
 error: arm.urdf:15:29: joint "wrist" has the unknown type "ball"
-  hint: it is called spherical here
+  hint: write spherical
 error: arm.urdf:3:15: there is another link "base"
   hint: the other one is in line 2
 "#

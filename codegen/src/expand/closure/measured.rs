@@ -1,8 +1,8 @@
-//! Residuals of loops in a few configurations: their values, and what the joints change them by.
+//! Residuals of loops in a few configurations: their values, and their derivatives by the joints.
 //!
-//! In: a chain. Out: for each residual of each loop its largest value, and the largest share that its rate has of the
-//! motion of frame B as frame A sees it, over all joints and configurations: for an angle of the rotation, for a
-//! length of the velocity. It never decides what is small.
+//! In: a chain. Out: for each residual of each loop its largest value, and the largest ratio of its rate to the
+//! motion of frame B relative to frame A, over all joints and configurations: the angular velocity for an angle, the
+//! linear velocity for a length.
 
 use crate::chain::Chain;
 use crate::closure::Row;
@@ -16,14 +16,14 @@ use crate::quaternion::normalize;
 use crate::random::Random;
 use crate::space::{Entry, FieldId, FrameId, Kind, Variable};
 
-/// How many configurations are drawn.
+/// Number of random configurations.
 const CONFIGURATIONS: usize = 8;
 
-/// The least size of a loop [m]: offsets that cancel leave 10⁻¹⁶ m where they should leave nothing.
+/// The least size of a loop \[m\]: offsets that cancel leave 10⁻¹⁶ m of rounding.
 const LEAST_SIZE: f64 = 1e-12;
 
-/// The least motion that is a joint's own, beside the loop's size: a joint and its mimic joint that turn against each
-/// other leave the rounding of their axes.
+/// The least motion of a joint, relative to the loop's size: a joint and its mimic joint that rotate in opposite
+/// directions leave the rounding of their axes.
 const LEAST_MOTION: f64 = 1e-3;
 
 /// The entries of M of frame B in frame A: the origin, and the axes.
@@ -48,7 +48,7 @@ pub(super) struct Measured {
     pub(super) value: f64,
     /// The value's scale: the largest distance of A and B \[m\], or 1 for an angle.
     pub(super) size: f64,
-    /// The largest share of a joint's motion: 0 where no joint changes the residual, about 1 where one does.
+    /// The largest ratio to a joint's motion: 0 if no joint changes the residual, about 1 if one does.
     pub(super) share: f64,
 }
 
@@ -80,9 +80,9 @@ pub(super) fn measured(chain: &Chain) -> Vec<Vec<Measured>> {
 
 /// A loop in one configuration.
 struct Sample {
-    /// The residuals, and behind them the entries of M.
+    /// The residuals, followed by the entries of M.
     values: Vec<f64>,
-    /// For each of them, what a unit of each velocity changes it by.
+    /// For each of them, its derivative by each velocity.
     rates: Vec<Vec<f64>>,
 }
 
@@ -118,8 +118,8 @@ fn sampled(
     samples
 }
 
-/// Any angles, limits or not: what depends on an angle does so everywhere. Displacements within their limits, since
-/// these tell the size of the robot.
+/// A random configuration. Angles ignore limits, since a dependence on an angle shows everywhere; displacements are
+/// within their limits, which give the size of the robot.
 fn configuration(chain: &Chain, random: &mut Random) -> Vec<Double> {
     const FARTHEST: f64 = 1e6;
     let ends = |entry: &Entry| match (entry.kind, entry.range) {
@@ -166,8 +166,8 @@ fn of_loop(rows: &[Row], samples: &[&Sample]) -> Vec<Measured> {
     rows.iter().enumerate().map(measure).collect()
 }
 
-/// The largest share, over all velocities, that the rate of a residual has of the motion; `first` is the place of
-/// the entries of M.
+/// The largest ratio, over all velocities, of a residual's rate to the motion; `first` is the place of the entries
+/// of M.
 fn share(sample: &Sample, residual: usize, (first, kind): (usize, Kind), size: f64) -> f64 {
     let whole = &sample.rates[first..];
     let of_velocity = |(k, rate): (usize, &f64)| {

@@ -1,7 +1,7 @@
-//! Loops of every kind against laws that know nothing of how they are computed: here are the mechanisms,
-//! and what programs make of their states.
+//! Tests of loops of every type against laws of mechanics: the robots with closed loops, and evaluation of programs at
+//! their states.
 //!
-//! Every expansion here is also held against dense matrices, as all are.
+//! Every expansion here is also compared with dense matrices.
 
 mod data;
 mod equations;
@@ -26,7 +26,7 @@ use crate::request::Request;
 use crate::schedule::{Program, run};
 use crate::space::{FrameId, Variable};
 
-/// Two arms on one trunk that turn and slide about axes in general directions, with a joint of each sort.
+/// Two arms on one trunk with axes in general directions and a joint of each type.
 const ARMS: &str = "
 pub struct Arms;
 link base;
@@ -86,7 +86,7 @@ fn plain(chain: &Chain, function: Function) -> Program {
     )
 }
 
-/// What a program makes of q, q̇, q̈ and τ.
+/// The results of a program for q, q̇, q̈ and τ.
 fn values(program: &Program, state: [&[f64]; 4]) -> Vec<f64> {
     run(program, |input| match input {
         Input::Variable(variable, k) => {
@@ -120,7 +120,7 @@ fn upright(chain: &Chain, seed: usize) -> Vec<f64> {
     q
 }
 
-/// What of each kind is written behind the word, and how many residuals it has.
+/// Each type of loop as it is written, with its number of residuals.
 fn kinds() -> Vec<(String, usize)> {
     let inside = |word: &str, axes: usize| match (word, axes) {
         ("rod", _) => "(0.37)",

@@ -1,4 +1,4 @@
-//! Tests of each rule of differentiation, forward and backward, and of the derivatives that stand beside it.
+//! Tests of each rule of differentiation, forward and backward, against known derivatives.
 
 use super::{along, gradient};
 use crate::expression::{Double, Graph, Input, Term, evaluate};
@@ -7,7 +7,7 @@ use crate::space::Variable;
 const X: Input = Input::Variable(Variable::Q, 0);
 const Y: Input = Input::Variable(Variable::Q, 1);
 
-/// Where all rules are tried.
+/// The point at which all rules are tested.
 const AT: [f64; 2] = [0.7, -1.3];
 
 fn number(graph: &Graph, term: Term<'_>) -> f64 {
@@ -15,7 +15,7 @@ fn number(graph: &Graph, term: Term<'_>) -> f64 {
     evaluate(graph, &[term.expr()], at)[0].to_f64()
 }
 
-/// Both derivatives of a function of x and y are those given, found forward and backward.
+/// Asserts both derivatives of a function of x and y, found forward and backward.
 #[track_caller]
 fn assert_derivatives(
     function: impl for<'g> Fn(Term<'g>, Term<'g>) -> Term<'g>,
@@ -76,7 +76,7 @@ fn signs_are_constant() {
 }
 
 #[test]
-fn several_equal_computations_are_told_apart_and_derived_alike() {
+fn several_equal_computations_are_distinct_and_have_equal_derivatives() {
     assert_derivatives(|x, y| x.taken_by(3) * y, [AT[1], AT[0]]);
 }
 

@@ -1,4 +1,4 @@
-//! What an enclosure holds, and what it is taken for; `tests/tests/enclosures.rs` draws them at random.
+//! Tests of the numbers that an enclosure holds; `tests/tests/enclosures.rs` draws random ones.
 
 use super::Double;
 
@@ -6,13 +6,13 @@ fn from(value: f64) -> Double {
     Double::from(value)
 }
 
-/// Whether two enclosures of one number can both hold it.
+/// True if two enclosures can hold one number.
 fn meet(a: Double, b: Double) -> bool {
     (a - b).is_zero()
 }
 
 #[test]
-fn keeps_what_one_f64_would_lose() {
+fn keeps_digits_that_one_f64_would_lose() {
     let sum = from(1e16) + from(0.1) - from(1e16);
     assert_eq!(sum.to_f64(), 0.1);
 }
@@ -44,7 +44,7 @@ fn pythagoras_holds_to_the_last_digits() {
 }
 
 #[test]
-fn sine_of_the_nearest_number_to_pi_is_what_that_number_lacks() {
+fn sine_of_the_nearest_number_to_pi_is_the_distance_to_pi() {
     let (sine, _) = from(std::f64::consts::PI).sin_cos();
     assert_eq!(sine.to_f64(), 1.224_646_799_147_353_2e-16);
     assert!(!sine.is_zero());
@@ -56,7 +56,7 @@ fn sine_of_the_nearest_number_to_a_right_angle_is_one_and_its_cosine_is_not_zero
     assert!(sine.is_one());
     assert_eq!(cosine.to_f64(), 6.123_233_995_736_766e-17);
     assert!(!cosine.is_zero());
-    // What is further from 1 than rounding takes it is not.
+    // A number further from 1 than a rounding is not 1.
     assert!(!(from(1.0) - from(1e-28)).is_one());
 }
 
@@ -74,7 +74,7 @@ fn powers_and_quotients_of_residues_are_numbers_like_any_other() {
     assert!(!(sine * sine).is_zero());
     assert!(cosine.is_one());
     assert!(!(sine * sine * sine / from(3.0)).is_zero());
-    // A short vector, made 1 long, leaves other numbers what they are.
+    // A short vector, normalized, has ordinary entries.
     let (x, y) = (from(3e-17), from(4e-17));
     let length = (x * x + y * y).sqrt();
     let (sine, cosine) = (x / length, y / length);
@@ -84,7 +84,7 @@ fn powers_and_quotients_of_residues_are_numbers_like_any_other() {
 }
 
 #[test]
-fn of_what_is_left_of_numbers_that_cancelled_no_direction_is_made() {
+fn remainders_of_cancellation_give_no_direction() {
     let third = from(1.0) / from(3.0);
     let left = third + third + third - from(1.0 - f64::EPSILON) - from(f64::EPSILON);
     assert!(!left.is_sharp());
@@ -94,7 +94,7 @@ fn of_what_is_left_of_numbers_that_cancelled_no_direction_is_made() {
 }
 
 #[test]
-fn what_cancelled_but_for_digits_that_an_f64_holds_divides() {
+fn remainders_with_the_digits_of_an_f64_can_be_divisors() {
     let third = from(1.0) / from(3.0);
     let left = third + third + third - (from(1.0) - from(1e-12));
     assert!(!left.is_sharp());
@@ -104,7 +104,7 @@ fn what_cancelled_but_for_digits_that_an_f64_holds_divides() {
 }
 
 #[test]
-fn what_overflows_is_not_known() {
+fn an_overflow_is_unknown() {
     let large = from(1e300);
     assert!(!(large * large).is_known());
     assert!(!(large / from(1e-300)).is_known());

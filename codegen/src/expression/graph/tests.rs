@@ -1,4 +1,4 @@
-//! Tests of what the graph makes of a sum before it stands.
+//! Tests of sums in the canonical form.
 
 use super::{Graph, Input, Node};
 use crate::expression::Term;
@@ -8,7 +8,7 @@ fn x(graph: &Graph) -> Term<'_> {
     graph.input(Input::Variable(Variable::Q, 0))
 }
 
-/// The constant that an expression is x times of, to the last of 106 bits.
+/// The constant of an expression that is a multiple of x, to the last of 106 bits.
 fn times_x(graph: &Graph, term: Term<'_>) -> Option<f64> {
     let (sign, expr) = match graph.node(term.expr()) {
         Node::Neg(inner) => (-1.0, inner),
@@ -21,7 +21,7 @@ fn times_x(graph: &Graph, term: Term<'_>) -> Option<f64> {
 }
 
 #[test]
-fn multiples_of_one_thing_are_gathered_whatever_else_uses_them() {
+fn multiples_of_one_expression_are_collected_whatever_else_uses_them() {
     let graph = Graph::new();
     let x = x(&graph);
     let [k, l] = [2.5, 0.75].map(|k| graph.constant(k));
@@ -32,17 +32,17 @@ fn multiples_of_one_thing_are_gathered_whatever_else_uses_them() {
     assert_eq!(times_x(&graph, x + k * x), Some(3.5));
     assert_eq!(times_x(&graph, x - k * x), Some(-1.5));
     assert!((k * x - k * x).is_zero());
-    // Two of a kind are a sum, which costs no more.
+    // Two equal terms are a sum, which costs no more.
     assert!(matches!(graph.node((x + x).expr()), Node::Add(..)));
 }
 
 #[test]
-fn what_cancels_in_constants_keeps_all_its_digits() {
+fn constants_that_cancel_keep_all_their_digits() {
     let graph = Graph::new();
     let x = x(&graph);
     let third = graph.constant(1.0) / graph.constant(3.0);
     let close = third + graph.constant(1e-12);
     let found = times_x(&graph, close * x - third * x).expect("a multiple");
-    // Of the constants' roundings to 64 bits four digits would be left.
+    // With constants rounded to 64 bits four digits would be left.
     assert!((found / 1e-12 - 1.0).abs() < 1e-15, "{found:e}");
 }

@@ -1,28 +1,28 @@
 //! Integration, difference and normalisation of the coordinates of one joint.
 //!
-//! In: coordinates, and velocities times a duration, as expressions. Out: coordinates, or velocities times a duration.
-//! The formulas are those of `homogen::robot::posture`, which explains them, operation by operation: files round as
-//! the runtime does. Nothing branches, and accuracy is kept near zero and near half a turn.
+//! The formulas and the order of operations are those of `homogen::robot::posture`, which explains them: generated
+//! files round as the runtime does. There are no branches, and accuracy is kept near 0 and near half a revolution.
 
-use super::{Posture, turned};
+use super::{Posture, rotation_matrix};
 use crate::expression::Term;
 use crate::matrix::{Rotation, Vector};
 use crate::real::Real;
 
-/// 2⁴⁰: a quaternion whose largest entry is between this and its inverse has squares in every type.
+/// 2⁴⁰: the squares of a quaternion are representable in every type if its largest entry is between this and its
+/// inverse.
 const MODERATE: f64 = 1_099_511_627_776.0;
 
-/// Added to the square of an angle \[rad²\], so that nothing is divided by zero: less than any rounding.
+/// Added to the square of an angle \[rad²\] to avoid division by zero; below any rounding error.
 const LEAST: f64 = 1e-20;
 
-/// Terms of the arc tangent, beyond the digits of `f64` up to π/16.
+/// Number of terms of the arc tangent, enough for `f64` up to π/16.
 const ARC_TANGENT: u8 = 12;
 
 /// A quaternion: x, y, z, and w.
 type Quaternion<'g> = (Vector<Term<'g>>, Term<'g>);
 
 impl Posture {
-    /// The coordinates that are reached from `q` by velocities `v` that are kept for one unit of time.
+    /// The coordinates after one unit of time with constant velocities `v` from `q`.
     pub fn integrate<'g>(
         self,
         q: impl Fn(usize) -> Term<'g>,
@@ -43,8 +43,8 @@ impl Posture {
             Self::Floating => {
                 let (omega, v) = (Vector([3, 4, 5].map(&v)), Vector([0, 1, 2].map(&v)));
                 let (axis, w) = quaternion(3, &q);
-                let place =
-                    Vector([0, 1, 2].map(&q)) + turned(axis.0, w) * displacement(omega, v, real);
+                let place = Vector([0, 1, 2].map(&q))
+                    + rotation_matrix(axis.0, w) * displacement(omega, v, real);
                 let (rotation, w) = rotated((axis, w), omega);
                 [&place.0[..], &rotation, &[w]].concat()
             }
@@ -74,14 +74,15 @@ impl Posture {
             }
             Self::Floating => {
                 let (axis, w) = quaternion(3, &start);
-                let seen = turned(axis.0, w).transposed() * Vector([0, 1, 2].map(from_start));
+                let seen =
+                    rotation_matrix(axis.0, w).transposed() * Vector([0, 1, 2].map(from_start));
                 let (omega, v) = motion(between((axis, w), quaternion(3, &end)), seen);
                 [v.0, omega.0].concat()
             }
         }
     }
 
-    /// The same coordinates with quaternions of length 1.
+    /// The coordinates with unit quaternions.
     pub fn normalize<'g>(self, q: impl Fn(usize) -> Term<'g>) -> Vec<Term<'g>> {
         let count = self.coordinates().len();
         match self {
@@ -101,19 +102,19 @@ fn quaternion<'g>(first: usize, q: impl Fn(usize) -> Term<'g>) -> Quaternion<'g>
     (Vector([x, y, z]), w)
 }
 
-/// The quaternion, rotated by `omega` about its own axes; an error of its length is squared.
+/// The quaternion rotated by `omega` about its own axes; a relative error ε of its length becomes of order ε².
 fn rotated<'g>(q: Quaternion<'g>, omega: Vector<Term<'g>>) -> ([Term<'g>; 3], Term<'g>) {
     let number = |value: f64| q.1.graph().constant(value);
     let angle = angle(omega);
     let (sine, cosine) = (number(0.5) * angle).sin_cos();
     let (v, w) = times(q, (omega * (sine / angle), cosine));
-    // 1/√(1 + ε) to the first order, exact beside rounding.
+    // 1/√(1 + ε) to first order, exact up to rounding.
     let mend = number(1.5) - number(0.5) * square(v.0, w);
     (v.map(|entry| mend * entry).0, mend * w)
 }
 
-/// The displacement \[m\] of a body that moves by `v` \[m\] and rotates by `omega` \[rad\], both in its own frame, seen
-/// from where it was: V(ω) v.
+/// The displacement \[m\] of a body that moves by `v` \[m\] and rotates by `omega` \[rad\], both in its own frame, in
+/// the axes of its start: V(ω) v.
 fn displacement<'g>(omega: Vector<Term<'g>>, v: Vector<Term<'g>>, real: Real) -> Vector<Term<'g>> {
     let number = |value: f64| omega.z().graph().constant(value);
     let angle = angle(omega);
@@ -123,7 +124,7 @@ fn displacement<'g>(omega: Vector<Term<'g>>, v: Vector<Term<'g>>, real: Real) ->
     v + (across * (number(2.0) * ratio * ratio) + omega.cross(across) * bulge)
 }
 
-/// The motion (ω, v) of a body in its own frame that rotates it as a quaternion and takes its origin by `t` \[m\].
+/// The motion (ω, v) of a body in its own frame that rotates it by a quaternion and moves its origin by `t` \[m\].
 fn motion<'g>(
     (axis, w): Quaternion<'g>,
     t: Vector<Term<'g>>,
@@ -137,12 +138,12 @@ fn motion<'g>(
     (omega, t - across * number(0.5) + bent)
 }
 
-/// The shortest vector \[rad\] that rotates as a quaternion does.
+/// The shortest rotation vector \[rad\] of a quaternion.
 fn logarithm((axis, w): Quaternion<'_>) -> Vector<Term<'_>> {
     axis * (w.graph().constant(2.0) * sign(w) * half_angle(axis, w))
 }
 
-/// α/‖v‖ with α = atan(‖v‖/|w|), which is halved three times before its series is summed.
+/// α/‖v‖ with α = atan(‖v‖/|w|); the angle is halved three times before the series.
 fn half_angle<'g>(v: Vector<Term<'g>>, w: Term<'g>) -> Term<'g> {
     let number = |value: f64| w.graph().constant(value);
     let (one, square) = (number(1.0), v.dot(v));
@@ -155,17 +156,17 @@ fn half_angle<'g>(v: Vector<Term<'g>>, w: Term<'g>) -> Term<'g> {
     number(8.0) * eighth * series.expect("the series has terms")
 }
 
-/// φ − sin φ of an angle that is not negative: by its series up to 2 rad, where the difference would cancel.
+/// φ − sin φ for φ ≥ 0: by its series up to 2 rad, where the difference would cancel.
 fn less_sine(angle: Term<'_>, real: Real) -> Term<'_> {
     let number = |value: f64| angle.graph().constant(value);
-    // So many terms are beyond the digits of the type up to 2 rad.
+    // Enough terms for the type up to 2 rad.
     let terms: u8 = match real {
         Real::F32 => 7,
         Real::F64 | Real::Generic => 12,
     };
     let is_large = step(angle - number(2.0));
     let is_small = number(1.0) - is_large;
-    // Zero where it is large: powers of it do not overflow.
+    // Zero for a large angle, so that its powers do not overflow.
     let phi = is_small * angle;
     let square = phi * phi;
     let bracket = (2..=terms).rev().fold(number(1.0), |bracket, k| {
@@ -176,7 +177,7 @@ fn less_sine(angle: Term<'_>, real: Real) -> Term<'_> {
     series + is_large * (angle - angle.sin_cos().0)
 }
 
-/// ‖ω‖, and not quite zero where it is.
+/// ‖ω‖, slightly above 0 if ω is 0.
 fn angle(omega: Vector<Term<'_>>) -> Term<'_> {
     (omega.dot(omega) + omega.z().graph().constant(LEAST)).sqrt()
 }
@@ -196,10 +197,10 @@ fn square<'g>([x, y, z]: [Term<'g>; 3], w: Term<'g>) -> Term<'g> {
     x * x + y * y + z * z + w * w
 }
 
-/// A quaternion with length 1, whatever its length; NaN where all entries are zero, or one is not finite.
+/// The unit quaternion; NaN if all entries are 0, or one is not finite.
 fn normalized(quaternion: [Term<'_>; 4]) -> [Term<'_>; 4] {
     let number = |value: f64| quaternion[0].graph().constant(value);
-    // Over its largest entry where squares may overflow or vanish, and else over 1.
+    // Divided by the largest entry if squares could overflow or underflow, otherwise by 1.
     let [a, b, c, d] = quaternion.map(|entry| sign(entry) * entry);
     let largest = larger(larger(a, b), larger(c, d));
     let [most, least] = [MODERATE, 1.0 / MODERATE].map(number);
@@ -211,19 +212,19 @@ fn normalized(quaternion: [Term<'_>; 4]) -> [Term<'_>; 4] {
     scaled.map(|entry| entry / length)
 }
 
-/// The larger one of two numbers.
+/// The larger of two numbers.
 fn larger<'g>(a: Term<'g>, b: Term<'g>) -> Term<'g> {
     let first = step(a - b);
     first * a + (a.graph().constant(1.0) - first) * b
 }
 
-/// 1 of a number that is not negative, 0 of another.
+/// 1 for a number ≥ 0, else 0.
 fn step(number: Term<'_>) -> Term<'_> {
     let half = number.graph().constant(0.5);
     half + half * sign(number)
 }
 
-/// 1 with the sign of a number; 1 of zero and of NaN.
+/// 1 with the sign of a number; 1 for 0 and NaN.
 fn sign(number: Term<'_>) -> Term<'_> {
     (number.sign() + number.graph().constant(0.5)).sign()
 }

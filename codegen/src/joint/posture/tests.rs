@@ -1,17 +1,17 @@
-//! Tests of rates: along a velocity in its own frame, a body's M changes by M L.
+//! Rates of coordinates: along a velocity in the body's frame, the rate of M is M L.
 
 use super::Posture;
 use crate::expression::{Double, Expr, Graph, Input, Term, along, evaluate};
 use crate::space::Variable;
 
-/// Coordinates of a configuration; the last four are of a quaternion of length 1.
+/// Coordinates of a configuration; the last four are a unit quaternion.
 const Q: [f64; 7] = [0.7, -0.4, 0.2, 0.1, -0.5, 0.7, 0.5];
 
 fn input(k: usize) -> Input {
     Input::Variable(Variable::Q, u16::try_from(k).expect("seven"))
 }
 
-/// M L of each velocity of a joint, as an expression of its coordinates and as the derivative of M.
+/// Compares M L of each velocity with the derivative of M along the rates.
 fn assert_rates(posture: Posture, q: &[f64], screws: &[([f64; 3], [f64; 3])]) {
     let graph = Graph::new();
     let coordinate = |k: usize| graph.input(input(k));

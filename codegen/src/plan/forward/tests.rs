@@ -1,4 +1,4 @@
-//! Tests of which form is chosen, of what is doubted and of what is refused.
+//! Tests of the chosen form, of warnings and of errors.
 
 use proc_macro2::{Ident, Span};
 
@@ -54,17 +54,17 @@ fn arm(links: &[End]) -> Chain {
     chain::build(&described(links), &Request::default()).expect("a tree")
 }
 
-/// Masses at the ends of two links.
+/// An arm with masses at the ends of two links.
 fn ends(first: f64, second: f64) -> Chain {
     arm(&[(first, 0.0), (second, 0.0)])
 }
 
-/// Four rods, the last so heavy.
+/// Four rods, the last with a mass of its own.
 fn heavy_tip(mass: f64) -> [End; 4] {
     [1.0, 1.0, 1.0, mass].map(|mass| (mass, mass / 3.0))
 }
 
-/// The form of a function that is chosen in a type.
+/// The form chosen for a function in a scalar type.
 fn choose(chain: &Chain, function: Function, scalar: Real) -> Result<Forward, Errors> {
     let (processor, formulation) = (Processor::Portable, Formulation::default());
     let found = cheapest(
@@ -95,7 +95,7 @@ fn an_ordinary_arm_needs_no_refinement() {
 }
 
 #[test]
-fn a_heavy_tip_is_refined_wherever_that_brings_the_digits_back() {
+fn a_heavy_tip_is_refined_where_that_restores_the_digits() {
     let refined = |form| matches!(form, Forward::MassMatrix { refinements: 1.. });
     for (mass, scalar) in [(1e3, Real::F32), (1e3, Real::F64), (1e6, Real::F64)] {
         for function in SOLVED {
@@ -108,10 +108,11 @@ fn a_heavy_tip_is_refined_wherever_that_brings_the_digits_back() {
     }
 }
 
-/// A slide without mass carries a point at a ball joint, on whose arm a block slides: nothing holds the slide where it
-/// points along the arm's z, as in half of the turns that take every axis to another one, and elsewhere all is well.
+/// A massless prismatic joint carries a ball joint, whose arm carries a block on another prismatic joint. Nothing
+/// resists the first where it points along the arm's z, as in half of the rotations that permute the axes; elsewhere
+/// the mass matrix is regular.
 #[test]
-fn ball_joints_are_looked_at_where_they_turn_axes_askew() {
+fn ball_joints_are_measured_with_rotated_axes() {
     let text = r#"<robot name="hammer"><link name="base"/><link name="carriage"/>
         <joint name="slide" type="prismatic"><parent link="base"/><child link="carriage"/><axis xyz="1 0 0"/>
         <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
@@ -129,10 +130,10 @@ fn ball_joints_are_looked_at_where_they_turn_axes_askew() {
     }
 }
 
-/// Balls of a centimetre at joints that turn about z, x and y, of which two in three meet. Frames at common normals
-/// are lighter, and stand so far from the balls that these are lost beside their distance.
+/// Balls of a centimetre at joints about z, x and y, of which two in three intersect. Frames at common normals
+/// are cheaper, but so far from the balls that the balls' inertias are lost in the rounding of that distance.
 #[test]
-fn a_form_is_given_up_only_where_it_loses_digits_in_every_layout() {
+fn a_form_is_given_up_only_if_it_loses_digits_in_every_layout() {
     let at = ["0 0.3 0", "0 0 0", "0.3 0 0"];
     let axes = ["0 0 1", "1 0 0", "0 1 0"];
     let balls = (1..=8).map(|k: usize| {
@@ -174,7 +175,7 @@ fn a_form_is_given_up_only_where_it_loses_digits_in_every_layout() {
 }
 
 #[test]
-fn what_no_form_leaves_half_of_the_digits_is_refused() {
+fn a_robot_is_refused_if_no_form_leaves_half_of_the_digits() {
     for function in SOLVED {
         let refusal = refusal(&arm(&heavy_tip(1e7)), function, Real::F32);
         let message = format!("{} would lose ", function.name());
@@ -187,11 +188,10 @@ fn what_no_form_leaves_half_of_the_digits_is_refused() {
     }
 }
 
-/// A mass in a point is held by two axes through one other point: where it lies in their plane, as it
-/// nearly does in the posture of the description, no acceleration of the two is determined, and beside it
-/// hardly one.
+/// A point mass is carried by two axes through one other point. In their plane, which the configuration of the
+/// description nearly is, the accelerations of the two joints are undetermined, and near it almost so.
 #[test]
-fn a_robot_that_passes_through_a_singular_posture_is_not_refused() {
+fn a_robot_that_passes_through_a_singular_configuration_is_not_refused() {
     let text = "struct Arm { exact } link base; joint roll: continuous(-x); link fork;
         joint pitch: continuous([-0.5252502256283673, 0.7901016640150934, -0.31599297618448663]) {
             at: ry(-1.5707963) rx(1.57080) }
@@ -203,11 +203,11 @@ fn a_robot_that_passes_through_a_singular_posture_is_not_refused() {
     }
 }
 
-/// A mass in a point, three axes through nearly one other point, and nothing but the pitch of a screw
-/// between what turns about the line of the two points and what does not. Where so little is left of M, its refined
-/// inverse has the digits of large entries, and mirrored errors spoil what it inverts to.
+/// A point mass and three axes through nearly one other point; only the pitch of a screw joint resists rotation about
+/// the line of the two points. M is almost singular: its refined inverse has the digits of large entries, and mirrored
+/// errors spoil the product M M⁻¹.
 #[test]
-fn near_a_singular_posture_an_inverse_still_inverts() {
+fn near_a_singular_configuration_an_inverse_still_inverts() {
     let text = "struct Bob { floating } link bob { mass: 0.5877580642700195, com: [0, 0.265, 0], inertia: [0, 0, 0] }
         joint wrist: universal(z, [0, 0.805824145531257, 0.5921549176345827]) {
             at: xyz(-0.004, 0, -0.943733) rx(0.128) }
@@ -218,8 +218,8 @@ fn near_a_singular_posture_an_inverse_still_inverts() {
     assert_eq!(form.expect("regular"), Forward::UNREFINED);
 }
 
-/// What a request with a formulation makes understand of an arm: its doubts.
-fn doubts(links: &[End], words: Formulation, strict: bool) -> Result<Vec<String>, String> {
+/// The warnings about an arm for a request with a formulation.
+fn warnings(links: &[End], words: Formulation, strict: bool) -> Result<Vec<String>, String> {
     let request = Request {
         functions: SOLVED.map(|function| vec![function]).to_vec(),
         formulation: words,
@@ -228,36 +228,39 @@ fn doubts(links: &[End], words: Formulation, strict: bool) -> Result<Vec<String>
         ..Request::default()
     };
     let chain = understand(&described(links), &request).map_err(|errors| errors.to_string())?;
-    let doubts = chain.report.warnings.into_iter();
-    Ok(doubts.map(|doubt| doubt.message).collect())
+    let warnings = chain.report.warnings.into_iter();
+    Ok(warnings.map(|warning| warning.message).collect())
 }
 
 #[test]
-fn the_faster_form_is_a_word_away_and_its_doubt_says_what_it_costs() {
+fn the_faster_form_is_a_key_away_and_its_warning_states_the_loss() {
     let heavy = [(1.0, 0.0), (1e6, 0.0)];
-    assert_eq!(doubts(&heavy, Formulation::default(), true), Ok(Vec::new()));
+    assert_eq!(
+        warnings(&heavy, Formulation::default(), true),
+        Ok(Vec::new())
+    );
     let faster = Formulation {
         forward: Some(Forward::UNREFINED),
         ..Formulation::default()
     };
-    let told = doubts(&heavy, faster, false).expect("doubted only");
-    let [of_dynamics, of_inverse] = &told[..] else {
-        panic!("{told:?}");
+    let reported = warnings(&heavy, faster, false).expect("doubted only");
+    let [of_dynamics, of_inverse] = &reported[..] else {
+        panic!("{reported:?}");
     };
-    for (doubt, function) in [
+    for (warning, function) in [
         (of_dynamics, "forward_dynamics"),
         (of_inverse, "mass_matrix_inverse"),
     ] {
         let start = format!("{function} with refined = 0 loses ");
-        assert!(doubt.starts_with(&start), "{doubt}");
+        assert!(warning.starts_with(&start), "{warning}");
         assert!(
-            doubt.contains(" of its largest result: at joint \"shoulder\""),
-            "{doubt}"
+            warning.contains(" of its largest result: at joint \"shoulder\""),
+            "{warning}"
         );
     }
-    let refused = doubts(&heavy, faster, true).expect_err("strict");
+    let refused = warnings(&heavy, faster, true).expect_err("strict");
     assert!(refused.contains("with refined = 0 loses"), "{refused}");
-    assert_eq!(doubts(&[(1.0, 0.0); 2], faster, true), Ok(Vec::new()));
+    assert_eq!(warnings(&[(1.0, 0.0); 2], faster, true), Ok(Vec::new()));
 }
 
 /// The larger relative error of both accelerations in f64, against 106 bits, nearly stretched.
@@ -288,7 +291,7 @@ fn error(chain: &Chain, refinements: usize) -> f64 {
 }
 
 #[test]
-fn a_refinement_brings_back_the_digits_that_the_mass_matrix_lost() {
+fn a_refinement_restores_the_digits_that_the_mass_matrix_lost() {
     let arm = ends(1.0, 1e8);
     let [plain, refined] = [0, 1].map(|refinements| error(&arm, refinements));
     assert!(
@@ -297,7 +300,7 @@ fn a_refinement_brings_back_the_digits_that_the_mass_matrix_lost() {
     );
 }
 
-/// Of three forms, in an arm of skew numbers; and the inverse is one of the mass matrix.
+/// All three forms, for an arm with skew axes; the inverse is compared with the mass matrix.
 #[test]
 fn every_form_of_the_inverse_inverts_the_mass_matrix() {
     let arm = arm(&[(1.3, 0.2), (0.7, 0.1)]);
@@ -326,9 +329,9 @@ fn every_form_of_the_inverse_inverts_the_mass_matrix() {
     }
 }
 
-/// A motor that turns so much faster than its joint that single precision loses the joint beside it.
+/// A motor that turns so much faster than its joint that single precision loses the inertia of the joint beside it.
 #[test]
-fn a_multiplier_that_loses_the_digits_is_blamed_and_not_a_mass() {
+fn a_multiplier_that_loses_the_digits_is_named_instead_of_a_mass() {
     let text = r#"<robot name="geared"><link name="base"/>
         <link name="arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
         <link name="motor"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
@@ -344,10 +347,10 @@ fn a_multiplier_that_loses_the_digits_is_blamed_and_not_a_mass() {
     let chain = chain::build(&geared, &Request::default()).expect("a chain");
     let of = (Real::F32, Frame::Link);
     let worst = solvable(&chain).expect("a mass matrix that can be inverted");
-    let said = hopeless(&chain, worst, 1e6, &[ForwardDynamics], of).to_string();
+    let found = hopeless(&chain, worst, 1e6, &[ForwardDynamics], of).to_string();
     assert!(
-        said.contains("joint \"spin\" mimics joint \"lift\" with a multiplier of 20000"),
-        "{said}"
+        found.contains("joint \"spin\" mimics joint \"lift\" with a multiplier of 20000"),
+        "{found}"
     );
 }
 
@@ -365,10 +368,10 @@ fn a_massless_end_is_refused_by_the_name_of_its_joint() {
     }
 }
 
-/// The pivot cancels but for what is lost of literals: what is found is infinite at some angles, and
-/// so is what is exact.
+/// The pivot cancels but for the rounding of literals: at some angles the result is infinite, and so is the exact
+/// value.
 #[test]
-fn two_joints_on_one_axis_with_nothing_between_are_refused_whatever_is_left_of_literals() {
+fn two_joints_on_one_axis_with_nothing_between_are_refused_despite_rounded_literals() {
     let text = r#"<robot name="arm"><link name="base"/>
         <joint name="inner" type="continuous"><parent link="base"/><child link="ring"/>
         <axis xyz="0 -1 0"/></joint><link name="ring"/>
@@ -389,9 +392,9 @@ fn two_joints_on_one_axis_with_nothing_between_are_refused_whatever_is_left_of_l
     }
 }
 
-/// Of a moment that is negative about the shoulder's axis, and of one about the elbow's.
+/// A negative moment about the shoulder's axis, and one about the elbow's.
 #[test]
-fn an_inertia_that_no_body_has_is_not_called_singular() {
+fn a_non_physical_inertia_is_not_called_singular() {
     for (links, carrier, joint) in [
         ([(1.0, -100.0), (1.0, 0.1)], "shoulder", "shoulder"),
         ([(1.0, 0.1), (1.0, -9.0)], "elbow", "elbow"),
@@ -399,8 +402,8 @@ fn an_inertia_that_no_body_has_is_not_called_singular() {
         for function in SOLVED {
             let refusal = refusal(&arm(&links), function, Real::F64);
             let message = format!(
-                "the mass matrix is not positive definite: joint \"{carrier}\" carries an inertia \
-                 that no body has, and joint \"{joint}\" accelerates against its force"
+                "the mass matrix is not positive definite: joint \"{carrier}\" carries a \
+                 non-physical inertia, and joint \"{joint}\" accelerates against its force"
             );
             assert!(refusal.contains(&message), "{refusal}");
             assert!(refusal.contains("correct the inertias"), "{refusal}");
@@ -430,12 +433,12 @@ fn with_fields(links: &[End], fields: &[(&str, &str)]) -> Result<Chain, Errors> 
 }
 
 #[test]
-fn a_field_that_spoils_the_digits_at_the_end_of_its_range_is_named() {
+fn a_field_that_costs_the_digits_at_the_end_of_its_range_is_named() {
     let chain = with_field(&[(0.0, 0.0), (0.0, 0.0), (0.0, 1e-18)], "hand").expect("a tree");
     let refusal = refusal(&chain, ForwardDynamics, Real::F64);
     assert!(refusal.contains(" would lose every digit"), "{refusal}");
-    let hint = "field \"payload\" is described as zero and taken at the end of what it may be: \
-                declare its range";
+    let hint = "field \"payload\" is described as zero and taken at the end of its range: \
+                declare the range";
     assert!(refusal.contains(hint), "{refusal}");
 }
 
@@ -460,22 +463,22 @@ fn several_fields_that_do_not_help_are_named_in_the_plural() {
 fn several_fields_at_the_ends_of_their_ranges_are_named_in_the_plural() {
     let fields = [("p", "upper"), ("a", "lower")];
     let chain = with_fields(&[(0.0, 0.0), (0.0, 0.0), (1.0, 0.1)], &fields).expect("a tree");
-    let hint = "; fields \"p\" and \"a\" are described as zero and taken at the ends of what they may be: \
-                declare their ranges";
+    let hint = "; fields \"p\" and \"a\" are described as zero and taken at the ends of their ranges: \
+                declare the ranges";
     assert_eq!(at_the_end(&chain), hint);
 }
 
 #[test]
-fn a_field_may_be_all_that_makes_an_arm_regular() {
+fn a_field_may_make_an_arm_regular() {
     let chain = with_field(&[(1.0, 0.0), (0.0, 0.0)], "lower").expect("a tree");
     let form = choose(&chain, ForwardDynamics, Real::F64).expect("regular with a payload");
     assert_eq!(form, Forward::UNREFINED);
-    let doubts: Vec<&str> = (chain.report.warnings.iter())
-        .map(|doubt| doubt.message.as_str())
+    let warnings: Vec<&str> = (chain.report.warnings.iter())
+        .map(|warning| warning.message.as_str())
         .collect();
     let expected = "joint \"elbow\" can accelerate without any force where field \"payload\" is as \
                     described, zero: accelerations are infinite there";
-    assert_eq!(doubts, [expected]);
+    assert_eq!(warnings, [expected]);
     let described = with_field(&[(1.0, 0.0), (2.0, 0.0)], "lower").expect("a tree");
     assert!(described.report.warnings.is_empty());
 }

@@ -1,8 +1,8 @@
-//! From a routine to statements.
+//! Statements of C for a routine.
 //!
-//! In: a [`GeneratedFunction`] function of a [`Module`], or what is computed once for all of them, and how it is written. Out: a
-//! constant for each statement of its [`Routine`], and its results in the arrays of the caller. It never branches, but
-//! from the end of a round to the next one, and calls nothing but sines, cosines, roots and fused products.
+//! In: a function of a [`Module`], or its `prepare`, and options. Out: a constant for each statement of its
+//! [`Routine`], and stores of the results in the arrays of the caller. The only branches are those of loops, and the
+//! only calls are sines, cosines, roots and fused products.
 
 use std::fmt::Write;
 use std::mem;
@@ -20,18 +20,18 @@ use crate::print::review::filled;
 use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
-use crate::schedule::{Angle, Names, Operation, Program, Readable, Rounds, Routine, Stored, Value};
+use crate::schedule::{Angle, Loop, Names, Operation, Program, Readable, Routine, Stored, Value};
 use crate::space::{Quantity, Variable};
 
-/// A function, and those of its own that it calls.
+/// Function body, and the sections that it calls.
 pub(super) struct Body {
-    /// Their definitions, each behind an empty line.
+    /// Definitions of the sections, each after an empty line.
     pub sections: String,
-    /// The lines within its braces.
+    /// Lines within the braces.
     pub text: String,
 }
 
-/// The body of a function that reads these fields; `own` gives the functions names that it calls.
+/// Body of a function with these fields; `own` makes the names of its sections.
 pub(super) fn body(
     module: &Module,
     (generated, fields): (&GeneratedFunction, Fields<'_>),
@@ -40,8 +40,8 @@ pub(super) fn body(
 ) -> Body {
     let arguments = generated.arguments(&module.spaces);
     let results = results(&generated.functions);
-    let taken = results.iter().map(|(name, _)| name.as_str());
-    let names = names(taken, writing);
+    let reserved = results.iter().map(|(name, _)| name.as_str());
+    let names = names(reserved, writing);
     let large = columns(&generated.functions, &module.spaces).is_some();
     let filled = results.first().filter(|_| large);
     let filled = filled.map(|(name, quantity)| (name.clone(), lengths(quantity, &module.spaces)));
@@ -59,7 +59,7 @@ pub(super) fn body(
     }
 }
 
-/// The body of the function that computes once what depends on fields alone.
+/// Body of the function that computes everything that depends on fields alone.
 pub(super) fn once(
     module: &Module,
     prepared: &Prepared,
@@ -85,7 +85,7 @@ pub(super) fn once(
     }
 }
 
-/// The body of a function of configurations.
+/// Body of a function of configurations.
 pub(super) fn of_step(step: Step, module: &Module, writing: &Writing<'_>) -> Body {
     let arguments = step.arguments().iter().map(|(name, _)| *name);
     let names = names(arguments.clone().chain([step.name()]), writing);
@@ -115,7 +115,7 @@ pub(super) fn of_step(step: Step, module: &Module, writing: &Writing<'_>) -> Bod
     }
 }
 
-/// What the entries of fields would like to be called, as every compiler takes it.
+/// Preferred names of the entries of fields, in ASCII.
 fn in_ascii(fields: Fields<'_>) -> Vec<Vec<String>> {
     let fields = fields.entries().into_iter();
     fields
@@ -123,7 +123,7 @@ fn in_ascii(fields: Fields<'_>) -> Vec<Vec<String>> {
         .collect()
 }
 
-/// What nothing in a function can be called that has these results.
+/// Reserved names in a function with these results.
 fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> Names {
     let mut names = unscoped();
     for name in ["cos", "cosf", "robot", "sin", "sinf", "sqrt", "sqrtf"] {
@@ -138,23 +138,23 @@ fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> N
     names
 }
 
-/// The spelling of what routines are made of.
+/// Printer of routines.
 pub(super) struct Writer<'w> {
     pub(super) writing: &'w Writing<'w>,
     pub(super) real: Real,
     sines: Sines,
     pub(super) text: String,
-    /// What was written around the loop at hand.
+    /// Text around the current loop.
     outside: Vec<String>,
     names: Names,
-    /// The array in which values wait, where there is one.
+    /// Name of the work array, if there is one.
     pub(super) work: String,
-    /// The matrix in which results are stored as they are found, where there is one, and its lengths.
+    /// Matrix in which results are stored as soon as they are computed, with its lengths.
     filled: Option<(String, Vec<usize>)>,
 }
 
 impl<'w> Writer<'w> {
-    /// Of statements without a function around them.
+    /// Printer of statements outside of functions.
     pub(super) fn new(real: Real, writing: &'w Writing<'w>) -> Self {
         Self {
             writing,
@@ -168,7 +168,7 @@ impl<'w> Writer<'w> {
         }
     }
 
-    /// The statements of a program, and its routine; of one that fills a matrix, the matrix' name and lengths.
+    /// Text and routine of a program. `filled`: name and lengths of a matrix that is filled early.
     fn of(
         (program, filled): (&Program, Option<(String, Vec<usize>)>),
         (module, fields): (&Module, Fields<'_>),
@@ -182,7 +182,7 @@ impl<'w> Writer<'w> {
         };
         let length = module.length;
         let stored = match filled {
-            Some(_) => Stored::AsFound,
+            Some(_) => Stored::Early,
             None => Stored::AtTheEnd,
         };
         let routine = Routine::of((program, length), &readable, names, stored);
@@ -210,7 +210,7 @@ impl<'w> Writer<'w> {
         let _ = writeln!(self.text, "    {statement}");
     }
 
-    /// All that is read of arguments and fields, before anything is written.
+    /// Loads all arguments and fields that are read, before any result is stored.
     fn load(&mut self, routine: &Routine, (module, fields): (&Module, Fields<'_>)) {
         for (argument, entries) in &routine.arguments {
             let read = entries.iter().enumerate();
@@ -242,17 +242,17 @@ impl<'w> Writer<'w> {
         }
     }
 
-    /// A value as an expression that binds tighter than any infix operator.
+    /// Value as an expression that binds tighter than any infix operator.
     pub(super) fn read(&self, value: &Value) -> String {
         match value {
             Value::Literal(value) => literal(*value, self.real),
             Value::Name(name) => name.clone(),
-            Value::Waiting(place) => self.place(*place),
-            Value::Entry(table, row, round) => format!("{table}[{row}][{round}]"),
+            Value::Work(place) => self.place(*place),
+            Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
         }
     }
 
-    /// Products with sums, rounded once where the file fuses them.
+    /// Operation, with fused products if the file has them.
     fn spelled(&self, operation: &Operation<Value>) -> String {
         let fused = self.writing.fused.then(|| self.writing.mul_add());
         match (operation.clone().map(|value| self.read(&value)), fused) {
@@ -279,7 +279,7 @@ impl<'w> Writer<'w> {
         }
     }
 
-    /// A function of the library in the type of number.
+    /// Call of a library function in the scalar type.
     fn call(&self, function: &str, value: &str) -> String {
         match self.real {
             Real::F32 => format!("{function}f({value})"),
@@ -313,7 +313,7 @@ impl<'w> Writer<'w> {
         }
     }
 
-    /// The results that are not stored yet, one after the other.
+    /// Stores the results that are not stored yet.
     fn store(&mut self, routine: &Routine, module: &Module, results: &[(String, Quantity)]) {
         let mut values = routine.results.iter().enumerate();
         for (name, quantity) in results {
@@ -331,8 +331,7 @@ impl<'w> Writer<'w> {
     }
 }
 
-/// What stands in scopes stands among the rest: names are those of one scope already, and C compilers take any number
-/// of them.
+/// Scopes are omitted: names are unique in the function, and C compilers have no limit on their number.
 impl Language for Writer<'_> {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
         let value = self.spelled(operation);
@@ -352,36 +351,36 @@ impl Language for Writer<'_> {
 
     fn store(&mut self, result: usize, value: &Value) {
         let filled = self.filled.as_ref();
-        let (name, lengths) = filled.expect("what is stored as it is found has a matrix");
+        let (name, lengths) = filled.expect("early results have a matrix");
         let (place, value) = (place(name, result, lengths), self.read(value));
         self.line(&format!("{place} = {value};"));
     }
 
-    fn begin_loop(&mut self, rounds: &Rounds) {
-        let Rounds { table, round, .. } = rounds;
+    fn begin_loop(&mut self, each: &Loop) {
+        let Loop { table, column, .. } = each;
         let number = number(self.real);
-        let rows = rounds.rows.iter().map(|row| {
+        let rows = each.rows.iter().map(|row| {
             let row: Vec<String> = row.iter().map(|value| self.read(value)).collect();
             format!("{{{}}}", row.join(", "))
         });
         let rows: Vec<String> = rows.collect();
-        let [height, count] = [rows.len(), rounds.count()];
+        let [height, count] = [rows.len(), each.count()];
         let start = format!("    {number} {table}[{height}][{count}] = {{");
         let filled = filled((&start, "        "), &rows, "};");
         let _ = writeln!(self.text, "{filled}");
         self.line(&format!(
-            "for (int {round} = 0; {round} < {count}; {round}++) {{"
+            "for (int {column} = 0; {column} < {count}; {column}++) {{"
         ));
         self.outside.push(mem::take(&mut self.text));
-        for (row, name) in rounds.taken.iter().enumerate() {
-            self.constant(name, &format!("{table}[{row}][{round}]"));
+        for (row, name) in each.loads.iter().enumerate() {
+            self.constant(name, &format!("{table}[{row}][{column}]"));
         }
     }
 
-    fn end_loop(&mut self, rounds: &Rounds) {
-        let Rounds { table, round, .. } = rounds;
-        for (row, name) in rounds.left.iter().enumerate() {
-            self.line(&format!("{table}[{row}][{round}] = {name};"));
+    fn end_loop(&mut self, each: &Loop) {
+        let Loop { table, column, .. } = each;
+        for (row, name) in each.stores.iter().enumerate() {
+            self.line(&format!("{table}[{row}][{column}] = {name};"));
         }
         let outside = self.outside.pop().expect("a loop that began");
         let inside = mem::replace(&mut self.text, outside);
@@ -392,7 +391,7 @@ impl Language for Writer<'_> {
     }
 }
 
-/// −a, which is no decrement.
+/// −a, in parentheses where it would read as a decrement.
 fn negative(value: &str) -> String {
     if value.starts_with('-') {
         format!("-({value})")
@@ -401,8 +400,7 @@ fn negative(value: &str) -> String {
     }
 }
 
-/// Where the number of that index of an argument or a result is: `gravity[3]`, `mass_matrix[1][2]`,
-/// `*kinetic_energy`.
+/// Entry with this index of an argument or a result: `gravity[3]`, `mass_matrix[1][2]`, `*kinetic_energy`.
 fn place(name: &str, index: usize, lengths: &[usize]) -> String {
     if lengths.is_empty() {
         return format!("*{name}");

@@ -1,10 +1,10 @@
-//! What stands above C.
+//! Comments above C.
 //!
-//! In: lines. Out: comments. They say nothing that the lines do not, and nothing in them is read as code.
+//! In: lines of `documentation`. Out: comments, escaped so that no text in them is read as code.
 
 use crate::wording::visible;
 
-/// Lines as a comment of their own.
+/// Comment of these lines.
 pub(super) fn comment(lines: &[String]) -> String {
     let mut text = "/*".to_owned();
     for (k, line) in lines.iter().enumerate() {
@@ -16,8 +16,7 @@ pub(super) fn comment(lines: &[String]) -> String {
     text + "\n */\n"
 }
 
-/// A text that neither ends the comment around it nor seems to begin another, holds no trigraph, and
-/// does not continue on the next line.
+/// A text without comment delimiters, trigraphs or a continuation of its line.
 pub(super) fn harmless(text: &str) -> String {
     let mut harmless = String::with_capacity(text.len());
     let mut last = ' ';

@@ -1,7 +1,7 @@
-//! What C is told of functions before it calls them.
+//! Declarations of C.
 //!
-//! In: a [`Module`], how names begin. Out: the struct of fields, the parameters of a function, the
-//! entries of spaces as constants. It never looks at what a function does.
+//! In: a [`Module`] and a prefix. Out: the struct of fields, the parameters of functions, and the entries of spaces as
+//! constants.
 
 use std::fmt::Write;
 
@@ -17,7 +17,7 @@ use crate::request::Parameter;
 use crate::space::{ACTION, Quantity, Space, Spaces, Variable};
 use crate::wording::code;
 
-/// The type of number.
+/// The scalar type.
 pub(super) const fn number(real: Real) -> &'static str {
     match real {
         Real::F32 => "float",
@@ -25,7 +25,7 @@ pub(super) const fn number(real: Real) -> &'static str {
     }
 }
 
-/// The struct, where it has fields.
+/// The struct of fields, if there are fields.
 pub(super) fn structure(text: &mut String, module: &Module, prefix: &str) {
     if module.parameters.is_empty() {
         return;
@@ -48,10 +48,10 @@ pub(super) fn structure(text: &mut String, module: &Module, prefix: &str) {
     let _ = writeln!(text, "}} {};\n", own(prefix, "robot"));
 }
 
-/// The member of a struct that holds what is computed once.
+/// Member of the struct of a prepared robot.
 pub(super) const VALUES: &str = "values";
 
-/// The struct of what is computed once of the fields, where that is asked for.
+/// The struct of a prepared robot, if it was requested.
 pub(super) fn prepared(text: &mut String, module: &Module, prefix: &str) {
     let Some(prepared) = &module.prepared else {
         return;
@@ -60,19 +60,19 @@ pub(super) fn prepared(text: &mut String, module: &Module, prefix: &str) {
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "typedef struct {{\n    {number} {VALUES}[{count}]; /* What {} computes. */\n}} {};\n",
+        "typedef struct {{\n    {number} {VALUES}[{count}]; /* Results of {}. */\n}} {};\n",
         own(prefix, "prepare"),
         own(prefix, "prepared")
     );
 }
 
-/// The parameters of the function that fills it.
+/// Parameters of the function that fills it.
 pub(super) fn of_prepare(prefix: &str) -> String {
     let [robot, prepared] = ["robot", "prepared"].map(|name| own(prefix, name));
     format!("const {robot} *robot, {prepared} *prepared")
 }
 
-/// The values of base parameters, where they are asked for.
+/// Values of the base parameters, if the base regressor was requested.
 pub(super) fn base_parameters(text: &mut String, module: &Module, prefix: &str) {
     let values = module.base_parameters();
     let Some(values) = values.filter(|values| !values.is_empty()) else {
@@ -91,16 +91,14 @@ pub(super) fn base_parameters(text: &mut String, module: &Module, prefix: &str) 
     );
 }
 
-/// The names of the fields.
+/// Names of the fields.
 ///
-/// What a field of a struct in another language is called does not matter: only its place is that of
-/// its definition.
+/// They may differ from those of the struct in another language: only their order matters.
 pub(super) fn members(module: &Module) -> Vec<String> {
     names::members(module.parameters.iter().map(Parameter::name))
 }
 
-/// The entries of coordinates and velocities, and of residuals where there are loops, by which arguments and
-/// results are indexed, and how many there are.
+/// Numbers and indices of coordinates, velocities and residuals of loops.
 pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
     let mut spaces = vec![(Space::Coordinates, "Q"), (Space::Velocities, "V")];
     if module.spaces.len(Space::Constraints) > 0 {
@@ -114,11 +112,7 @@ pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
             letters.push("the residuals of loops");
         }
         // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "/* The entries of {}. */\nenum {{",
-            letters.join(", ")
-        );
+        let _ = writeln!(text, "/* Entries of {}. */\nenum {{", letters.join(", "));
         let names = constants(&module.spaces, space, (prefix, letter));
         for (name, entry) in names.iter().zip(module.spaces.entries(space)) {
             let units = variables.iter().map(|of| of.unit(entry.kind));
@@ -133,7 +127,7 @@ pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
     }
 }
 
-/// `const float q[6], float gravity[6]`, behind a pointer to a struct of that name, where there is one.
+/// `const float q[6], float gravity[6]`, after a pointer to the struct with this name if there are fields.
 pub(super) fn parameters(
     module: &Module,
     generated: &GeneratedFunction,
@@ -148,7 +142,7 @@ pub(super) fn parameters(
     pointers(module, (prefix, structure), arguments, results)
 }
 
-/// The same of a function of configurations.
+/// The same for a function of configurations.
 pub(super) fn of_step(step: Step, module: &Module, prefix: &str) -> String {
     let row = |(name, space): (&str, Space)| declarator(name, &[module.spaces.len(space)]);
     let arguments = step.arguments().iter().copied().map(row);
@@ -171,8 +165,7 @@ fn pointers(
     all.join(", ")
 }
 
-/// The results of some functions, each with its name: that of the function, and of the quantity where it
-/// returns several.
+/// Results of functions with their names: that of the function, and of the quantity if it returns several.
 pub(in crate::print) fn results(functions: &[Function]) -> Vec<(String, Quantity)> {
     let results = functions.iter().flat_map(|function| {
         let name = function.name();
@@ -185,12 +178,12 @@ pub(in crate::print) fn results(functions: &[Function]) -> Vec<(String, Quantity
     results.collect()
 }
 
-/// How long the arrays within arrays are that hold a result, the outermost first; a number is in none.
+/// Lengths of the array of a result, the outermost first; empty for a number.
 pub(super) fn lengths(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     [&*quantity.lengths(spaces), quantity.entity.dimensions()].concat()
 }
 
-/// The same of an argument.
+/// The same for an argument.
 pub(super) fn argument_lengths(argument: Variable, spaces: &Spaces) -> Vec<usize> {
     match argument {
         Variable::Actions => vec![spaces.actions(), ACTION.len()],
@@ -198,7 +191,7 @@ pub(super) fn argument_lengths(argument: Variable, spaces: &Spaces) -> Vec<usize
     }
 }
 
-/// `forward_kinematics[3][4]`; a pointer where there is no array.
+/// `forward_kinematics[3][4]`; a pointer for a number.
 fn declarator(name: &str, lengths: &[usize]) -> String {
     if lengths.is_empty() {
         return format!("*{name}");

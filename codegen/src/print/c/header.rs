@@ -1,7 +1,6 @@
-//! The header: what there is to be called.
+//! The header.
 //!
-//! In: a [`Module`], and where its functions are written. Out: declarations with their comments. It
-//! never knows how a function computes.
+//! In: a [`Module`], and the language of its functions. Out: declarations with their comments.
 
 use std::fmt::Write;
 
@@ -15,22 +14,22 @@ use crate::module::{Module, Prepared};
 use crate::print::documentation::{self, Angles};
 use crate::print::steps::Step;
 
-/// What a header tells besides what the module does.
+/// Options of a header.
 pub(in crate::print) struct Header<'a> {
-    /// How the names of the functions begin.
+    /// Prefix of the functions.
     pub prefix: &'a str,
-    /// How the name of the macro begins that keeps it from being read twice.
+    /// Prefix of the include guard.
     pub guard: &'a str,
-    /// What was asked for.
+    /// The request.
     pub asked: &'a str,
-    /// For which angles they are precise.
+    /// Angles for which the functions are accurate.
     pub angles: &'a Angles,
-    /// What they need to be compiled, where they are written in C.
+    /// Requirements for compilation, for functions in C.
     pub needs: Option<&'a str>,
 }
 
 impl Header<'_> {
-    /// The text of the file.
+    /// Text of the file.
     pub fn text(&self, module: &Module) -> String {
         let prefix = self.prefix;
         let mut head = documentation::head(module, self.asked);
@@ -83,7 +82,7 @@ impl Header<'_> {
 }
 
 impl Header<'_> {
-    /// The function that computes once what depends on fields alone, and those that read it.
+    /// The function that prepares a robot, and those that read it.
     fn prepared(&self, module: &Module, prepared: &Prepared) -> String {
         let prefix = self.prefix;
         let mut text = comment(&documentation::of_prepare(&prepared.price));
@@ -103,14 +102,14 @@ impl Header<'_> {
     }
 }
 
-/// The macro that is defined where the header has been read.
+/// The include guard.
 pub(super) fn guard(beginning: &str) -> String {
     format!("HOMOGEN_{}H", ascii(beginning)).to_uppercase()
 }
 
-/// What stands before every function.
+/// Text before all functions.
 const QUALIFIER: &str = "\
-/* Before every function: nothing, or what is defined as this, such as __device__. */
+/* Printed before every function; define it as __device__, for example. */
 #ifndef HOMOGEN_FN
 #define HOMOGEN_FN
 #endif

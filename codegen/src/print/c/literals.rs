@@ -1,11 +1,10 @@
-//! Numbers as C reads them back: exactly.
+//! Literals of C.
 //!
-//! In: an `f64` that is finite in the type in question. Out: the shortest decimal that the type reads as
-//! the same number. It never rounds, except to that type.
+//! In: an `f64` that is finite in the scalar type. Out: the shortest decimal that the type reads as the same number.
 
 use crate::real::Real;
 
-/// The number in its type; a negative one begins with its sign.
+/// Literal in its type; a negative one begins with its sign.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "rounding to the type is the purpose"

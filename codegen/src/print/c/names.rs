@@ -1,11 +1,10 @@
-//! Names that C takes.
+//! Names of C.
 //!
-//! In: texts. Out: the words that nothing can be called, how names begin, names of functions, of what stands beside
-//! them, of members and of the entries of a space. It never names a value.
+//! In: texts. Out: reserved words, prefixes, and names of functions, other definitions, members and entries of spaces.
 //!
-//! A name of a file is its prefix and a name of our own, which begins with a letter and has no two underscores side
-//! by side. Where both together could be read as the prefix of another robot and a longer name of our own, as
-//! `mobile_base_regressor` of the robots `mobile` and `mobile_base`, a second underscore stands between them.
+//! A name in a file is a prefix and a name of the generator, which begins with a letter and has no two adjacent
+//! underscores. If both together could be the prefix of another robot and a longer name, as `mobile_base_regressor` of
+//! the robots `mobile` and `mobile_base`, they are separated by a second underscore.
 
 use std::fmt::Write;
 
@@ -14,13 +13,13 @@ use crate::module::Module;
 use crate::schedule::{Names, sanitize};
 use crate::space::{Space, Spaces};
 
-/// Names in a scope of their own.
+/// Names of a new scope.
 pub(super) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 
-/// How the names of a robot begin: `double pendulum` is `double_pendulum_`. Letters beyond ASCII are spelt by their
-/// numbers, so that robots which differ by them alone can be linked with each other.
+/// Prefix of a robot: `double_pendulum_` for `double pendulum`. Letters beyond ASCII are replaced by their numbers, so
+/// that robots whose names differ only by these can be linked together.
 pub(super) fn prefix(robot: &str) -> String {
     let mut name = String::new();
     let mut after_letter = false;
@@ -42,15 +41,15 @@ pub(super) fn prefix(robot: &str) -> String {
     name
 }
 
-/// A name of a file.
+/// Name in a file.
 #[must_use]
 pub fn own(prefix: &str, name: &str) -> String {
     joined(prefix, name, is_another(prefix, name, is_own))
 }
 
-/// A constant or a macro of a file, in capitals.
+/// Constant or macro in a file, in capitals.
 pub(super) fn constant(prefix: &str, name: &str) -> String {
-    // That is how the macros begin that all files share.
+    // Macros that all files share begin with this prefix.
     let is_shared = prefix.eq_ignore_ascii_case("homogen_");
     let is_apart = is_shared || is_another(prefix, name, is_own_constant);
     joined(prefix, name, is_apart).to_uppercase()
@@ -61,7 +60,7 @@ fn joined(prefix: &str, name: &str, is_apart: bool) -> String {
     format!("{prefix}{between}{name}")
 }
 
-/// Whether a prefix and a name could be another prefix and another name.
+/// True if a prefix and a name could be another prefix and another name.
 fn is_another(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> bool {
     let whole = format!("{prefix}{name}");
     let ends = prefix.match_indices('_').map(|(end, _)| end + 1);
@@ -69,7 +68,7 @@ fn is_another(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> bool 
     within.any(|end| is_name(&whole[end..]))
 }
 
-/// What is called without a function of the robot.
+/// Names of definitions that are not functions of the robot.
 const OWN: [&str; 13] = [
     "base_parameters",
     "difference",
@@ -86,7 +85,7 @@ const OWN: [&str; 13] = [
     "turn",
 ];
 
-/// Whether the file of some robot has a name that ends like this behind its prefix.
+/// True if the file of some robot has this name after its prefix.
 fn is_own(name: &str) -> bool {
     let of_state = name.strip_prefix("prepared_").unwrap_or(name);
     let goes_on =
@@ -96,18 +95,18 @@ fn is_own(name: &str) -> bool {
         || functions.any(|function| of_state.strip_prefix(function.name()).is_some_and(goes_on))
 }
 
-/// The same of constants: entries may have any name.
+/// The same for constants; entries may have any name.
 fn is_own_constant(name: &str) -> bool {
     let mut spaces = ["q_", "v_", "c_"].into_iter();
     spaces.any(|space| name.to_ascii_lowercase().starts_with(space))
 }
 
-/// The names of the functions behind a prefix, in ASCII, which linkers want.
+/// Names of the functions with a prefix, in ASCII for linkers.
 pub(in crate::print) fn symbols(module: &Module, prefix: &str) -> Vec<String> {
     functions(module, |name| own(prefix, name))
 }
 
-/// The same of the functions that read what has been computed of the fields.
+/// The same for the functions of a prepared robot.
 pub(super) fn prepared_symbols(module: &Module, prefix: &str) -> Vec<String> {
     functions(module, |name| own(prefix, &format!("prepared_{name}")))
 }
@@ -120,15 +119,15 @@ fn functions(module: &Module, symbol: impl Fn(&str) -> String) -> Vec<String> {
         .collect()
 }
 
-/// The text with an underscore for every character that not every compiler takes in a name.
+/// The text with an underscore for every character that some compilers reject in names.
 pub(super) fn ascii(text: &str) -> String {
     text.replace(|letter: char| !letter.is_ascii(), "_")
 }
 
-/// The names of members, alike to those wished for.
+/// Names of members, close to the preferred ones.
 ///
-/// What a header defines beside it is not known: capitals are for macros, and so is a first underscore before a
-/// capital or another; in small letters there are a few that headers of common platforms define.
+/// They avoid names that other headers may define: capitals, a leading underscore before a capital or another
+/// underscore, and some words in small letters that headers of common platforms define.
 pub(super) fn members(wishes: impl Iterator<Item = String>) -> Vec<String> {
     let mut names = unscoped();
     let members = wishes.map(|wish| {
@@ -151,7 +150,7 @@ fn may_be_macro(name: &str) -> bool {
     in_capitals || reserved || MACROS.contains(&name)
 }
 
-/// The names of the entries of a space, behind its letter, in capitals.
+/// Names of the entries of a space after its letter, in capitals.
 pub(super) fn constants(
     spaces: &Spaces,
     space: Space,
@@ -172,8 +171,8 @@ const MACROS: [&str; 28] = [
     "stderr", "stdin", "stdout", "sun", "unix", "vector",
 ];
 
-/// Words that C or C++ reserves, or Rust, which calls the fields alike; two that common compilers
-/// define; and the macros of the files.
+/// Reserved words of C, C++ and Rust, which has the same names for fields; two that common compilers define; and the
+/// macros of the files.
 #[rustfmt::skip]
 const KEYWORDS: [&str; 138] = [
     "abstract", "alignas", "alignof", "and", "and_eq", "as", "asm", "async", "auto", "await",
@@ -214,9 +213,9 @@ mod tests {
         }
     }
 
-    /// Of two robots that are linked with each other, none has a name of the other.
+    /// If two robots are linked together, neither has a name of the other.
     #[test]
-    fn a_name_that_another_robot_could_have_stands_apart() {
+    fn ambiguous_names_get_a_second_underscore() {
         assert_eq!(own("mobile_", "base_regressor"), "mobile_base_regressor");
         assert_eq!(own("mobile_base_", "regressor"), "mobile_base__regressor");
         assert_eq!(own("mobile_base_", "gravity"), "mobile_base_gravity");
@@ -232,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn members_are_no_macros() {
+    fn members_avoid_macros() {
         let wishes = [
             "payload", "G", "I", "EOF", "M_PI", "unix", "near", "_Payload", "__FILE__", "int",
             "int_",

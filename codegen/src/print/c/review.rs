@@ -1,7 +1,7 @@
-//! What the reviewer of a file reads beside its code.
+//! Material for the reviewer of a C file.
 //!
-//! In: a [`Module`] with its [`Review`](crate::module::Review), and how it is written. Out: limits as constants, a
-//! function that tests all others, and where numbers come from. It never prints an operation.
+//! In: a [`Module`] with its [`Review`](crate::module::Review), and options. Out: limits as constants, a self-test, and
+//! the origins of inertial numbers.
 
 use std::fmt::Write;
 
@@ -17,10 +17,10 @@ use crate::schedule::Names;
 use crate::space::Space;
 use crate::template;
 
-/// What makes the compiler take the tests.
+/// Macro that enables the self-test.
 const SWITCH: &str = "HOMOGEN_SELF_TEST";
 
-/// The limits, as what stands behind the `=` of an array.
+/// Limits, as initialisers of arrays.
 pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
     let limits = described::limits(module).into_iter();
     let is_described = |list: &NumberList| list.numbers.iter().any(|limit| limit.is_finite());
@@ -36,7 +36,9 @@ pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
         constant(prefix, "lower")
     )];
     if limits.iter().any(infinite) {
-        about.push("The largest number that there is stands where none is described.".to_owned());
+        about.push(
+            "Without a limit in the description, it is the largest finite number.".to_owned(),
+        );
     }
     text.push_str(&comment(&about));
     for NumberList {
@@ -60,24 +62,24 @@ pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
     text.push('\n');
 }
 
-/// Whether there is a function that tests all others.
+/// True if there is a self-test.
 fn is_tested(module: &Module) -> bool {
-    // Arrays of no length are none.
+    // C has no arrays of length 0.
     let has_results = module.spaces.len(Space::Velocities) > 0;
     let review = module.review.as_ref();
     has_results && review.is_some_and(|review| !review.vectors.is_empty())
 }
 
-/// The declaration of that function.
+/// Declaration of the self-test.
 pub(super) fn declaration(text: &mut String, module: &Module, prefix: &str) {
     if !is_tested(module) {
         return;
     }
     let about = [
-        format!("How many results are not what they should be; there where {SWITCH} is defined."),
+        format!("Number of wrong results; defined if {SWITCH} is."),
         String::new(),
-        "What they should be, dense 4×4 matrices of the description tell in 106 bits; each may be off by what \
-         rounding can make of it."
+        "Expected results are from dense 4×4 matrices of the description in 106 bits; each may differ by the \
+         rounding error that is possible there."
             .to_owned(),
     ];
     let about = comment(&about);
@@ -89,7 +91,7 @@ pub(super) fn declaration(text: &mut String, module: &Module, prefix: &str) {
     );
 }
 
-/// What stands behind all functions: that one, and where numbers come from.
+/// Text after all functions: the self-test, and the origins of numbers.
 pub(super) fn appendix(module: &Module, writing: &Writing<'_>) -> String {
     let mut text = String::new();
     if let (true, Some(review)) = (is_tested(module), &module.review) {
@@ -116,18 +118,18 @@ pub(super) fn appendix(module: &Module, writing: &Writing<'_>) -> String {
     text
 }
 
-/// The function that tests all others, in the making.
+/// State of the construction of the self-test.
 struct Test<'l> {
     module: &'l Module,
-    /// The names of the functions that it calls, in the order of the module.
+    /// Names of the functions that it calls, in the order of the module.
     symbols: Vec<String>,
-    /// The name of that which compares numbers.
+    /// Name of the comparison.
     compare: String,
-    /// Its own.
+    /// Name of the self-test.
     own: String,
-    /// The name of the struct with fields.
+    /// Name of the struct with fields.
     robot: String,
-    /// What nothing in it can be called.
+    /// Reserved names.
     taken: Names,
 }
 
@@ -150,12 +152,12 @@ impl<'l> Test<'l> {
         }
     }
 
-    /// A name within it.
+    /// Name of a local variable.
     fn local(&self, wish: &str) -> String {
         self.taken.clone().alone(wish)
     }
 
-    /// Numbers of the code, one after the other.
+    /// Literals of numbers.
     fn written(&self, numbers: &[f64]) -> Vec<String> {
         let numbers = numbers.iter();
         numbers
@@ -163,7 +165,7 @@ impl<'l> Test<'l> {
             .collect()
     }
 
-    /// The block that calls a function and counts what is wrong.
+    /// Block that calls a function and counts failures.
     fn call(&self, vector: &Vector) -> String {
         let Self {
             module, compare, ..
@@ -214,7 +216,7 @@ impl<'l> Test<'l> {
         text + "    }\n"
     }
 
-    /// What a function is called with, and the lines that declare it.
+    /// Arguments of a call, and the lines that declare them.
     fn arguments(&self, vector: &Vector) -> (Vec<String>, Vec<String>) {
         let Self { module, robot, .. } = self;
         let number = number(module.scalar);
@@ -256,12 +258,12 @@ fn declared(name: &str, lengths: &[usize]) -> String {
     format!("{name}{}", brackets.collect::<String>())
 }
 
-/// Items between brackets, as many on a line as fit it.
+/// Items between brackets, as many on a line as fit.
 fn filled(start: &str, items: &[String], end: &str) -> String {
     review::filled((start, "            "), items, end)
 }
 
-/// The head of the function, with words between `@` for what differs.
+/// Head of the self-test, with placeholders between `@`.
 const TESTS: &str = "
 #ifdef HOMOGEN_SELF_TEST
 static int @compare@(const @number@ *found, const @number@ *expected, const @number@ *off_by, int count)
@@ -269,7 +271,7 @@ static int @compare@(const @number@ *found, const @number@ *expected, const @num
     int failures = 0;
     for (int k = 0; k < count; k++) {
         const @number@ off = found[k] - expected[k];
-        /* What is no number is wrong. */
+        /* NaN fails. */
         failures += !(off <= off_by[k] && -off <= off_by[k]);
     }
     return failures;

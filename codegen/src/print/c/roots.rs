@@ -1,13 +1,13 @@
-//! The square root that a source brings along, so that it needs no library.
+//! Square root of a C file, so that it needs no library.
 //!
-//! In: the type of number, and how the source is written. Out: a function of the file alone. It takes the steps of the
-//! one in Rust for `core` alone, and has the bits of the processor's instruction, too.
+//! In: the scalar type and options. Out: a private function with the steps of that in Rust for `core` alone, whose
+//! results have the same bits as the processor's instruction.
 
 use super::Writing;
 use super::declarations::number;
 use crate::real::Real;
 
-/// The name of the function behind the prefix.
+/// Name of the function after the prefix.
 pub(super) const SQRT: &str = "sqrt";
 
 /// The function.
@@ -21,14 +21,14 @@ pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
     };
     let least = if is_single { "FLT_MIN" } else { "DBL_MIN" };
     let letter = if is_single { "f" } else { "" };
-    let (up, rounds) = if is_single { (24, 3) } else { (54, 4) };
+    let (up, iterations) = if is_single { (24, 3) } else { (54, 4) };
     let (down, top) = (up / 2, width - 1);
-    let nearer = format!("    near = 0.5{letter} * (near + n.number / near);\n").repeat(rounds);
+    let nearer = format!("    near = 0.5{letter} * (near + n.number / near);\n").repeat(iterations);
     format!(
         "/* The square root, correctly rounded; NaN of negative numbers.
  *
- * Without a branch. An iteration gives an estimate within one unit in the last place; the remainder, exact in
- * integers, decides the rounding. Zeros, infinity and what gives NaN are chosen by bits.
+ * No branches. An iteration gives an estimate within one unit in the last place; the remainder, exact in
+ * integers, decides the rounding. Zeros, infinity and NaN are selected by bits.
  */
 static HOMOGEN_FN {number} {name}({number} x)
 {{

@@ -1,7 +1,6 @@
-//! The functions of their own that a long routine consists of.
+//! Sections of a long routine in C.
 //!
-//! In: the [`Work`](crate::schedule::Work) of a routine. Out: a function of the file alone for each section,
-//! and the calls. It never says where to cut.
+//! In: the [`Work`](crate::schedule::Work) of a routine. Out: a private function for each section, and the calls.
 
 use std::fmt::Write;
 use std::mem;
@@ -11,8 +10,8 @@ use super::declarations::number;
 use crate::print::walk::walk;
 use crate::schedule::Routine;
 
-/// The macro that keeps compilers from putting a function into the one that calls it.
-pub(super) fn apart(name: &str) -> String {
+/// Macro that prevents inlining.
+pub(super) fn no_inline_macro(name: &str) -> String {
     format!(
         "
 /* Compiled by itself: that is what the function is there for. */
@@ -28,7 +27,7 @@ pub(super) fn apart(name: &str) -> String {
 }
 
 impl Writer<'_> {
-    /// The definitions of the functions, which `own` gives names; the calls are written where the writer stands.
+    /// Definitions of the functions, which `own` names; the calls are appended to the text of the writer.
     pub(super) fn sections(
         &mut self,
         routine: &Routine,
@@ -37,9 +36,9 @@ impl Writer<'_> {
         let Some(work) = &routine.work else {
             return String::new();
         };
-        let (number, apart) = (number(self.real), self.writing.apart());
+        let (number, no_inline) = (number(self.real), self.writing.no_inline());
         self.line(&format!("{number} {}[{}];", work.name, work.len));
-        for (place, value) in &work.given {
+        for (place, value) in &work.initial {
             let value = self.read(value);
             self.put_at(*place, &value);
         }
@@ -52,7 +51,7 @@ impl Writer<'_> {
         let caller = mem::take(&mut self.text);
         let mut definitions = String::new();
         for (section, name) in work.sections.iter().zip(names) {
-            for (place, name) in &section.taken {
+            for (place, name) in &section.loads {
                 let value = self.place(*place);
                 self.constant(name, &value);
             }
@@ -61,7 +60,7 @@ impl Writer<'_> {
             // Writing to a string cannot fail.
             let _ = writeln!(
                 definitions,
-                "\nHOMOGEN_FN static {apart} void {name}({number} {}[{}])\n{{\n{body}}}",
+                "\nHOMOGEN_FN static {no_inline} void {name}({number} {}[{}])\n{{\n{body}}}",
                 work.name, work.len
             );
         }

@@ -1,7 +1,7 @@
-//! The sines and cosines that a source brings along.
+//! Sine and cosine of a C file.
 //!
-//! In: the type of number, and how the source is written. Out: a function of the file alone, from the
-//! [`statements`] that all languages share, and the last step by bits.
+//! In: the scalar type and options. Out: a private function from the [`statements`] that all languages share, with the
+//! last step by bits.
 
 use super::Writing;
 use super::body::Writer;
@@ -10,7 +10,7 @@ use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, range, statements};
 use crate::print::walk::walk;
 use crate::real::Real;
 
-/// The function and what it returns.
+/// The function and the struct that it returns.
 pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
     let mut writer = Writer::new(real, writing);
     walk(&mut writer, &statements(real));
@@ -25,7 +25,7 @@ pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
     let (growth, end) = (range.growth, range.end);
     let places = width - 2;
     format!(
-        "/* The sine and the cosine of an angle. */
+        "/* Sine and cosine of an angle. */
 typedef struct {{
     {number} sine;
     {number} cosine;
@@ -33,15 +33,15 @@ typedef struct {{
 
 /* Sine and cosine of an angle up to {limit} rad ({turns} turns), within {error} units in the last place.
  *
- * Without a branch, so that every angle takes the same time. Beyond {limit} rad the error grows as
- * {growth} |angle|, from {end} rad on the results mean nothing and may be infinite or NaN; NaN and
- * infinite angles give NaN. Reduction by Cody and Waite to |r| <= pi/4, there minimax polynomials.
- * The sum `{SHIFTED}` has no room for a fraction: it is rounded to an integer, which its low bits hold.
+ * No branches, so that every angle takes the same time. Beyond {limit} rad the error grows as
+ * {growth} |angle|, from {end} rad on results are meaningless and may be infinite or NaN; NaN and
+ * infinite angles give NaN. Cody-Waite reduction to |r| <= pi/4, then minimax polynomials.
+ * The sum `{SHIFTED}` has no bits for a fraction: its low bits hold the rounded integer.
  */
 static HOMOGEN_FN {turn} {sin_cos}({number} {ANGLE})
 {{
 {statements}
-    /* In odd quadrants the two are exchanged: bits are chosen. */
+    /* In odd quadrants sine and cosine are exchanged, by bits. */
     union {{
         {number} number;
         uint{width}_t bits;

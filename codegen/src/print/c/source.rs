@@ -1,7 +1,6 @@
-//! The source: functions, and what they need of a compiler.
+//! The source file: functions and their requirements on the compiler.
 //!
-//! In: a [`Module`], and how it is written. Out: definitions of what the header declares. It never
-//! prints an operation itself.
+//! In: a [`Module`] and options. Out: definitions of the functions in the header.
 
 use std::fmt::Write;
 
@@ -19,7 +18,7 @@ use crate::print::{Fields, documentation};
 use crate::real::Real;
 use crate::schedule::Names;
 
-/// The text of the file.
+/// Text of the file.
 pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     let symbols = symbols(module, writing.prefix);
     let mut head = documentation::head(module, writing.asked);
@@ -55,15 +54,15 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     }
     let functions = functions(module, writing, &symbols);
     if functions.has_sections {
-        text.push_str(&sections::apart(&writing.apart()));
+        text.push_str(&sections::no_inline_macro(&writing.no_inline()));
     }
     text + &functions.text + &review::appendix(module, writing)
 }
 
-/// The definitions of functions.
+/// Definitions of functions.
 struct Functions {
     text: String,
-    /// Whether any is cut into functions of its own.
+    /// True if a function has sections.
     has_sections: bool,
 }
 
@@ -117,8 +116,7 @@ fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Func
     functions
 }
 
-/// What the type of number has to be, what compilers must not do with it, and what some of them need to
-/// be told.
+/// Checks of the scalar type and of compiler options that change results.
 fn arithmetic(real: Real) -> String {
     let (number, digits) = match real {
         Real::F32 => ("float", "FLT_MANT_DIG != 24"),
@@ -127,15 +125,15 @@ fn arithmetic(real: Real) -> String {
     format!(
         "
 #if FLT_RADIX != 2 || {digits}
-#error \"A {number} is not that of IEEE 754 here.\"
+#error \"{number} is not an IEEE 754 type here.\"
 #endif
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
-#error \"Sums are not associative here: compile without -ffast-math.\"
+#error \"Results need exact IEEE 754 sums: compile without -ffast-math.\"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-#error \"Every number has to be rounded to its type: compile with -msse2 -mfpmath=sse.\"
+#error \"Every number must be rounded to its type: compile with -msse2 -mfpmath=sse.\"
 #endif
-/* GCC knows no such pragma: -ffp-contract=off says the same. */
+/* GCC has no such pragma: compile with -ffp-contract=off. */
 #if defined(__clang__) || !defined(__GNUC__)
 #pragma STDC FP_CONTRACT OFF
 #endif
@@ -143,7 +141,7 @@ fn arithmetic(real: Real) -> String {
     )
 }
 
-/// The macro for a product and a sum, which are fused in a type of number.
+/// Macro for a product and a sum, fused if the target has the instruction.
 fn product_and_sum(name: &str, real: Real) -> String {
     let letter = match real {
         Real::F32 => "f",
@@ -152,8 +150,8 @@ fn product_and_sum(name: &str, real: Real) -> String {
     let macros = letter.to_uppercase();
     format!(
         "
-/* Rounded once where the target has the instruction, which HOMOGEN_FMA{macros}(a, b, c) may be; never
- * by a library.
+/* Fused, with one rounding, if the target has the instruction, or by HOMOGEN_FMA{macros}(a, b, c) if that is
+ * defined; never by a library.
  */
 #if defined(HOMOGEN_FMA{macros})
 #define {name}(a, b, c) HOMOGEN_FMA{macros}(a, b, c)

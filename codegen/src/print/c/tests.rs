@@ -1,11 +1,11 @@
-//! Hand-made programs as text: a reader of these tests sees what a user of the command gets.
+//! Text of hand-made modules, as users of the command see it.
 
 use super::{Source, Writing, print};
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::module::Module;
-use crate::print::rust::tests::{generated, literal, module, step, turning, with_payload};
+use crate::print::rust::tests::{generated, literal, module, revolute, step, with_payload};
 use crate::real::Real;
 use crate::schedule::{Length, Operand, Operation, Program};
 use crate::space::Variable;
@@ -26,7 +26,7 @@ fn written(module: &Module) -> Source {
     print(module, &PLAIN)
 }
 
-/// A gravity function that consists of these steps, and returns the last.
+/// A gravity function with these steps, whose result is the last.
 fn steps(real: Real, operations: &[Operation]) -> Module {
     let last = u32::try_from(operations.len() - 1).expect("few steps");
     let program = Program {
@@ -60,7 +60,7 @@ fn a_header_and_a_source() {
     let declarations = "#ifndef HOMOGEN_PENDULUM_H
 #define HOMOGEN_PENDULUM_H
 
-/* Before every function: nothing, or what is defined as this, such as __device__. */
+/* Printed before every function; define it as __device__, for example. */
 #ifndef HOMOGEN_FN
 #define HOMOGEN_FN
 #endif
@@ -69,14 +69,14 @@ fn a_header_and_a_source() {
 extern \"C\" {
 #endif
 
-/* The entries of q. */
+/* Entries of q. */
 enum {
     PENDULUM_Q_SHOULDER, /* `shoulder` in rad */
     PENDULUM_Q_ELBOW, /* `elbow` in rad */
     PENDULUM_NQ
 };
 
-/* The entries of q̇, q̈, τ. */
+/* Entries of q̇, q̈, τ. */
 enum {
     PENDULUM_V_SHOULDER, /* `shoulder` in rad/s, rad/s², N m */
     PENDULUM_V_ELBOW, /* `elbow` in rad/s, rad/s², N m */
@@ -90,7 +90,7 @@ typedef struct {
 /* Joint torques and forces τ that hold the robot at rest against gravity; N m, N.
  *
  * q in rad or m.
- * Precise for angles up to 3200 rad; ";
+ * Accurate for angles up to 3200 rad; ";
     assert!(header.contains(declarations), "{header}");
     let end = " */
 HOMOGEN_FN void pendulum_gravity(const pendulum_robot *robot, const float q[2], float gravity[2]);
@@ -147,12 +147,12 @@ fn products_fuse_where_the_processor_has_the_instruction() {
         assert!(text.contains(&format!("d_1 = {call};")), "{text}");
         let macros = format!("#if defined(HOMOGEN_FMA{letter})\n");
         assert!(text.contains(&macros), "{text}");
-        assert!(header.contains("as HOMOGEN_FMA does"), "{header}");
+        assert!(header.contains("as by HOMOGEN_FMA"), "{header}");
     }
 }
 
 #[test]
-fn a_sign_before_a_sign_is_no_decrement() {
+fn a_sign_before_a_sign_is_not_a_decrement() {
     let a = literal(-0.4);
     let operations = [
         Operation::Neg(a),
@@ -181,7 +181,7 @@ fn a_sign_before_a_sign_is_no_decrement() {
 }
 
 #[test]
-fn the_library_is_called_where_its_sines_were_asked_for_and_never_for_roots() {
+fn the_library_is_called_for_requested_sines_and_never_for_roots() {
     let own = written(&module(Real::F32)).text;
     assert!(own.contains("pendulum_sin_cos(q_1)") && !own.contains("<math.h>"));
     let platform = Module {
@@ -194,7 +194,7 @@ fn the_library_is_called_where_its_sines_were_asked_for_and_never_for_roots() {
         !text.contains("sin_cos") && !text.contains("stdint"),
         "{text}"
     );
-    assert!(header.contains("that `sinf` is precise for"), "{header}");
+    assert!(header.contains("for which `sinf` is accurate"), "{header}");
     for (real, call) in [(Real::F32, "_sqrt(2.0f)"), (Real::F64, "_sqrt(2.0)")] {
         let root = written(&steps(real, &[Operation::Sqrt(literal(2.0))])).text;
         assert!(!root.contains("<math.h>") && root.contains(call));
@@ -202,9 +202,9 @@ fn the_library_is_called_where_its_sines_were_asked_for_and_never_for_roots() {
 }
 
 #[test]
-fn joints_of_one_name_have_constants_of_their_own() {
+fn joints_with_similar_names_have_different_constants() {
     let module = Module {
-        spaces: turning(["a-b", "a b", "*/", "機器人"].map(str::to_owned)),
+        spaces: revolute(["a-b", "a b", "*/", "機器人"].map(str::to_owned)),
         ..module(Real::F64)
     };
     let header = written(&module).header;
@@ -218,9 +218,9 @@ fn joints_of_one_name_have_constants_of_their_own() {
     }
 }
 
-/// A function in sections calls others, which no compiler puts into it.
+/// A function with sections calls them, and compilers do not inline them.
 #[test]
-fn long_functions_are_cut() {
+fn long_functions_have_sections() {
     let (q, two) = (
         Operand::Input(Input::Variable(Variable::Q, 0)),
         literal(2.0),
@@ -266,7 +266,7 @@ HOMOGEN_FN static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
 }
 
 #[test]
-fn entries_of_large_matrices_are_stored_as_they_are_found() {
+fn entries_of_large_matrices_are_stored_early() {
     let (q, two) = (
         Operand::Input(Input::Variable(Variable::Q, 0)),
         literal(2.0),
@@ -287,7 +287,7 @@ fn entries_of_large_matrices_are_stored_as_they_are_found() {
     };
     let joints = (1..=13).map(|joint| format!("joint {joint}"));
     let large = Module {
-        spaces: turning(joints),
+        spaces: revolute(joints),
         functions: vec![generated(&[Function::MassMatrix], program)],
         ..module(Real::F64)
     };

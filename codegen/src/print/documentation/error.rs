@@ -1,28 +1,28 @@
-//! How exact a function is, in sentences.
+//! Error bounds of a function in sentences.
 //!
-//! In: an [`Accuracy`]. Out: lines of Markdown: one where one number is enough for all joints, else a
-//! list of groups of joints, the least exact first. Numbers are never less than the bound. It never
-//! decides what is bounded.
+//! In: an [`Accuracy`]. Out: lines of Markdown: one line if one number is enough for all joints, else a list of groups
+//! of joints, the largest bound first. Printed numbers are rounded upwards.
 
 use crate::accuracy::{Accuracy, Bound, Perturbed, Promise};
 use crate::wording::code;
 
-/// The most groups of joints that a reader wants to see.
+/// Maximum number of groups of joints.
 const GROUPS: usize = 4;
 
-/// What is said of the errors of a function.
+/// Lines about the errors of a function.
 pub fn lines(accuracy: &Accuracy) -> Vec<String> {
     let (what, promise) = match accuracy {
         Accuracy::Unknown(reason) => return vec![format!("Error: no bound: {reason}.")],
         Accuracy::Within(promise) => ("", promise),
         Accuracy::BesideDiagonal(promise) => (
-            "entry (i, j) of M⁻¹ is off by √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) times ",
+            "entry (i, j) of M⁻¹, relative to √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ), ",
             promise,
         ),
         Accuracy::Backward(Perturbed::Torques, promise) => ("as if τ were off by ", promise),
-        Accuracy::Backward(Perturbed::MassMatrix, promise) => {
-            ("each column is exact for an M of its own, off by ", promise)
-        }
+        Accuracy::Backward(Perturbed::MassMatrix, promise) => (
+            "each column is exact for a mass matrix that differs from M by ",
+            promise,
+        ),
         Accuracy::Backward(Perturbed::UnitForces, promise) => (
             "each column, down to its diagonal entry, as if its unit force were off by ",
             promise,
@@ -36,12 +36,12 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
     let mut range = promise.range.clone();
     if let Some(reason) = promise.lacks {
         let between = if range.is_empty() { "" } else { "; " };
-        range = format!("{range}{between}{}: {reason}", lacking(promise));
+        range = format!("{range}{between}{}: {reason}", unbounded_type(promise));
     }
     match &*groups {
         [group] => {
             let end = if range.is_empty() { "." } else { "; " };
-            let line = format!("Error: {what}at most {}{end}{range}", said(&group.worst));
+            let line = format!("Error: {what}at most {}{end}{range}", sizes(&group.worst));
             vec![if range.is_empty() {
                 line
             } else {
@@ -56,16 +56,16 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
             };
             let mut lines = vec![format!("Error{range}: {what}at most")];
             lines.extend(groups.iter().map(|group| {
-                let of = of(&group.joints, promise);
-                format!("- {}: {of}", said(&group.worst))
+                let names = names(&group.joints, promise);
+                format!("- {}: {names}", sizes(&group.worst))
             }));
             lines
         }
     }
 }
 
-/// The type that has no bound.
-fn lacking(promise: &Promise) -> &'static str {
+/// Type that has no bound.
+fn unbounded_type(promise: &Promise) -> &'static str {
     let infinite = |bound: &Bound| bound.double.is_some_and(f64::is_infinite);
     if promise.bounds.iter().any(infinite) {
         "no bound in f64"
@@ -74,15 +74,15 @@ fn lacking(promise: &Promise) -> &'static str {
     }
 }
 
-/// Joints whose bounds are close to each other.
+/// Joints with similar bounds.
 struct Group {
-    /// Their places in the order of q; none where the bounds are of a frame.
+    /// Indices in the order of q; `None` for bounds of a frame.
     joints: Vec<Option<usize>>,
-    /// The worst of each unit.
+    /// Largest bound of each unit.
     worst: Vec<Bound>,
 }
 
-/// The joints with bounds, in the order of q.
+/// Joints with bounds, in the order of q.
 fn joints(promise: &Promise) -> Vec<Option<&str>> {
     let mut joints: Vec<Option<&str>> = Vec::new();
     for bound in &promise.bounds {
@@ -94,8 +94,7 @@ fn joints(promise: &Promise) -> Vec<Option<&str>> {
     joints
 }
 
-/// Groups whose numbers are within a factor of two of each other, or of more where these would be too
-/// many.
+/// At most [`GROUPS`] groups whose numbers are within a factor of each other: two, doubled until there are few enough.
 fn groups(promise: &Promise) -> Vec<Group> {
     let all: Vec<Group> = (joints(promise).into_iter().enumerate())
         .map(|(k, joint)| {
@@ -117,11 +116,11 @@ fn groups(promise: &Promise) -> Vec<Group> {
     }
 }
 
-/// Groups within a factor of each other, the least exact first.
+/// Groups whose numbers are within a factor of each other, the largest bound first.
 fn within(all: &[Group], factor: f64) -> Vec<Group> {
     let mut rest: Vec<&Group> = all.iter().collect();
     let size = |group: &Group| numbers(&group.worst).fold(0.0, f64::max);
-    // What is as large keeps its order.
+    // The sort is stable: equal bounds keep their order.
     rest.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let mut groups: Vec<Group> = Vec::new();
     for group in rest {
@@ -158,14 +157,14 @@ fn within(all: &[Group], factor: f64) -> Vec<Group> {
     groups
 }
 
-/// All the numbers of some bounds.
+/// All numbers of some bounds.
 fn numbers(bounds: &[Bound]) -> impl Iterator<Item = f64> + Clone {
     let both = bounds.iter().flat_map(|bound| [bound.double, bound.single]);
     both.flatten()
 }
 
-/// Names, and what stands between two of a longer row.
-fn of(places: &[Option<usize>], promise: &Promise) -> String {
+/// Names of joints; three or more consecutive ones are given by the first and the last.
+fn names(places: &[Option<usize>], promise: &Promise) -> String {
     let names = joints(promise);
     let name = |k: usize| names[k].map_or_else(String::new, code);
     let mut words: Vec<String> = Vec::new();
@@ -191,7 +190,7 @@ fn of(places: &[Option<usize>], promise: &Promise) -> String {
 }
 
 /// `3.4e-14 N m in f64, 1.8e-5 N m in f32`.
-fn said(bounds: &[Bound]) -> String {
+fn sizes(bounds: &[Bound]) -> String {
     let worst = |name: &str, of: fn(&Bound) -> Option<f64>| {
         let sizes: Option<Vec<f64>> = bounds.iter().map(of).collect();
         let sizes = sizes.filter(|sizes| sizes.iter().all(|size| size.is_finite()))?;
@@ -208,11 +207,11 @@ fn said(bounds: &[Bound]) -> String {
         worst("f64", |bound| bound.double),
         worst("f32", |bound| bound.single),
     );
-    let said: Vec<String> = double.into_iter().chain(single).collect();
-    said.join(", ")
+    let sizes: Vec<String> = double.into_iter().chain(single).collect();
+    sizes.join(", ")
 }
 
-/// Two digits, never less than the number.
+/// Two significant digits, rounded upwards.
 fn upwards(size: f64) -> String {
     let near = |size: f64| format!("{size:.1e}");
     let text = near(size);
@@ -285,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn joints_are_grouped_by_how_exact_they_are() {
+    fn joints_are_grouped_by_their_bounds() {
         let torques = promise(vec![
             bound("wrist-1", "N m", 1e-15, 0.0),
             bound("hip`", "N m", 5e-14, 0.0),
@@ -306,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_list_is_made_shorter() {
+    fn long_lists_are_shortened() {
         let many = (0..40_i32).map(|k| bound(&format!("j{k}"), "N m", 0.5_f64.powi(k), 0.0));
         let found = lines(&Accuracy::Within(promise(many.collect())));
         assert!(found.len() <= 5, "{found:#?}");
@@ -314,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sentence_says_what_it_bounds() {
+    fn sentences_name_the_bounded_quantity() {
         let torques = promise(vec![bound("a", "N m", 2.1e-12, 0.0)]);
         assert_eq!(
             lines(&Accuracy::Backward(Perturbed::Torques, torques)),
@@ -327,7 +326,7 @@ mod tests {
         assert_eq!(
             lines(&Accuracy::Backward(Perturbed::MassMatrix, moments)),
             [
-                "Error: each column is exact for an M of its own, off by at most 1.0e-15 kg m² in \
+                "Error: each column is exact for a mass matrix that differs from M by at most 1.0e-15 kg m² in \
                  f64; q within its limits; no bound in f32: rounding may outweigh it."
             ]
         );

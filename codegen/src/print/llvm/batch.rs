@@ -1,10 +1,10 @@
-//! The function of many states: a loop that fills the lanes of a vector, and one over the states that are left.
+//! Functions of many states: a loop over vectors of states, and one over the remaining states.
 //!
-//! In: a function, and the types of value that it is there for, one number first. Out: its `NAME_batch`. Behind the
-//! count of states and the fields it takes, for each argument and each result, a pointer, the distance between states
-//! and that between entries of a state, both in numbers: arrays by rows and by columns are read as they are. All of a
-//! vector's states are read before any of their results is stored. `NAME_arrays` has one signature for all functions:
-//! the count, the fields, and a pointer to these triples.
+//! In: a function, and the vector types that it is printed for, scalars first. Out: its `NAME_batch`. Its parameters
+//! are the number of states, the fields, and for each argument and result a pointer, the stride between states and the
+//! stride between entries of a state, both in numbers, so that arrays by rows and by columns can be read in place. All
+//! states of a vector are read before any of their results is stored. `NAME_arrays` has one signature for all functions:
+//! the number of states, the fields, and a pointer to these triples.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ use super::body::local;
 use super::function::{Function, Pointer, ROBOT};
 use super::lanes::Lanes;
 
-/// The definition.
+/// Definition.
 pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
     let (arguments, results) = (function.arguments(), function.results());
     let fields = function
@@ -35,7 +35,7 @@ pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
     }
     lines.push("%state.at = alloca i64, align 8");
     lines.push("store i64 0, ptr %state.at, align 8");
-    // The widest first; one number takes what is left.
+    // The widest first; scalars take the rest.
     for lanes in widths.iter().rev() {
         one_loop(&mut lines, function, *lanes, (&arguments, &results));
     }
@@ -48,7 +48,7 @@ pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
     )
 }
 
-/// The function that takes the same behind a pointer.
+/// Function with the same parameters behind a pointer.
 pub(super) fn arrays(function: &Function<'_>) -> String {
     let mut lines = Lines::default();
     let fields = function
@@ -81,7 +81,7 @@ pub(super) fn arrays(function: &Function<'_>) -> String {
     )
 }
 
-/// The loop over states, as many at a time as there are lanes.
+/// Loop over states, as many at a time as there are lanes.
 fn one_loop(
     lines: &mut Lines,
     function: &Function<'_>,
@@ -119,23 +119,23 @@ fn one_loop(
 }
 
 impl Pointer {
-    /// A value that belongs to the parameter.
+    /// Name of a value that belongs to the parameter.
     fn part(&self, of: &str) -> String {
         local(&format!("{}.{of}", self.name))
     }
 
-    /// Where the values of the states at hand stand.
+    /// Block of the values of the current states.
     fn block(&self, lanes: Lanes) -> String {
         self.part(&format!("block.{}", lanes.count))
     }
 }
 
-/// The functions that move the entries of as many states as there are lanes between an array and a block of values.
+/// Functions that move the entries of a vector of states between an array and a block of values.
 pub(super) fn moves(lanes: Lanes) -> String {
     mover("read", lanes) + &mover("write", lanes)
 }
 
-/// One of them: a loop over entries.
+/// Such a function: a loop over entries.
 fn mover(name: &str, lanes: Lanes) -> String {
     let (value, number, size, count) = (lanes.value(), lanes.number(), lanes.size(), lanes.count);
     let reads = name == "read";
@@ -210,7 +210,7 @@ fn mover(name: &str, lanes: Lanes) -> String {
     )
 }
 
-/// Instructions and labels as they gather.
+/// Instructions and labels.
 #[derive(Default)]
 struct Lines(String);
 
@@ -224,7 +224,7 @@ impl Lines {
         let _ = writeln!(self.0, "{name}:");
     }
 
-    /// Moves the states from the first one on between an array and its block.
+    /// Moves the states from `first` on between an array and its block.
     fn move_states(&mut self, by: &str, pointer: &Pointer, lanes: Lanes, first: &str) {
         if pointer.len == 0 {
             return;

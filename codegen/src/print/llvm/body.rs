@@ -1,16 +1,16 @@
-//! From the statements of a routine to instructions.
+//! Instructions of LLVM for the statements of a routine.
 //!
-//! In: statements. Out: instructions, an operation or two for each, on values that have the names of the routine;
-//! names of instructions between contain a dot, which no name of a routine does. It knows no function.
+//! In: statements. Out: one or two instructions for each, on values with the names of the routine. Names of
+//! intermediate values contain a dot, which names of a routine do not.
 
 use std::fmt::Write;
 
 use super::lanes::Lanes;
 use crate::formulation::Sines;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Operation, Rounds, Value};
+use crate::schedule::{Angle, Loop, Operation, Value};
 
-/// A name within a function, between quotes where LLVM needs them.
+/// Name within a function, in quotes if LLVM needs them.
 pub(super) fn local(name: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_.".contains(letter);
     if name.chars().all(is_plain) {
@@ -20,19 +20,19 @@ pub(super) fn local(name: &str) -> String {
     }
 }
 
-/// Instructions as they gather.
+/// Instructions under construction.
 pub(super) struct Writer {
     pub(super) lanes: Lanes,
     fused: bool,
     sines: Sines,
-    /// Space on the stack, which LLVM keeps in registers where it stands before everything else.
+    /// Stack allocations; LLVM promotes them to registers if they precede everything else.
     stack: String,
     text: String,
-    /// How many values without a name of their own there are.
+    /// Number of intermediate values.
     unnamed: usize,
-    /// The name of the work array, where there is one.
+    /// Name of the work array, if there is one.
     pub(super) work: Option<String>,
-    /// The name of the matrix in which results are stored as they are found.
+    /// Name of the matrix in which results are stored as soon as they are computed.
     pub(super) filled: Option<String>,
 }
 
@@ -50,7 +50,7 @@ impl Writer {
         }
     }
 
-    /// All that has been written.
+    /// Full text.
     pub(super) fn finish(self) -> String {
         self.stack + &self.text
     }
@@ -64,7 +64,7 @@ impl Writer {
         self.line(&format!("{} = {instruction}", local(name)));
     }
 
-    /// Binds a value between others; how it is read.
+    /// Binds an intermediate value and returns its name.
     pub(super) fn between(&mut self, instruction: &str) -> String {
         self.unnamed += 1;
         let name = format!("v.{}", self.unnamed);
@@ -72,13 +72,13 @@ impl Writer {
         local(&name)
     }
 
-    /// Space for an array of values.
+    /// Stack allocation of an array of values.
     pub(super) fn array(&mut self, name: &str, kind: &str) {
         let (name, size) = (local(name), self.lanes.size());
         let _ = writeln!(self.stack, "  {name} = alloca {kind}, align {size}");
     }
 
-    /// The address of an entry of an array of values.
+    /// Address of an entry of an array of values.
     pub(super) fn entry(&mut self, array: &str, index: &str) -> String {
         let value = self.lanes.value();
         self.between(&format!("getelementptr {value}, ptr {array}, i64 {index}"))
@@ -89,7 +89,7 @@ impl Writer {
         self.between(&format!("load {value}, ptr {address}, align {size}"))
     }
 
-    /// Binds a name to what stands at an address.
+    /// Binds a name to the value at an address.
     pub(super) fn load_as(&mut self, name: &str, address: &str) {
         let (value, size) = (self.lanes.value(), self.lanes.size());
         self.bind(name, &format!("load {value}, ptr {address}, align {size}"));
@@ -102,37 +102,37 @@ impl Writer {
         ));
     }
 
-    /// A value as an operand.
+    /// Value as an operand.
     pub(super) fn read(&mut self, value: &Value) -> String {
         match value {
             Value::Literal(value) => self.lanes.literal(*value),
             Value::Name(name) => local(name),
-            Value::Waiting(place) => {
-                let address = self.waiting(*place);
+            Value::Work(place) => {
+                let address = self.work_entry(*place);
                 self.load(&address)
             }
-            Value::Entry(table, row, round) => {
-                let address = self.cell(table, *row, &round.to_string());
+            Value::Entry(table, row, column) => {
+                let address = self.cell(table, *row, &column.to_string());
                 self.load(&address)
             }
         }
     }
 
-    /// The address of a place of the work array.
-    pub(super) fn waiting(&mut self, place: usize) -> String {
+    /// Address of an entry of the work array.
+    pub(super) fn work_entry(&mut self, place: usize) -> String {
         let work = self.work.clone();
         let work = work.expect("what waits has an array to wait in");
         self.entry(&local(&work), &place.to_string())
     }
 
-    /// The address of an entry of a table: a row behind the other, each with an entry for each round.
-    fn cell(&mut self, table: &str, row: usize, round: &str) -> String {
+    /// Address of an entry of a table, which is stored by rows with an entry for each iteration.
+    fn cell(&mut self, table: &str, row: usize, column: &str) -> String {
         let value = self.lanes.value();
         let table = local(&format!("{table}.{row}"));
-        self.between(&format!("getelementptr {value}, ptr {table}, i64 {round}"))
+        self.between(&format!("getelementptr {value}, ptr {table}, i64 {column}"))
     }
 
-    /// A product and a sum: fused, or one after the other.
+    /// Product and sum, fused or not.
     fn product_and_sum(&mut self, name: &str, [a, b, c]: [&str; 3], signs: Signs) {
         let value = self.lanes.value();
         if self.fused {
@@ -158,7 +158,7 @@ impl Writer {
         self.bind(name, &sum);
     }
 
-    /// −1, 0 or 1: 1 where a is above zero less 1 where it is below.
+    /// −1, 0 or 1: (a > 0) − (a < 0).
     fn sign(&mut self, name: &str, a: &str) {
         let (value, truth) = (self.lanes.value(), self.lanes.truth());
         let [zero, one] = [0.0, 1.0].map(|number| self.lanes.literal(number));
@@ -172,7 +172,7 @@ impl Writer {
     }
 }
 
-/// Which part of a product and a sum is taken away.
+/// Term of a product and sum that is subtracted.
 #[derive(Clone, Copy)]
 enum Signs {
     Plus,
@@ -230,28 +230,28 @@ impl Language for Writer {
 
     fn put(&mut self, place: usize, value: &Value) {
         let value = self.read(value);
-        let address = self.waiting(place);
+        let address = self.work_entry(place);
         self.store_at(&address, &value);
     }
 
     fn store(&mut self, result: usize, value: &Value) {
         let value = self.read(value);
         let filled = self.filled.clone();
-        let filled = filled.expect("what is stored as it is found has a matrix");
+        let filled = filled.expect("early results have a matrix");
         let address = self.entry(&local(&filled), &result.to_string());
         self.store_at(&address, &value);
     }
 
-    /// Rows are arrays of their own. The count of rounds is on the stack, where LLVM finds that it is a register's.
-    fn begin_loop(&mut self, rounds: &Rounds) {
-        let Rounds {
+    /// Rows are separate arrays. The loop index is on the stack, where LLVM promotes it to a register.
+    fn begin_loop(&mut self, each: &Loop) {
+        let Loop {
             table,
             rows,
-            round,
-            taken,
+            column,
+            loads,
             ..
-        } = rounds;
-        let kind = format!("[{} x {}]", rounds.count(), self.lanes.value());
+        } = each;
+        let kind = format!("[{} x {}]", each.count(), self.lanes.value());
         for (row, values) in rows.iter().enumerate() {
             self.array(&format!("{table}.{row}"), &kind);
             for (column, value) in values.iter().enumerate() {
@@ -260,36 +260,36 @@ impl Language for Writer {
                 self.store_at(&address, &value);
             }
         }
-        let counter = format!("{round}.at");
+        let counter = format!("{column}.at");
         let _ = writeln!(self.stack, "  {} = alloca i64, align 8", local(&counter));
-        let (counter, label) = (local(&counter), label(round));
+        let (counter, label) = (local(&counter), label(column));
         self.line(&format!("store i64 0, ptr {counter}, align 8"));
         self.line(&format!("br label %{label}"));
         let _ = writeln!(self.text, "{label}:");
-        self.bind(round, &format!("load i64, ptr {counter}, align 8"));
-        for (row, name) in taken.iter().enumerate() {
-            let address = self.cell(table, row, &local(round));
+        self.bind(column, &format!("load i64, ptr {counter}, align 8"));
+        for (row, name) in loads.iter().enumerate() {
+            let address = self.cell(table, row, &local(column));
             self.load_as(name, &address);
         }
     }
 
-    fn end_loop(&mut self, rounds: &Rounds) {
-        let (table, round) = (&rounds.table, &rounds.round);
-        for (row, name) in rounds.left.iter().enumerate() {
-            let address = self.cell(table, row, &local(round));
+    fn end_loop(&mut self, each: &Loop) {
+        let (table, column) = (&each.table, &each.column);
+        for (row, name) in each.stores.iter().enumerate() {
+            let address = self.cell(table, row, &local(column));
             self.store_at(&address, &local(name));
         }
-        let counter = local(&format!("{round}.at"));
-        let next = self.between(&format!("add i64 {}, 1", local(round)));
+        let counter = local(&format!("{column}.at"));
+        let next = self.between(&format!("add i64 {}, 1", local(column)));
         self.line(&format!("store i64 {next}, ptr {counter}, align 8"));
-        let more = self.between(&format!("icmp ult i64 {next}, {}", rounds.count()));
-        let label = label(round);
+        let more = self.between(&format!("icmp ult i64 {next}, {}", each.count()));
+        let label = label(column);
         self.line(&format!("br i1 {more}, label %{label}, label %{label}.end"));
         let _ = writeln!(self.text, "{label}.end:");
     }
 }
 
-/// The label of a loop.
-fn label(round: &str) -> String {
-    format!("{round}.loop")
+/// Label of a loop.
+fn label(column: &str) -> String {
+    format!("{column}.loop")
 }

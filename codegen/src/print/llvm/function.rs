@@ -1,8 +1,8 @@
-//! One function of a module: its parameters, what it reads, and what it stores.
+//! A function of a module: its parameters, loads and stores.
 //!
-//! In: a [`GeneratedFunction`], or a function of configurations, its symbol, and the type of a value. Out: its definition. With one lane the parameters
-//! are those of the file in C; with several each entry of an argument and a result is a vector. Fields are numbers,
-//! one after the other, in the order of the robot's struct, and the same for all lanes.
+//! In: a [`GeneratedFunction`] or a function of configurations, its symbol, and the type of a value. Out: its
+//! definition. With one lane the parameters are those of the C file; with several, each entry of an argument and a
+//! result is a vector. Fields are numbers in the order of the robot's struct, the same for all lanes.
 
 use std::fmt::Write;
 
@@ -16,10 +16,10 @@ use crate::print::steps::Step;
 use crate::print::walk::walk;
 use crate::schedule::{Entries, Names, Readable, Routine, Stored, Work};
 
-/// The name of the parameter that points to the fields.
+/// Name of the parameter that points to the fields.
 pub(super) const ROBOT: &str = "robot";
 
-/// A function that is written, whatever its lanes.
+/// A function for any number of lanes.
 pub(super) struct Function<'l> {
     module: &'l Module,
     of: Of<'l>,
@@ -27,20 +27,20 @@ pub(super) struct Function<'l> {
     fused: bool,
 }
 
-/// What it computes.
+/// Function that it computes.
 #[derive(Clone, Copy)]
 pub(super) enum Of<'l> {
-    /// Functions of the state.
+    /// Function of the state.
     State(&'l GeneratedFunction),
-    /// A function of configurations.
+    /// Function of configurations.
     Step(Step),
 }
 
-/// A parameter that points to numbers.
+/// Parameter that points to numbers.
 pub(super) struct Pointer {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// How many numbers there are of one state.
+    /// Count of numbers of one state.
     pub len: usize,
 }
 
@@ -54,7 +54,7 @@ impl<'l> Function<'l> {
         }
     }
 
-    /// Whether it takes a pointer to fields first.
+    /// True if its first parameter is a pointer to fields.
     pub(super) fn has_fields(&self) -> bool {
         !self.module.parameters.is_empty()
     }
@@ -97,7 +97,7 @@ impl<'l> Function<'l> {
         results.collect()
     }
 
-    /// The symbol of the function of such values.
+    /// Symbol of the function for these lanes.
     pub(super) fn name(&self, lanes: Lanes) -> String {
         format!("@{}{}", self.symbol, lanes.suffix())
     }
@@ -126,7 +126,7 @@ impl<'l> Function<'l> {
         };
         let large = columns(&generated.functions, &self.module.spaces).is_some();
         let when = if large {
-            Stored::AsFound
+            Stored::Early
         } else {
             Stored::AtTheEnd
         };
@@ -135,7 +135,7 @@ impl<'l> Function<'l> {
     }
 }
 
-/// The definition for values of a type, and those of the functions that it calls.
+/// Definition for these lanes, with those of its sections.
 pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
     let routine = function.routine();
     let mut writer = Writer::new(lanes, function.fused, function.module.sines);
@@ -177,7 +177,7 @@ pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
     text
 }
 
-/// All that is read of arguments and fields, before anything is stored.
+/// Loads all arguments and fields that are read, before any result is stored.
 fn load(writer: &mut Writer, function: &Function<'_>, routine: &Routine) {
     let (value, size) = (writer.lanes.value(), writer.lanes.size());
     let state = routine.arguments.iter().map(|(_, entries)| entries);
@@ -222,38 +222,38 @@ fn section(function: &Function<'_>, name: &str, lanes: Lanes) -> String {
     format!("@{}.{name}{}", function.symbol, lanes.suffix())
 }
 
-/// The work array, what is put into it at first, and the calls.
+/// The work array, its initial values, and the calls of the sections.
 fn call(writer: &mut Writer, function: &Function<'_>, work: &Work) {
     let kind = format!("[{} x {}]", work.len, writer.lanes.value());
     writer.array(&work.name, &kind);
     writer.work = Some(work.name.clone());
-    for (place, value) in &work.given {
+    for (place, value) in &work.initial {
         let value = writer.read(value);
-        let address = writer.waiting(*place);
+        let address = writer.work_entry(*place);
         writer.store_at(&address, &value);
     }
-    for apart in &work.sections {
-        let name = section(function, &apart.name, writer.lanes);
+    for each in &work.sections {
+        let name = section(function, &each.name, writer.lanes);
         writer.line(&format!("call void {name}(ptr {})", local(&work.name)));
     }
 }
 
-/// The sections, each a function of the work array alone.
+/// Sections, each a function of the work array alone.
 fn define_sections(function: &Function<'_>, work: &Work, lanes: Lanes) -> String {
     let mut text = String::new();
-    for apart in &work.sections {
+    for each in &work.sections {
         let mut writer = Writer::new(lanes, function.fused, function.module.sines);
         writer.work = Some(work.name.clone());
-        for (place, name) in &apart.taken {
-            let address = writer.waiting(*place);
+        for (place, name) in &each.loads {
+            let address = writer.work_entry(*place);
             writer.load_as(name, &address);
         }
-        walk(&mut writer, &apart.statements);
+        walk(&mut writer, &each.statements);
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
             "define internal void {}(ptr {}) noinline nounwind {{\n{}  ret void\n}}\n",
-            section(function, &apart.name, lanes),
+            section(function, &each.name, lanes),
             local(&work.name),
             writer.finish()
         );

@@ -1,21 +1,20 @@
-//! The type of a value: a number, or a vector of them with a lane for each state.
+//! Types of values: a number, or a vector with a lane for each state.
 //!
-//! In: a type of number and a count of lanes. Out: the spelling of types, of numbers, and of the intrinsics that are
-//! declared for them. It writes no instruction.
+//! In: a scalar type and a number of lanes. Out: types, literals, and the intrinsics that are declared for them.
 
 use crate::real::Real;
 
-/// The type of a value.
+/// Type of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Lanes {
-    /// The type of number: `F32` or `F64`.
+    /// Scalar type: `F32` or `F64`.
     pub real: Real,
-    /// How many numbers a value has.
+    /// Number of lanes.
     pub count: usize,
 }
 
 impl Lanes {
-    /// The type of one number.
+    /// Scalar type.
     pub fn number(self) -> &'static str {
         match self.real {
             Real::F32 => "float",
@@ -23,7 +22,7 @@ impl Lanes {
         }
     }
 
-    /// The size of one number [bytes], to which all accesses are aligned.
+    /// Size of a scalar [bytes], to which all accesses are aligned.
     pub fn size(self) -> usize {
         match self.real {
             Real::F32 => 4,
@@ -31,12 +30,12 @@ impl Lanes {
         }
     }
 
-    /// The type of a value.
+    /// Type of a value.
     pub fn value(self) -> String {
         self.of(self.number())
     }
 
-    /// The type of integers as wide as the value's numbers.
+    /// Type of integers as wide as the scalars.
     pub fn bits(self) -> String {
         self.of(&format!("i{}", 8 * self.size()))
     }
@@ -48,7 +47,7 @@ impl Lanes {
         }
     }
 
-    /// A number in all lanes, rounded to the type: its bits as those of a double, which is how LLVM reads both.
+    /// Number in all lanes, rounded to the type and written as the bits of a double, which LLVM reads for both types.
     pub fn literal(self, value: f64) -> String {
         #[expect(
             clippy::cast_possible_truncation,
@@ -61,7 +60,7 @@ impl Lanes {
         self.all(self.number(), &format!("0x{:016X}", rounded.to_bits()))
     }
 
-    /// An integer in all lanes.
+    /// Integer in all lanes.
     pub fn integer(self, value: u64) -> String {
         self.all(&format!("i{}", 8 * self.size()), &value.to_string())
     }
@@ -73,12 +72,12 @@ impl Lanes {
         }
     }
 
-    /// The type of a comparison.
+    /// Type of a comparison.
     pub fn truth(self) -> String {
         self.of("i1")
     }
 
-    /// What is appended to the names of functions of such values; nothing for one number.
+    /// Suffix of functions for these values; empty for scalars.
     pub fn suffix(self) -> String {
         match self.count {
             1 => String::new(),
@@ -86,12 +85,12 @@ impl Lanes {
         }
     }
 
-    /// The name of the function that gives sine and cosine.
+    /// Name of the function for sine and cosine.
     pub fn sin_cos(self) -> String {
         format!("@sin_cos{}", self.suffix())
     }
 
-    /// The name of an intrinsic for values of the type.
+    /// Name of an intrinsic for these values.
     pub fn intrinsic(self, name: &str) -> String {
         let bits = 8 * self.size();
         match self.count {

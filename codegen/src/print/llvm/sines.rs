@@ -1,4 +1,4 @@
-//! The function that gives the sine and the cosine of an angle, or of an angle a lane.
+//! Function for the sine and the cosine of an angle, or of one angle in each lane.
 //!
 //! In: the type of a value. Out: `@sin_cos`, private to the module.
 
@@ -10,7 +10,7 @@ use crate::formulation::Sines;
 use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, statements};
 use crate::print::walk::walk;
 
-/// The definition. The last step works on bits: in odd quadrants sine and cosine are exchanged, and signs change.
+/// Definition. The last step works on bits: in odd quadrants sine and cosine are exchanged, and signs change.
 pub(super) fn define(lanes: Lanes, fused: bool) -> String {
     let mut writer = Writer::new(lanes, fused, Sines::Own);
     walk(&mut writer, &statements(lanes.real));

@@ -1,4 +1,4 @@
-//! Hand-made programs as text: a reader of these tests sees what a user of the command gets.
+//! Text of hand-made modules, as users of the command see it.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ fn written(module: &Module, lanes: usize, fused: bool) -> String {
     print(module, &writing)
 }
 
-/// The lines of a function.
+/// Lines of a function.
 fn function<'t>(text: &'t str, name: &str) -> &'t str {
     let head = format!(" {name}(");
     let at = text.find(&head).expect("the function");
@@ -29,7 +29,7 @@ fn function<'t>(text: &'t str, name: &str) -> &'t str {
     &text[start..at + end + 2]
 }
 
-/// A gravity function that consists of these steps, and returns the last.
+/// A gravity function with these steps, whose result is the last.
 fn steps(real: Real, operations: &[Operation]) -> Module {
     let last = u32::try_from(operations.len() - 1).expect("few steps");
     let program = Program {

@@ -1,7 +1,6 @@
 //! The extension in Rust: the class, and the functions that it calls.
 //!
-//! In: a [`Class`]. Out: tokens of two files. It never prints an operation, and nothing of a description stands
-//! outside of literals but names that have been made.
+//! In: a [`Class`]. Out: tokens of two files. Text of a description is printed only in literals and as checked names.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -12,7 +11,7 @@ use crate::print::documentation;
 use crate::space::Space;
 use crate::wording::visible;
 
-/// The functions as work on many states, in text: a macro's lines are the writer's own.
+/// The functions on many states, as text, since line breaks in the macro matter.
 pub(super) fn functions(class: &Class<'_>) -> String {
     let functions = class.methods.iter().map(|method| {
         let arguments = method.arguments.iter();
@@ -149,7 +148,7 @@ fn method(class: &Class<'_>, method: &Method) -> TokenStream {
     }
 }
 
-/// How it is made, shown, and taken apart to be made elsewhere.
+/// Constructor, display and pickling.
 fn whole(class: &Class<'_>) -> TokenStream {
     let robot = &class.robot;
     let name = &class.name;
@@ -216,12 +215,12 @@ fn whole(class: &Class<'_>) -> TokenStream {
     }
 }
 
-/// What is known of the robot without a state.
+/// Attributes that do not depend on a state.
 fn attributes(class: &Class<'_>) -> TokenStream {
     let spaces = &class.listing.spaces;
     let counts = [
-        ("NQ", "How many coordinates it has.", Space::Coordinates),
-        ("NV", "How many velocities it has.", Space::Velocities),
+        ("NQ", "Number of coordinates.", Space::Coordinates),
+        ("NV", "Number of degrees of freedom.", Space::Velocities),
     ];
     let counts = counts.into_iter().map(|(name, about, space)| {
         let (name, about) = (name_of(name), doc(&[about.to_owned()]));
@@ -275,29 +274,29 @@ fn attributes(class: &Class<'_>) -> TokenStream {
     quote! { #(#counts)* #(#names)* #(#limits)* #(#vectors)* }
 }
 
-/// The properties that are limits.
+/// Properties with limits.
 pub(super) const LIMITS: [(&str, &str, Space); 2] = [
     (
         "coordinate_limits",
-        "The least and the greatest of each entry of q in rad or m, shape (NQ, 2); infinite where nothing is said.",
+        "Lower and upper limit of each entry of q in rad or m, shape (NQ, 2); infinite where the description has none.",
         Space::Coordinates,
     ),
     (
         "velocity_limits",
-        "The least and the greatest of each entry of qd in rad/s or m/s, shape (NV, 2); infinite where nothing is said.",
+        "Lower and upper limit of each entry of qd in rad/s or m/s, shape (NV, 2); infinite where the description has none.",
         Space::Velocities,
     ),
 ];
 
-/// The properties that are vectors.
+/// Properties that are vectors.
 pub(super) fn vectors(class: &Class<'_>) -> Vec<(&'static str, &'static str, Vec<f64>)> {
     let neutral = (
         "neutral",
-        "Coordinates at which no joint is turned or shifted: zeros, and quaternions 0, 0, 0, 1.",
+        "The configuration at which every joint is where it was placed: zeros, and quaternions 0, 0, 0, 1.",
         neutral(class.listing).numbers,
     );
     let base = class.listing.base_parameters().map(|values| {
-        let about = "The base parameters that the base regressor is multiplied by, as described; kg, kg m, kg m².";
+        let about = "Values of the base parameters by the description; kg, kg m, kg m².";
         ("base_parameters", about, values.to_vec())
     });
     [neutral].into_iter().chain(base).collect()
@@ -313,7 +312,7 @@ fn number(value: f64) -> TokenStream {
     quote! { #sign #size }
 }
 
-/// How many numbers axes hold.
+/// Number of entries of an array with these axes.
 fn size(last: &[usize]) -> Literal {
     Literal::usize_unsuffixed(last.iter().product())
 }

@@ -1,7 +1,7 @@
-//! The class of a robot, as Python sees it.
+//! The class of a robot in Python.
 //!
-//! In: a [`Module`]. Out: the names, shapes and texts of its methods and attributes, which the extension and
-//! its stub share. It never writes a language.
+//! In: a [`Module`]. Out: names, shapes and documentation of its methods and attributes, which the extension and its
+//! stub share.
 
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -16,53 +16,53 @@ use crate::real::Real;
 use crate::request::Parameter;
 use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
 
-/// The class.
+/// Class of a robot.
 pub(super) struct Class<'l> {
     pub listing: &'l Module,
-    /// What Python imports.
+    /// Name for `import`.
     pub module: &'l str,
-    /// What it is called in Python.
+    /// Name in Python.
     pub name: String,
-    /// What the struct is called in Rust.
+    /// Name of the struct in Rust.
     pub robot: Ident,
-    /// What is said of it.
+    /// Documentation.
     pub about: Vec<String>,
     pub methods: Vec<Method>,
-    /// The fields, each by its name in Python.
+    /// Fields with their names in Python.
     pub fields: Vec<(String, &'l Parameter)>,
-    /// The names of entries, each as an attribute.
+    /// Attributes with names of entries: attribute, documentation and space.
     pub names: Vec<(&'static str, &'static str, Space)>,
 }
 
-/// A function of the robot.
+/// Method of the class.
 pub(super) struct Method {
-    /// Its name, in both languages.
+    /// Name in both languages.
     pub name: Ident,
-    /// What is said of it.
+    /// Documentation.
     pub about: Vec<String>,
-    /// Its arguments, and their last axes.
+    /// Arguments and their last axes.
     pub arguments: Vec<(&'static str, Vec<usize>)>,
-    /// What it returns.
+    /// Results.
     pub results: Vec<Returned>,
-    /// What the tuple of several results is called.
+    /// Name of the tuple, if there are several results.
     pub tuple: Option<String>,
 }
 
-/// One array that a function returns.
+/// Array that a method returns.
 pub(super) struct Returned {
-    /// Its name beside arguments.
+    /// Name of a local variable, distinct from arguments.
     pub name: Ident,
-    /// Its name in a tuple.
+    /// Name in a tuple.
     pub field: String,
-    /// Its last axes.
+    /// Last axes.
     pub last: Vec<usize>,
-    /// What it is among several.
+    /// Documentation among several results.
     pub about: Option<&'static str>,
-    /// What its rows are.
+    /// Contents of its rows.
     rows: Option<&'static str>,
 }
 
-/// What NumPy calls a type of number.
+/// Name of a scalar type in NumPy.
 pub(super) const fn dtype(real: Real) -> &'static str {
     match real {
         Real::F32 => "float32",
@@ -110,18 +110,18 @@ impl<'l> Class<'l> {
             fields: fields.collect(),
             names: NAMES
                 .into_iter()
-                .filter(|(.., space)| is_spoken_of(listing, *space))
+                .filter(|(.., space)| is_ranged_over(listing, *space))
                 .collect(),
             methods,
         }
     }
 
-    /// What NumPy calls its type of number.
+    /// Name of its scalar type in NumPy.
     pub fn dtype(&self) -> &'static str {
         dtype(self.listing.scalar)
     }
 
-    /// The lowest and the highest of each entry of a space, infinite where nothing is said.
+    /// Lower and upper limit of each entry of a space, infinite where the description has none.
     pub fn limits(&self, space: Space) -> Vec<[f64; 2]> {
         let entries = self.listing.spaces.entries(space).iter();
         let unknown = [f64::NEG_INFINITY, f64::INFINITY];
@@ -132,7 +132,7 @@ impl<'l> Class<'l> {
 }
 
 impl Method {
-    /// A function of the request.
+    /// Method of a requested function.
     fn of(
         listing: &Module,
         generated: &GeneratedFunction,
@@ -159,7 +159,7 @@ impl Method {
                         quantity,
                     )]
                 }
-                Outcome::Parts(parts) => parts
+                Outcome::Parts(_, parts) => parts
                     .iter()
                     .map(|part| {
                         let name = format!("{function_name}_{}", part.name);
@@ -184,7 +184,7 @@ impl Method {
             tuple: (results.len() > 1).then(|| tuple(&name.to_string())),
             results,
         };
-        // Behind what is computed, and the empty line after it.
+        // After the sentence about the results, and an empty line.
         method.insert_shapes(match generated.functions.len() {
             1 => 2,
             several => several + 3,
@@ -192,7 +192,7 @@ impl Method {
         method
     }
 
-    /// A function of postures alone.
+    /// Method of a function of configurations.
     fn of_step(step: Step, spaces: &Spaces) -> Self {
         let last = |space| vec![spaces.len(space)];
         let result = Returned {
@@ -217,14 +217,14 @@ impl Method {
         method
     }
 
-    /// Says at a line what the shapes are.
+    /// Inserts the shapes at a line of the documentation.
     fn insert_shapes(&mut self, at: usize) {
         let at = at.min(self.about.len());
         let shapes = self.shapes().into_iter().chain([String::new()]);
         let _ = self.about.splice(at..at, shapes);
     }
 
-    /// The shapes of what it takes and returns.
+    /// Shapes of its arguments and results.
     fn shapes(&self) -> Vec<String> {
         let arguments = self.arguments.iter();
         let arguments = arguments
@@ -234,7 +234,11 @@ impl Method {
         match (&self.tuple, &*self.results) {
             (Some(tuple), results) => {
                 lines.push(format!("Returns {tuple}:"));
-                lines.extend(results.iter().map(|result| format!("- {}", result.told())));
+                lines.extend(
+                    results
+                        .iter()
+                        .map(|result| format!("- {}", result.documented())),
+                );
             }
             (None, results) => {
                 lines.extend(
@@ -249,8 +253,8 @@ impl Method {
 }
 
 impl Returned {
-    /// Its name, shape and meaning.
-    pub fn told(&self) -> String {
+    /// Name, shape and documentation.
+    pub fn documented(&self) -> String {
         let about = self
             .about
             .map_or(String::new(), |about| format!("; {about}"));
@@ -262,12 +266,12 @@ impl Returned {
         )
     }
 
-    /// Whether it is a number of each state.
+    /// True for one number a state.
     pub fn is_number(&self) -> bool {
         self.last.is_empty()
     }
 
-    /// Its shape, and what its rows are.
+    /// Shape and contents of the rows.
     fn shaped(&self) -> String {
         let shape = shape(&self.last);
         self.rows
@@ -275,7 +279,7 @@ impl Returned {
     }
 }
 
-/// What the rows of a quantity are.
+/// Contents of the rows of a quantity.
 fn rows(quantity: &Quantity) -> Option<&'static str> {
     let of_each = !quantity.over.is_empty();
     Some(match (quantity.entity, of_each) {
@@ -284,44 +288,44 @@ fn rows(quantity: &Quantity) -> Option<&'static str> {
         (Entity::Acceleration, _) => "the 4×4 matrix (G, a)",
         (Entity::Velocity, _) => "ω, then v",
         (Entity::Point | Entity::Vector, false) => "x, y, z",
-        (Entity::Point | Entity::Vector, true) => "a row for each velocity: x, y, z",
+        (Entity::Point | Entity::Vector, true) => "a row for each degree of freedom: x, y, z",
         (Entity::Momentum, false) => "γ, then ρ: angular first",
-        (Entity::Momentum, true) => "a row for each velocity: γ, then ρ, angular first",
+        (Entity::Momentum, true) => "a row for each degree of freedom: γ, then ρ, angular first",
         (Entity::Action, _) => "c, then f: couple first",
-        (Entity::Screw, _) => "a row for each velocity: the screw u, b, angular first",
+        (Entity::Screw, _) => "a row for each degree of freedom: the screw u, b, angular first",
     })
 }
 
-/// The attributes that every class has, and those of what only some robots have.
+/// Attributes with names of entries; some robots have only the first two.
 const NAMES: [(&str, &str, Space); 5] = [
     (
         "coordinate_names",
-        "What the entries of q are called.",
+        "Names of the entries of q.",
         Space::Coordinates,
     ),
     (
         "velocity_names",
-        "What the entries of qd, qdd and tau are called.",
+        "Names of the entries of qd, qdd and tau.",
         Space::Velocities,
     ),
     (
         "constraint_names",
-        "What the residuals of loops are called.",
+        "Names of the residuals of loops.",
         Space::Constraints,
     ),
     (
         "parameter_names",
-        "What the inertial parameters are called.",
+        "Names of the inertial parameters.",
         Space::Parameters,
     ),
     (
         "base_parameter_names",
-        "The parameter that leads each base parameter.",
+        "The leading inertial parameter of each base parameter.",
         Space::BaseParameters,
     ),
 ];
 
-/// The other names that a class has.
+/// Other names of a class.
 const OWN: [&str; 12] = [
     "NQ",
     "NV",
@@ -337,8 +341,8 @@ const OWN: [&str; 12] = [
     "new",
 ];
 
-/// Whether arguments or results are over a space.
-fn is_spoken_of(listing: &Module, space: Space) -> bool {
+/// True if arguments or results range over a space.
+fn is_ranged_over(listing: &Module, space: Space) -> bool {
     let mut functions = listing
         .functions
         .iter()
@@ -366,7 +370,7 @@ fn last_of_argument(argument: Variable, spaces: &Spaces) -> Vec<usize> {
     }
 }
 
-/// The shape of as many states as there are, with these last axes.
+/// Shape for any number of states with these last axes.
 fn shape(last: &[usize]) -> String {
     let last: Vec<String> = last.iter().map(|length| format!(", {length}")).collect();
     format!("(...{})", last.concat())

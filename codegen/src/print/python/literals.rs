@@ -1,12 +1,12 @@
-//! Texts as Python and TOML read them back.
+//! Literals of Python and TOML.
 //!
-//! In: text that anyone may have written. Out: literals between quotes. Nothing in them is read as code.
+//! In: any text. Out: literals in quotes, escaped so that no text is read as code.
 
 use std::fmt::Write;
 
 use crate::wording::visible;
 
-/// Lines as a docstring, its further lines behind `indent`.
+/// Lines as a docstring; all lines but the first begin with `indent`.
 pub(super) fn docstring(lines: &[String], indent: &str) -> String {
     let indented = lines
         .iter()
@@ -25,7 +25,7 @@ pub(super) fn docstring(lines: &[String], indent: &str) -> String {
     format!("\"\"\"{text}{end}\"\"\"")
 }
 
-/// A text between quotes, every letter of it; for Python and for TOML alike.
+/// Text in quotes with all its characters, for Python and TOML.
 pub(super) fn string(text: &str) -> String {
     let mut literal = String::from("\"");
     for letter in text.chars() {

@@ -1,16 +1,16 @@
-//! Names that Python takes.
+//! Names of Python.
 //!
-//! In: texts. Out: the words that nothing can be called, names of modules. It never names a value.
+//! In: texts. Out: reserved words, names of modules.
 
 use super::standard;
 use crate::schedule::{Names, sanitize};
 
-/// Names in a scope of their own.
+/// Names of a new scope.
 pub(super) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 
-/// Names of classes in a module, beside what its files call otherwise.
+/// Names of classes in a module, distinct from other names in its files.
 pub(super) fn in_module(module: &str) -> Names {
     let mut names = unscoped();
     for own in OWN {
@@ -20,9 +20,9 @@ pub(super) fn in_module(module: &str) -> Names {
     names
 }
 
-/// A text as the name of a module, in ASCII: `Arm-Py` is `arm_py`. None where that would hide NumPy.
+/// Text as the name of a module, in ASCII: `arm_py` for `Arm-Py`. `None` if it would hide NumPy.
 ///
-/// A module of Python's own name would never be found, and gets an underscore.
+/// The name of a standard module gets an underscore, since Python would import its own.
 #[must_use]
 pub fn module(text: &str) -> Option<String> {
     let name = sanitize(text).replace(|letter: char| !letter.is_ascii(), "_");
@@ -31,12 +31,12 @@ pub fn module(text: &str) -> Option<String> {
         names.take(own);
     }
     let name = names.alone(&name);
-    // Links and libraries want a letter first.
+    // Links and libraries need a letter first.
     let letter = if name.starts_with('_') { "n" } else { "" };
     (name != "numpy").then(|| format!("{letter}{name}"))
 }
 
-/// What the files of a module call otherwise.
+/// Other names in the files of a module.
 const OWN: [&str; 13] = [
     "__all__",
     "__doc__",

@@ -1,8 +1,8 @@
-//! The modules that Python brings along, from 3.10 to 3.14, but for those whose names begin with an underscore.
+//! Modules of Python's standard library, 3.10 to 3.14, except those whose names begin with an underscore.
 //!
-//! A package of such a name would be installed and never found.
+//! A package with such a name would be installed and never imported.
 
-/// In the order of the alphabet.
+/// In alphabetical order.
 #[rustfmt::skip]
 pub(super) const MODULES: [&str; 219] = [
     "abc", "aifc", "annotationlib", "antigravity", "argparse", "array", "ast", "asynchat", "asyncio", "asyncore",

@@ -1,7 +1,7 @@
-//! The module in Python, and its stub: what editors and type checkers know of the class.
+//! The module in Python, and its stub for editors and type checkers.
 //!
-//! In: a [`Class`]. Out: the texts of `__init__.py` and `__init__.pyi`. Nothing of a description stands outside of
-//! docstrings but names that have been made.
+//! In: a [`Class`]. Out: the texts of `__init__.py` and `__init__.pyi`. Text of a description is printed only in
+//! docstrings and as checked names.
 
 use std::fmt::Write;
 
@@ -87,7 +87,7 @@ fn head() -> String {
     )
 }
 
-/// What is said of the module.
+/// Documentation of the module.
 pub(super) fn of_module(class: &Class<'_>) -> Vec<String> {
     let Class { module, name, .. } = class;
     let mut lines = vec![
@@ -96,18 +96,18 @@ pub(super) fn of_module(class: &Class<'_>) -> Vec<String> {
         format!("from {module} import {name}"),
         String::new(),
         "Every function takes one state or arrays of them, of any leading shape (...); leading axes are".to_owned(),
-        "broadcast as NumPy does. Arrays are read where they lie if they are aligned, contiguous in C's order".to_owned(),
+        "broadcast as in NumPy. Arrays are read in place if they are aligned, contiguous in C order".to_owned(),
     ];
     lines.push(format!(
-        "and of {}, and copied where NumPy casts to that safely; a TypeError says where it",
+        "and of {}, and copied if NumPy can cast them safely. A TypeError reports an unsafe",
         class.dtype()
     ));
     lines.extend(
         [
-            "does not, a ValueError where shapes are wrong. More than a few states are computed by all cores, whose",
-            "number (RAYON_NUM_THREADS) changes no bit, and without Python's lock: no argument may be written to",
-            "meanwhile. A state with NaN, infinite or huge numbers gives what IEEE arithmetic makes of it, and",
-            "changes no other. What is given as out, contiguous and of the shape and the type of the result, is",
+            "cast, a ValueError wrong shapes. More than a few states are computed by all cores; their",
+            "number (RAYON_NUM_THREADS) changes no bit. Python's lock is released: do not write to arguments",
+            "meanwhile. A state with NaN, infinite or huge numbers follows IEEE 754 arithmetic and",
+            "changes no other. An array passed as out, contiguous and of the shape and type of the result, is",
             "written to and returned.",
         ]
         .map(str::to_owned),
@@ -128,10 +128,10 @@ fn tuple_class(
     base: &str,
     array: &str,
 ) {
-    let title = format!("What {}.{} returns.", class.name, method.name);
+    let title = format!("Result of {}.{}.", class.name, method.name);
     let results = method.results.iter();
     let about = [title, String::new()].into_iter();
-    let about = about.chain(results.map(|result| format!("- {}.", result.told())));
+    let about = about.chain(results.map(|result| format!("- {}.", result.documented())));
     let about: Vec<String> = about.collect();
     // Writing to a string cannot fail.
     let _ = writeln!(

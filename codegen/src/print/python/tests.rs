@@ -1,4 +1,4 @@
-//! Hand-made programs as packages: a reader of these tests sees what a user of the command gets.
+//! Packages of hand-made modules, as users of the command see them.
 
 use quote::format_ident;
 
@@ -6,7 +6,7 @@ use super::{Package, Writing, print};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::rust::Item;
-use crate::print::rust::tests::{generated, literal, module, turning, with_payload};
+use crate::print::rust::tests::{generated, literal, module, revolute, with_payload};
 use crate::real::Real;
 use crate::schedule::Program;
 
@@ -25,7 +25,7 @@ fn file<'p>(package: &'p Package, path: &str) -> &'p str {
     &found.unwrap_or_else(|| panic!("{path} is written")).1
 }
 
-/// A function whose results are all zero.
+/// A program whose results are all zero.
 fn zeros(functions: &[Function], count: usize) -> Program {
     let mut program = generated(functions, module(Real::F64).functions.remove(0).program).program;
     program.results = vec![literal(0.0); count];
@@ -81,7 +81,7 @@ fn a_class_with_a_function() {
 }
 
 #[test]
-fn a_stub_tells_shapes_and_units() {
+fn a_stub_documents_shapes_and_units() {
     let package = written(&module(Real::F32));
     let stub = file(&package, "python/arm_py/__init__.pyi");
     let method = "    def gravity(self, q: _ArrayLike, *, out: _NDArray[_np.float32] | None = None) -> _NDArray[_np.float32]:
@@ -126,7 +126,7 @@ fn fields_are_arguments_of_the_class() {
 }
 
 #[test]
-fn a_field_that_is_called_as_a_method_gives_way() {
+fn a_field_with_the_name_of_a_method_is_renamed() {
     let mut module = with_payload(module(Real::F64));
     module.parameters[0].field = format_ident!("gravity");
     let stub = written(&module);
@@ -138,7 +138,7 @@ fn a_field_that_is_called_as_a_method_gives_way() {
 }
 
 #[test]
-fn several_results_are_a_tuple_of_its_own_name() {
+fn several_results_are_a_named_tuple() {
     let functions = [Function::InverseDynamicsDerivatives, Function::MassMatrix];
     let alone = [Function::InverseDynamicsDerivatives];
     let mut module = module(Real::F64);
@@ -167,7 +167,7 @@ fn several_results_are_a_tuple_of_its_own_name() {
 }
 
 #[test]
-fn a_pose_is_whole() {
+fn a_pose_has_four_rows() {
     let functions = [Function::ForwardKinematics];
     let mut module = module(Real::F64);
     module.functions = vec![generated(&functions, zeros(&functions, 12))];
@@ -190,13 +190,13 @@ fn nothing_of_a_description_is_code() {
     module.about.robot = "None".to_owned();
     module.about.tip = "\"\"\"\nimport os #\u{202e}\\".to_owned();
     module.about.facts = vec!["\"\"\" + evil() + r\"\"\"\\".to_owned()];
-    module.spaces = turning(["\"\"\"; import os #", "'''\\\n\u{202e}{}"].map(str::to_owned));
+    module.spaces = revolute(["\"\"\"; import os #", "'''\\\n\u{202e}{}"].map(str::to_owned));
     let package = written(&module);
     assert_eq!(package.class, "None_");
     for (path, text) in &package.files {
         assert!(!text.contains('\u{202e}'), "{path}");
         if path.starts_with("python/") {
-            // Quotes that are not written by this project stand behind a backslash, and so does a backslash.
+            // All quotes of the description are escaped, and so are backslashes.
             let without = text.replace("\\\\", "").replace("\\\"", "");
             assert_eq!(without.matches("\"\"\"").count() % 2, 0, "{text}");
             assert!(!without.contains('\\'), "{text}");

@@ -1,7 +1,6 @@
-//! The types of arguments, and the patterns that take them apart.
+//! Types of arguments, and patterns that destructure them.
 //!
-//! In: arguments, how long they are, the names of what is read of them. Out: types and statements. It never
-//! looks at an operation.
+//! In: arguments, their lengths, and the names of the entries that are read. Out: types and statements.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -13,7 +12,7 @@ use super::world::World;
 use crate::schedule::Entries;
 use crate::space::{ACTION, Variable};
 
-/// What a reference to an argument refers to: `[T; 6]`, `[::homogen::Action<T>; 2]`.
+/// Type of an argument behind its reference: `[T; 6]`, `[::homogen::Action<T>; 2]`.
 pub(super) fn type_of(argument: Variable, lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
     let number = &dialect.number;
     let one = match (argument, &dialect.world) {
@@ -26,7 +25,7 @@ pub(super) fn type_of(argument: Variable, lengths: Lengths<'_>, dialect: &Dialec
     array(&one, &lengths(argument.space()))
 }
 
-/// `let [q_1, _, q_3] = *q;`, or `let _ = q;` where no entry is read.
+/// `let [q_1, _, q_3] = *q;`, or `let _ = q;` if no entry is read.
 pub(super) fn unpack((argument, entries): &(Variable, Entries), dialect: &Dialect) -> TokenStream {
     let name = dialect.argument(*argument);
     if entries.iter().all(Option::is_none) {
@@ -53,13 +52,13 @@ pub(super) fn unpack((argument, entries): &(Variable, Entries), dialect: &Dialec
     }
 }
 
-/// No actions from outside, as an argument.
+/// Argument without external wrenches.
 pub(super) fn no_actions(lengths: Lengths<'_>, runtime: &TokenStream) -> TokenStream {
     let length = lengths(Variable::Actions.space());
     quote! { &[#runtime::Action::zero(); #length] }
 }
 
-/// What stands in a pattern for a value that may have no name.
+/// Pattern for a value; `_` without a name.
 pub(super) fn pattern(name: Option<&String>) -> TokenStream {
     name.map_or_else(|| quote! { _ }, |name| ident(name).into_token_stream())
 }

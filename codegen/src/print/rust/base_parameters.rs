@@ -1,7 +1,6 @@
-//! The values of base parameters, beside the regressor that they belong to.
+//! Values of the base parameters.
 //!
-//! In: a [`Module`]. Out: the constant `BASE_PARAMETERS`, where the base regressor is among its functions. It never
-//! computes a value.
+//! In: a [`Module`]. Out: the constant `BASE_PARAMETERS`, if the base regressor is among its functions.
 
 use proc_macro2::TokenStream;
 use quote::quote;

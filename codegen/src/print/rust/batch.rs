@@ -1,9 +1,8 @@
-//! A function that takes slices of states besides.
+//! Functions of slices of states.
 //!
-//! In: a function of a robot. Out: the method for slices, `gravity_batch` beside `gravity`, which leaves all
-//! to the runtime, and the function's trait with what computes it, to be inlined where states stand side by
-//! side in the lanes of vectors. A single state's method calls that trait, so that it is compiled once. It
-//! never prints an operation itself.
+//! In: a function of a robot. Out: the method for slices, `gravity_batch` beside `gravity`, which calls the runtime,
+//! and the function's trait with the computation, which is inlined for vectors of states. The method for a single state
+//! calls the trait as well, so that the computation is compiled once.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -16,10 +15,24 @@ use super::lengths::{Lengths, known};
 use super::method;
 use super::names::ident;
 use super::results::result_type;
+use super::world::World;
 use crate::function::Function;
 use crate::module::Module;
 
-/// A function of a robot with the runtime at a path.
+/// Implementation of the runtime's trait of robots in batches by the inlined functions, if the runtime is available.
+pub(super) fn robot(item: &Item, inlined: &[Function], dialect: &Dialect) -> TokenStream {
+    let World::Runtime(runtime) = &dialect.world else {
+        return TokenStream::new();
+    };
+    let head = declaration::implementation(item, &quote! { #runtime::robot::Batched }, &[]);
+    let names = inlined.iter().map(|function| function.name());
+    let list = (!inlined.is_empty()).then(|| {
+        quote! { const INLINED: &'static [&'static ::core::primitive::str] = &[#(#names),*]; }
+    });
+    quote! { #head { #list } }
+}
+
+/// A function of a robot, with the path of the runtime.
 pub(super) struct Batched<'p> {
     module: &'p Module,
     item: &'p Item,
@@ -45,7 +58,7 @@ impl<'p> Batched<'p> {
         }
     }
 
-    /// The function of one state, by its trait.
+    /// Call of the function for one state, by its trait.
     pub(super) fn call(&self) -> TokenStream {
         let lengths = known(&self.module.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
@@ -56,7 +69,7 @@ impl<'p> Batched<'p> {
         quote! { <Self as #of>::#name(self, #(#arguments),*) }
     }
 
-    /// The function's trait, with what computes it.
+    /// The function's trait with the computation.
     pub(super) fn in_trait(&self, body: &TokenStream) -> TokenStream {
         let lengths = known(&self.module.spaces);
         let of = method::of_runtime(self.function, &lengths, self.runtime, self.dialect);
@@ -71,9 +84,6 @@ impl<'p> Batched<'p> {
                 #[allow(clippy::inline_always, reason = "what is inlined is compiled for the caller's vectors")]
                 #[inline(always)]
                 fn #name #parameters { #body }
-
-                #[inline]
-                fn is_inlined(&self) -> ::core::primitive::bool { true }
             }
         }
     }
@@ -91,14 +101,14 @@ impl<'p> Batched<'p> {
         let signature = signature(self.function, (&lengths, &[]), runtime, self.dialect);
         let about = doc(&[
             format!(
-                "[`{name}`](Self::{name}) of each state of some slices, into `{results}`, with the same bits."
+                "[`{name}`](Self::{name}) of each state in slices, into `{results}`, with the same bits."
             ),
             String::new(),
-            "As many states at a time as the processor's vectors have lanes.".to_owned(),
+            "Computes as many states at a time as the processor's vectors have lanes.".to_owned(),
             String::new(),
             "# Errors".to_owned(),
             String::new(),
-            "Where not all slices are as long as `q`; then nothing is written.".to_owned(),
+            "If a slice is not as long as `q`; then nothing is written.".to_owned(),
         ]);
         quote! {
             #about
@@ -110,7 +120,7 @@ impl<'p> Batched<'p> {
 }
 
 /// `fn gravity_batch<T: ::homogen::batch::Number>(&self, q: &[[T; 2]], results: &mut [[T; 2]]) -> …`, for arrays of
-/// the given lengths, some of which may be parameters.
+/// the given lengths, some of which may be generic parameters.
 pub(super) fn signature(
     function: Function,
     (lengths, unknown): (Lengths<'_>, &[TokenStream]),

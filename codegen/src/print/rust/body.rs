@@ -1,8 +1,7 @@
-//! From a routine to statements.
+//! Statements of Rust for a routine.
 //!
-//! In: a [`Program`] and what it reads. Out: a `let` for each statement of its [`Routine`], and its
-//! results as expressions. It never branches, but from the end of a round to
-//! the next one, or calls anything but sines, cosines, roots and fused products.
+//! In: a [`Program`] and its inputs. Out: a `let` for each statement of its [`Routine`], and its results as
+//! expressions. The only branches are those of loops, and the only calls are sines, cosines, roots and fused products.
 
 use std::mem;
 
@@ -23,48 +22,47 @@ use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable, Rounds,
+    Angle, Entries, LONGEST_SCOPE, Length, Loop, Meaning, Names, Operation, Program, Readable,
     Routine, Statement, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
 
-/// The inside of a function.
+/// Function body.
 pub(super) struct Body {
-    /// What comes before the result.
+    /// Statements before the result.
     pub statements: TokenStream,
-    /// The numbers of the result; of a matrix that is filled, the matrix.
+    /// Results.
     pub results: Results,
-    /// The names of values with what they stand for.
+    /// Names of values with their meanings.
     pub meanings: Vec<(String, Meaning)>,
 }
 
-/// What a function returns.
+/// Results of a function.
 pub(super) enum Results {
-    /// Its numbers, one after the other.
+    /// Numbers in order.
     Numbers(Vec<TokenStream>),
-    /// A matrix that holds them all.
+    /// Matrix that holds all numbers.
     Filled(Ident),
 }
 
-/// How a function returns its numbers.
+/// Shape of the results.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Returns {
-    /// One number by itself.
+    /// A single number.
     Number,
     /// Numbers in arrays.
     Arrays,
-    /// A matrix with rows so long, which may be filled as its numbers are found.
+    /// Matrix with rows of this length, whose entries may be stored as soon as they are computed.
     Matrix(usize),
 }
 
-/// The field of a prepared robot.
+/// Field of a prepared robot.
 pub(super) const VALUES: &str = "values";
 
-/// How many fields are loaded in one scope; three numbers of a field take up to four `let`s.
+/// Maximum number of fields loaded in one scope; three numbers of a field take up to four `let`s.
 const FIELDS: usize = LONGEST_SCOPE / 4;
 
-/// Writes a program down that reads these arguments and the fields of the struct, and returns its numbers as told; no
-/// function in it is longer than that length.
+/// Body of a program that reads these arguments and fields of the struct, with functions of at most this length.
 pub(super) fn body(
     (program, length): (&Program, Length),
     (arguments, returns): (&[Variable], Returns),
@@ -86,7 +84,7 @@ pub(super) fn body(
         fields: &fields.entries(),
     };
     let stored = match returns {
-        Returns::Matrix(_) => Stored::AsFound,
+        Returns::Matrix(_) => Stored::Early,
         Returns::Number | Returns::Arrays => Stored::AtTheEnd,
     };
     let mut routine = Routine::of((program, length), &readable, names, stored);
@@ -164,7 +162,7 @@ pub(super) fn body(
     }
 }
 
-/// The statements of a function of configurations, and the entries of its result.
+/// Statements of a function of configurations, and the entries of its result.
 #[cfg(feature = "files")]
 pub(super) fn of_step(
     step: Step,
@@ -203,7 +201,7 @@ pub(super) fn of_step(
 }
 
 impl Results {
-    /// The numbers of a function that fills no matrix.
+    /// Numbers of a function without a matrix that is filled early.
     pub(super) fn numbers(self) -> Vec<TokenStream> {
         match self {
             Self::Numbers(numbers) => numbers,
@@ -212,20 +210,20 @@ impl Results {
     }
 }
 
-/// Whether results are stored within a statement.
+/// True if results are stored within a statement.
 fn stores(statement: &Statement) -> bool {
     match statement {
-        Statement::Found(..) => true,
+        Statement::StoreResult(..) => true,
         Statement::Block { statements, .. } => statements.iter().any(stores),
         Statement::Operation(..)
         | Statement::SinesAndCosines(_)
-        | Statement::Left(..)
-        | Statement::Rounds(_) => false,
+        | Statement::StoreWork(..)
+        | Statement::Loop(_) => false,
     }
 }
 
-/// The last operation of a routine, taken out where it is the result: a name that is bound only to be
-/// returned is a lint.
+/// Removes the last operation of a routine if it is the result: clippy rejects a name that is bound only to be
+/// returned.
 fn returned(routine: &mut Routine) -> Option<Operation<Value>> {
     let [Value::Name(result)] = &*routine.results else {
         return None;
@@ -239,19 +237,19 @@ fn returned(routine: &mut Routine) -> Option<Operation<Value>> {
     }
 }
 
-/// The spelling of what routines are made of.
+/// Printer of routines.
 pub(super) struct Writer<'d> {
     pub(super) dialect: &'d Dialect,
     numerals: Numerals,
     fused: Option<Ident>,
     names: Names,
-    /// The array in which values wait, where there is one.
+    /// Work array, if there is one.
     pub(super) work: Option<Ident>,
-    /// The matrix that results are stored in, where there is one.
+    /// Matrix that results are stored in, if there is one.
     filling: Option<Filling>,
-    /// What has been written of the scope at hand.
+    /// Text of the current scope.
     text: TokenStream,
-    /// The same of the scopes around it, the outermost first.
+    /// Text of the scopes around it, the outermost first.
     outside: Vec<TokenStream>,
 }
 
@@ -262,27 +260,27 @@ impl Writer<'_> {
         mem::replace(&mut self.text, before)
     }
 
-    /// A value as an expression that binds tighter than any infix operator.
+    /// Value as an expression that binds tighter than any infix operator.
     pub(super) fn read(&self, value: &Value) -> TokenStream {
         match value {
             Value::Literal(value) => self.numerals.write(*value),
             Value::Name(name) => ident(name).into_token_stream(),
-            Value::Waiting(place) => self.place(*place),
-            Value::Entry(table, row, round) => {
+            Value::Work(place) => self.place(*place),
+            Value::Entry(table, row, column) => {
                 let table = ident(table);
-                let [row, round] = [*row, *round].map(Literal::usize_unsuffixed);
-                quote! { #table[#row][#round] }
+                let [row, column] = [*row, *column].map(Literal::usize_unsuffixed);
+                quote! { #table[#row][#column] }
             }
         }
     }
 
-    /// Ends a scope: what was written in it.
+    /// Ends a scope and returns its text.
     fn inside(&mut self) -> TokenStream {
         let outside = self.outside.pop().expect("a scope that began");
         mem::replace(&mut self.text, outside)
     }
 
-    /// Products with sums, rounded once where the target can and there is a function for it.
+    /// Operation, with fused products if there is a function for them.
     fn spelled(&self, operation: &Operation<Value>) -> TokenStream {
         let operation = operation.clone().map(|value| self.read(&value));
         match (operation, &self.fused) {
@@ -304,7 +302,7 @@ impl Writer<'_> {
 
     /// `let payload = self.payload;` or `let [gravity_x, _, gravity_z] = self.gravity;`, converted.
     fn load(&self, entries: &Entries, Parameter { field, target, .. }: &Parameter) -> TokenStream {
-        // The compiler's complaint about a field of another type belongs under the field.
+        // An error about a field of another type is shown at the field.
         let span = field.span().resolved_at(Span::call_site());
         let value = match (&self.dialect.world, target.is_payload()) {
             (World::Runtime(runtime), true) => {
@@ -322,7 +320,7 @@ impl Writer<'_> {
         let conversions = entries.iter().flatten().filter_map(|name| {
             let name = ident(name).into_token_stream();
             let converted = converted(&name);
-            // Without a conversion the pattern has said it all.
+            // Without a conversion the pattern has bound the value.
             let needed = converted.to_string() != name.to_string();
             needed.then(|| quote! { let #name = #converted; })
         });
@@ -354,41 +352,41 @@ impl Language for Writer<'_> {
 
     fn store(&mut self, result: usize, value: &Value) {
         let filling = self.filling.as_ref();
-        let filling = filling.expect("what is stored as it is found has a matrix");
+        let filling = filling.expect("early results have a matrix");
         self.text.extend(filling.store(result, &self.read(value)));
     }
 
-    fn begin_loop(&mut self, rounds: &Rounds) {
-        let (table, round) = (ident(&rounds.table), ident(&rounds.round));
-        let rows = rounds.rows.iter().map(|row| {
+    fn begin_loop(&mut self, each: &Loop) {
+        let (table, column) = (ident(&each.table), ident(&each.column));
+        let rows = each.rows.iter().map(|row| {
             let row = row.iter().map(|value| self.read(value));
             quote! { [#(#row),*] }
         });
         let rows: Vec<_> = rows.collect();
         self.text.extend(quote! { let mut #table = [#(#rows),*]; });
         self.begin_scope();
-        let names = rounds.taken.iter().map(|name| ident(name));
-        let places = rows_at(&table, &round);
+        let names = each.loads.iter().map(|name| ident(name));
+        let places = rows_at(&table, &column);
         let takes = names
             .zip(places)
             .map(|(name, place)| quote! { let #name = #place; });
         self.text.extend(takes);
     }
 
-    fn end_loop(&mut self, rounds: &Rounds) {
-        let (table, round) = (ident(&rounds.table), ident(&rounds.round));
-        let count = Literal::usize_unsuffixed(rounds.count());
-        let names = rounds.left.iter().map(|name| ident(name));
-        let places = rows_at(&table, &round);
+    fn end_loop(&mut self, each: &Loop) {
+        let (table, column) = (ident(&each.table), ident(&each.column));
+        let count = Literal::usize_unsuffixed(each.count());
+        let names = each.stores.iter().map(|name| ident(name));
+        let places = rows_at(&table, &column);
         let leaves = names
             .zip(places)
             .map(|(name, place)| quote! { #place = #name; });
         self.text.extend(leaves);
         let inside = self.inside();
-        // A processor with vectors reads of a row; clippy would rather have a loop over the rows.
+        // A processor with vectors reads along a row; clippy prefers a loop over the rows.
         self.text.extend(quote! {
             #[allow(clippy::needless_range_loop)]
-            for #round in 0..#count { #inside }
+            for #column in 0..#count { #inside }
         });
     }
 
@@ -396,19 +394,19 @@ impl Language for Writer<'_> {
         self.outside.push(mem::take(&mut self.text));
     }
 
-    fn end_scope(&mut self, handed_on: &[String]) {
+    fn end_scope(&mut self, outputs: &[String]) {
         let inside = self.inside();
-        self.text.extend(block(&inside, handed_on.iter()));
+        self.text.extend(block(&inside, outputs.iter()));
     }
 }
 
-/// The entries of a round in each row of a table, from the first row on.
-fn rows_at<'t>(table: &'t Ident, round: &'t Ident) -> impl Iterator<Item = TokenStream> + 't {
+/// Entries of an iteration in each row of a table.
+fn rows_at<'t>(table: &'t Ident, column: &'t Ident) -> impl Iterator<Item = TokenStream> + 't {
     let rows = (0..).map(Literal::usize_unsuffixed);
-    rows.map(move |row| quote! { #table[#row][#round] })
+    rows.map(move |row| quote! { #table[#row][#column] })
 }
 
-/// `let [phi_2_in_2_cz, _, payload_m] = self.values;`, where any of them is read.
+/// `let [phi_2_in_2_cz, _, payload_m] = self.values;`, if any of them is read.
 fn computed(values: &Entries) -> Option<TokenStream> {
     let any = values.iter().any(Option::is_some);
     let patterns = values.iter().map(Option::as_ref).map(pattern);
@@ -416,8 +414,8 @@ fn computed(values: &Entries) -> Option<TokenStream> {
     any.then(|| quote! { let [#(#patterns),*] = self.#field; })
 }
 
-/// `let [a, b] = { …; [a, b] };`: statements in a scope of their own, and what is left of them; by itself where
-/// that is nothing, for no compiler could tell what `[]` is of.
+/// `let [a, b] = { …; [a, b] };`: statements in an inner scope and its values. Without values it is a plain block,
+/// since the type of `[]` is unknown.
 fn block<'n>(inside: &TokenStream, names: impl Iterator<Item = &'n String>) -> TokenStream {
     let names: Vec<_> = names.map(|name| ident(name)).collect();
     if names.is_empty() {

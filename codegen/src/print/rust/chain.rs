@@ -1,8 +1,7 @@
-//! The robot as data.
+//! The robot as data in Rust.
 //!
-//! In: [`ChainData`]. Out: the function `chain` that returns it as the runtime's `Chain`, for the
-//! generic recursions that generated code is checked against. It never reads the programs of the
-//! generated functions.
+//! In: [`ChainData`]. Out: the function `chain`, which returns the runtime's `Chain` for the generic recursions that
+//! generated code is compared with.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -21,12 +20,12 @@ use crate::print::{Fields, documentation};
 use crate::schedule::Length;
 use crate::space::Space;
 
-/// How many numbers a joint has, and how many of them are its placement and its screw.
+/// Count of numbers of a joint, and of its placement and screw.
 const JOINT: usize = 28;
 const PLACEMENT: usize = 12;
 const SCREW: usize = 6;
 
-/// `fn chain() -> ::homogen::Chain<N, F>`, a method where fields enter it.
+/// `fn chain() -> ::homogen::Chain<N, F>`, a method if fields enter it.
 pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Runtime(runtime) = &dialect.world else {
         return TokenStream::new();
@@ -58,7 +57,7 @@ pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
         !module.parameters.is_empty(),
         runtime,
     );
-    // Without parameters there is nothing to compute.
+    // Without parameters the function is constant.
     let constant = module.parameters.is_empty().then(|| quote! { const });
     quote! {
         #about
@@ -67,8 +66,8 @@ pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
     }
 }
 
-/// The function's signature, for lists so long and so many joints and frames; `unknown` is a generic
-/// parameter that stands for a number.
+/// Signature for these lengths of lists and numbers of joints and frames; `unknown` is a generic parameter for a
+/// length.
 pub(super) fn signature(
     (lengths, joints, frames): (Lengths<'_>, &TokenStream, &TokenStream),
     unknown: Option<&TokenStream>,
@@ -81,7 +80,7 @@ pub(super) fn signature(
     quote! { fn chain #generics(#this) -> #chain }
 }
 
-/// The type of a robot as data, for lists so long and so many joints and frames.
+/// Type of a robot as data for these lengths of lists and numbers of joints and frames.
 pub(super) fn chain_type(
     lengths: Lengths<'_>,
     joints: &TokenStream,
@@ -90,7 +89,7 @@ pub(super) fn chain_type(
 ) -> TokenStream {
     let [coordinates, velocities] = [Space::Coordinates, Space::Velocities].map(lengths);
     let same = |a: &TokenStream, b: &TokenStream| a.to_string() == b.to_string();
-    // Where every joint has one coordinate of its own, one number says all.
+    // If every joint has one coordinate, a single length suffices.
     let others = if same(&coordinates, &velocities) && same(joints, &velocities) {
         None
     } else {
@@ -102,17 +101,17 @@ pub(super) fn chain_type(
 fn value(data: &ChainData, numbers: &[TokenStream], runtime: &TokenStream) -> TokenStream {
     let (joints, rest) = numbers.split_at((data.names.len() * JOINT).min(numbers.len()));
     let (frames, rest) = rest.split_at((data.frames.len() * PLACEMENT).min(rest.len()));
-    let (gravity, drives) = rest.split_at(rest.len().min(3));
+    let (gravity, actuators) = rest.split_at(rest.len().min(3));
     let names = data.names.iter().zip(&data.parents).zip(&data.motions);
     let joints = joints.chunks(JOINT).zip(names);
     let joints = (0_u16..).zip(joints);
     let joints = joints.map(|(k, (numbers, ((name, parent), motion)))| {
         let joint = joint((name, index(*parent)), *motion, numbers, runtime);
-        let own = data.driven.iter().zip(drives.chunks(3));
+        let own = data.driven.iter().zip(actuators.chunks(3));
         let own = own.filter(|((joint, _), _)| *joint == k);
-        let with = own.map(|((_, velocity), drive)| {
+        let with = own.map(|((_, velocity), actuator)| {
             let velocity = literal((*velocity).into());
-            quote! { .with_drive(#velocity, #runtime::Drive::new(#(#drive),*)) }
+            quote! { .with_drive(#velocity, #runtime::Drive::new(#(#actuator),*)) }
         });
         quote! { #joint #(#with)* }
     });
@@ -159,7 +158,7 @@ fn joint(
     }
 }
 
-/// The joint that carries something, of those that are there.
+/// Joint that carries an item, as an option.
 pub(super) fn index(joint: Option<u16>) -> TokenStream {
     if let Some(joint) = joint {
         let joint = literal(joint.into());

@@ -1,7 +1,6 @@
-//! What stands above Rust.
+//! Comments above Rust.
 //!
-//! In: lines. Out: doc comments, and the head of a file. It never says anything that the module does
-//! not hold, but for what the code needs to be compiled.
+//! In: lines of [`documentation`]. Out: doc comments, and the head of a file, with what the code needs to be compiled.
 
 use std::fmt::Write;
 
@@ -14,7 +13,7 @@ use crate::module::Module;
 use crate::print::documentation;
 use crate::wording::{code, visible};
 
-/// Lines as a doc comment.
+/// Doc comment of these lines.
 pub(super) fn doc(lines: &[impl AsRef<str>]) -> TokenStream {
     let lines = lines.iter().map(|line| match &*visible(line.as_ref()) {
         "" => String::new(),
@@ -23,7 +22,7 @@ pub(super) fn doc(lines: &[impl AsRef<str>]) -> TokenStream {
     quote! { #(#[doc = #lines])* }
 }
 
-/// The head of a generated file, as line comments: origin, what was asked for, what it needs, prices.
+/// Head of a generated file as line comments: origin, request, requirements, costs.
 #[must_use]
 pub fn header(module: &Module, asked: &str, world: &World) -> String {
     let mut lines = documentation::head(module, asked);
@@ -38,13 +37,13 @@ pub fn header(module: &Module, asked: &str, world: &World) -> String {
     })
 }
 
-/// The oldest compilers that take a file for `core` alone, without functions for C and with them.
+/// Minimum Rust version of a file for `core` alone, without and with functions for C.
 const COMPILERS: [&str; 2] = ["1.63", "1.82"];
 
-/// Whose paths files have.
+/// Edition that the paths in files need.
 const EDITION: &str = "edition 2018 or later";
 
-/// What a file needs to be compiled.
+/// Requirements of a file for compilation.
 fn needs(world: &World) -> String {
     match world {
         World::Runtime(path) => {

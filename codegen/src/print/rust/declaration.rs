@@ -1,7 +1,7 @@
-//! The struct and the blocks around what it gets.
+//! Declaration of the struct, and heads of its blocks.
 //!
-//! In: an [`Item`] and the robot that it becomes. Out: its declaration, where it has to be written, the
-//! block of its methods, and the heads of implementations. It never looks at what the methods do.
+//! In: an [`Item`] and its robot. Out: the declaration if it has to be printed, the block of its methods, and the heads
+//! of implementations.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -15,7 +15,7 @@ use super::world::World;
 use crate::module::Module;
 use crate::print::documentation;
 
-/// The struct itself, where it has to be written.
+/// The struct, if it has to be printed.
 pub(super) fn declaration(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     match &item.declaration {
         Declaration::Exists => TokenStream::new(),
@@ -64,9 +64,9 @@ pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> To
     quote! { #allowed impl #generics #ident #arguments #bounds { #methods } }
 }
 
-/// The lints that generated code does not look to.
+/// Lints that generated code does not follow.
 pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
-    // Compilers before 1.81 know no reasons, and code for `core` alone is for those as well.
+    // Compilers before 1.81 reject reasons, and code for `core` alone supports these.
     let reason = match dialect.world {
         World::Runtime(_) => {
             quote! { reason = "generated code has one form for every robot" }
@@ -88,7 +88,7 @@ pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
     }
 }
 
-/// The head of an implementation of a trait, up to its brace.
+/// Head of an implementation of a trait, up to its brace.
 pub(super) fn implementation(item: &Item, of: &TokenStream, more: &[TokenStream]) -> TokenStream {
     let ident = &item.ident;
     let (_, arguments, bounds) = item.generics.split_for_impl();

@@ -1,7 +1,6 @@
 //! A robot's description of itself as constants of its struct, and as the runtime's trait `Robot`.
 //!
-//! In: a [`Module`] and its struct. Out: a block of constants, and with the runtime an implementation of the trait. It
-//! never prints an operation.
+//! In: a [`Module`] and its struct. Out: a block of constants, and with the runtime an implementation of the trait.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -20,7 +19,7 @@ use crate::print::described::{NumberList, limits, names, neutral};
 use crate::real::Real;
 use crate::space::Space;
 
-/// The constants, and the trait where there is the runtime.
+/// The constants, and the trait with the runtime.
 pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let visibility = &item.visibility;
     let (text, whole) = match &dialect.world {
@@ -96,7 +95,7 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     );
     let of = quote! { #runtime::Robot<#velocities, #coordinates> };
     let head = implementation(item, &of, &[]);
-    // Only then numbers are written here once more.
+    // For other types the implementation refers to the constants and prints no literals.
     let allowed = (dialect.real == Real::F32).then(|| declaration::allowed(dialect));
     quote! {
         #allowed #head {

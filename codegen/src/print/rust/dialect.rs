@@ -1,8 +1,7 @@
-//! What differs between code for the runtime and code for `core` alone.
+//! Dialects: differences between code for the runtime and code for `core` alone.
 //!
-//! In: the type of number, a struct and its world. Out: the spellings of numbers, their type and
-//! mathematical functions, by which statements are the same in every dialect. It never writes an
-//! operation or a signature.
+//! In: the scalar type, a struct and the available library. Out: the text of literals, types and mathematical
+//! functions, so that the printers of statements are the same for all dialects.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
@@ -21,38 +20,38 @@ use crate::real::Real;
 use crate::schedule::{LONGEST_SCOPE, Names};
 use crate::space::Variable;
 
-/// How many sines and cosines a reader can pair on one line.
+/// Maximum number of sines and cosines in one statement; more are split for readability.
 const ON_ONE_LINE: usize = 4;
 
-/// The spellings of one output.
+/// Dialect of one output.
 #[derive(Clone, Debug)]
 pub(super) struct Dialect {
-    /// What it can rely on.
+    /// Available library.
     pub world: World,
-    /// The type of number.
+    /// Scalar type.
     pub number: TokenStream,
-    /// The generic parameter that the number is, if it is one.
+    /// Generic parameter for the scalar type, if it is generic.
     generic: Option<Ident>,
-    /// The type of number, by name.
+    /// Scalar type by name.
     pub real: Real,
-    /// The struct that has the fields: what stands beside it is called after it.
+    /// Struct with the fields; other items are named after it.
     pub robot: Ident,
-    /// Whether the struct, and not each function, is generic over the type of number.
+    /// True if the struct is generic over the scalar type, and not each function.
     prepared: bool,
-    /// The names that functions cannot bind.
+    /// Names that functions cannot bind.
     pub names: Names,
-    /// Where its sines come from.
+    /// Source of sines and cosines.
     sines: Sines,
-    /// Whether functions are inlined and make their numbers like those of an argument.
+    /// True if functions are inlined and convert literals by means of an argument.
     inlined: bool,
-    /// Whether the type of every number stands beside it.
+    /// True if the type of every literal is known from its context.
     bare: bool,
-    /// The type of the struct's fields, where the user has not chosen it.
+    /// Type of the struct's fields, unless the user declared them.
     fields: Option<Real>,
 }
 
 impl Dialect {
-    /// For a struct in some world; without the runtime [`Real::Generic`] is taken for `f64`.
+    /// Dialect of a struct; without the runtime [`Real::Generic`] is printed as `f64`.
     pub fn of(scalar: Real, sines: Sines, item: &Item, world: &World) -> Self {
         let real = match (world, scalar) {
             (World::Core(_), Real::Generic) => Real::F64,
@@ -84,17 +83,17 @@ impl Dialect {
         }
     }
 
-    /// A name that a function binds: where the struct has no fields its own name is a pattern, which binds nothing.
+    /// Name of a local variable: not that of a struct without fields, which would be a pattern.
     pub fn local(&self, wish: &str) -> Ident {
         ident(&self.names.clone().alone(wish))
     }
 
-    /// What a function calls an argument.
+    /// Name of an argument.
     pub fn argument(&self, argument: Variable) -> Ident {
         self.local(argument.name())
     }
 
-    /// The generic parameter of a function with its bound.
+    /// Generic parameter of a function with its bound.
     pub fn bound(&self) -> Option<TokenStream> {
         match (&self.generic, &self.world) {
             (Some(_), _) if self.prepared => None,
@@ -104,7 +103,7 @@ impl Dialect {
         }
     }
 
-    /// The same of a function that stands within another.
+    /// The same for a function within another.
     pub fn bound_inside(&self) -> Option<TokenStream> {
         let inside = Self {
             prepared: false,
@@ -113,12 +112,12 @@ impl Dialect {
         inside.bound()
     }
 
-    /// Whether C shall understand the struct.
+    /// True if the struct has C layout.
     pub fn is_for_c(&self) -> bool {
         matches!(&self.world, World::Core(library) if library.c_prefix.is_some())
     }
 
-    /// For which angles functions are precise, where the runtime does not say so.
+    /// Angles for which functions are accurate; `None` with the runtime, which documents them.
     pub fn angles(&self) -> Option<Angles> {
         match &self.world {
             World::Runtime(_) | World::Lanes(_) => None,
@@ -126,7 +125,7 @@ impl Dialect {
         }
     }
 
-    /// The same world in a struct that holds numbers of the type which functions have.
+    /// Dialect of a prepared robot, whose fields have the scalar type of the functions.
     pub fn of_prepared(&self) -> Self {
         Self {
             prepared: true,
@@ -134,7 +133,7 @@ impl Dialect {
         }
     }
 
-    /// The same world in functions that are inlined into their callers.
+    /// Dialect of functions that are inlined into their callers.
     pub fn inlined(&self) -> Self {
         Self {
             inlined: true,
@@ -142,7 +141,7 @@ impl Dialect {
         }
     }
 
-    /// The same world with plain `f64`s: the robot as data is not generic.
+    /// Dialect of the robot as data, in `f64`.
     pub fn of_data(&self) -> Self {
         Self {
             number: quote! { ::core::primitive::f64 },
@@ -153,7 +152,7 @@ impl Dialect {
         }
     }
 
-    /// The type of a struct field that holds a number.
+    /// Type of a number in a struct field.
     pub fn field(&self) -> TokenStream {
         match (&self.world, self.real) {
             (World::Runtime(_), Real::Generic) => quote! { ::core::primitive::f64 },
@@ -162,7 +161,7 @@ impl Dialect {
         }
     }
 
-    /// How numbers are written, and the statement that this takes in a function with that first argument.
+    /// Form of literals, and the statement that they need in a function with this first argument.
     pub fn numerals(&self, first: Option<&Ident>, names: &mut Names) -> (Numerals, TokenStream) {
         let value = self.local("number");
         let made = match (&self.generic, &self.world, first) {
@@ -184,7 +183,7 @@ impl Dialect {
         (Numerals::Through(k), statement)
     }
 
-    /// A field's number as a number of the code.
+    /// Conversion of a field's number to the scalar type.
     pub fn converted(&self, numerals: &Numerals, value: &TokenStream, span: Span) -> TokenStream {
         let number = &self.number;
         let double = match self.fields {
@@ -197,7 +196,7 @@ impl Dialect {
             (World::Core(_), _, _) => value.clone(),
             (World::Lanes(_), Numerals::Through(k), _) => quote! { #k(#value) },
             (_, _, Real::F32) if self.fields == Some(Real::F32) => value.clone(),
-            // By way of f64, so that a field may be either; to f64 and back changes nothing.
+            // By way of f64, so that a field may have either type; the conversion to f64 and back is exact.
             (World::Runtime(runtime), _, Real::F32) => {
                 quote! { <#number as #runtime::Scalar>::constant(#double) }
             }
@@ -206,7 +205,7 @@ impl Dialect {
         }
     }
 
-    /// The name of the fused product in a function that has one, and the statement that binds it.
+    /// Name of the fused product in a function that has one, and the statement that binds it.
     pub fn fused(&self, names: &mut Names) -> (Option<Ident>, TokenStream) {
         let number = &self.number;
         match &self.world {
@@ -231,18 +230,17 @@ impl Dialect {
         }
     }
 
-    /// −1, 0 or 1, without a branch: `core` has no such function before Rust 1.85, and none that is 0 of
-    /// 0.
+    /// −1, 0 or 1 without a branch: `core` has no `signum` before Rust 1.85, and that is never 0.
     pub fn sign(&self, a: &TokenStream) -> TokenStream {
         let number = &self.number;
         match &self.world {
-            World::Runtime(runtime) => quote! { #runtime::Scalar::sgn(#a) },
-            World::Lanes(path) => quote! { #path::number::Number::sgn(#a) },
+            World::Runtime(runtime) => quote! { #runtime::Scalar::sign(#a) },
+            World::Lanes(path) => quote! { #path::number::Number::sign(#a) },
             World::Core(_) => quote! { #number::from(i8::from(#a > 0.0) - i8::from(#a < 0.0)) },
         }
     }
 
-    /// The statements that bind all sines and cosines, of which there is at least one.
+    /// Statements that bind all sines and cosines; at least one.
     pub fn sines_and_cosines(
         &self,
         sines: &[TokenStream],
@@ -282,7 +280,7 @@ impl Dialect {
         }
     }
 
-    /// The struct that has functions of its own.
+    /// The struct with private functions.
     fn owner(&self) -> TokenStream {
         if self.prepared {
             self.robot.to_token_stream()
@@ -291,7 +289,7 @@ impl Dialect {
         }
     }
 
-    /// The functions that the struct has of its own: sines and cosines for programs that have angles, and the square root.
+    /// Private functions of the struct: sines and cosines if programs have angles, and the square root.
     pub fn own_functions(&self, module: &Module) -> TokenStream {
         let World::Core(library) = &self.world else {
             return TokenStream::new();
@@ -303,8 +301,7 @@ impl Dialect {
     }
 }
 
-/// The sine and the cosine of one angle after the other, by a function of one angle; in a single
-/// binding where there are more than a scope may have.
+/// Sines and cosines by a function of one angle; in a single binding if there are more than a scope may have.
 fn one_by_one(
     sin_cos: &TokenStream,
     sines: &[TokenStream],

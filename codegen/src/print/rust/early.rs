@@ -1,26 +1,26 @@
-//! Large matrices that a function fills as it goes.
+//! Large matrices that a function fills early.
 //!
-//! In: the results of a function, and which of them its statements store. Out: the matrix as it begins, and what
-//! stores an entry. It never says which functions do so, or when an entry is found.
+//! In: the results of a function, and the indices of those that its statements store. Out: the initial matrix, and the
+//! stores of its entries.
 
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-/// A matrix that is filled.
+/// Matrix that is filled early.
 pub(super) struct Filling {
-    /// Its name.
+    /// Name.
     pub matrix: Ident,
-    /// How long its rows are.
+    /// Length of its rows.
     pub columns: usize,
 }
 
 impl Filling {
-    /// The matrix with all results that are known from the start, and a one for those that are stored later.
+    /// Initial matrix with all results that are known from the start, and 1 for those that are stored later.
     ///
-    /// Not a zero: what began as zeros alone would be cleared by a call for all of it, which takes longer
-    /// than the stores that this saves.
+    /// The placeholder is not 0: compilers clear an array of zeros by a call, which takes longer than the stores that
+    /// early filling saves.
     pub fn begin(
         &self,
         results: &[TokenStream],
@@ -36,7 +36,7 @@ impl Filling {
         quote! { let mut #matrix = [#(#rows),*]; }
     }
 
-    /// `y[1][2] = a;`, of the result of that index.
+    /// `y[1][2] = a;` for the result with this index.
     pub fn store(&self, result: usize, value: &TokenStream) -> TokenStream {
         let place = [result / self.columns, result % self.columns];
         let [row, column] = place.map(Literal::usize_unsuffixed);
@@ -53,7 +53,7 @@ mod tests {
     use super::Filling;
 
     #[test]
-    fn what_is_found_is_stored_in_its_place_and_the_rest_is_there_from_the_start() {
+    fn early_results_are_stored_and_the_rest_is_initial() {
         let filling = Filling {
             matrix: format_ident!("y_"),
             columns: 3,

@@ -1,8 +1,8 @@
-//! Functions for C: with its calling convention, around the methods.
+//! Functions for C around the methods.
 //!
-//! In: a [`Module`] and its struct. Out: a function for each method, and the header that declares
-//! them. Pointers become references to arrays of fixed size, results go to memory that need not hold
-//! anything yet: there is nothing unsafe but the promise that no other function has these names.
+//! In: a [`Module`] and its struct. Out: a function with C's calling convention for each method, and the header that
+//! declares them. Pointers are references to arrays of fixed size, and results may be uninitialised memory. The only
+//! unsafe attribute states that the names are unique.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -19,7 +19,7 @@ use crate::module::{GeneratedFunction, Module};
 use crate::print::c;
 use crate::print::steps::Step;
 
-/// The functions, one for each method, where the library says how names begin.
+/// The functions, one for each method, if the library has a prefix for them.
 pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Core(Library {
         c_prefix: Some(prefix),
@@ -68,7 +68,7 @@ fn of_step(
     )
 }
 
-/// The parameter that is the robot, where it has fields, and how the robot is read.
+/// Parameter for the robot if it has fields, and the expression that reads it.
 fn receiver(module: &Module, item: &Item, dialect: &Dialect) -> (TokenStream, TokenStream) {
     let robot = &item.ident;
     if module.parameters.is_empty() {
@@ -79,7 +79,7 @@ fn receiver(module: &Module, item: &Item, dialect: &Dialect) -> (TokenStream, To
     }
 }
 
-/// A function for C around a method.
+/// Function for C around a method.
 fn for_c(
     (item, method): (&Item, &Ident),
     symbol: &str,
@@ -87,12 +87,11 @@ fn for_c(
     body: &TokenStream,
 ) -> TokenStream {
     let robot = &item.ident;
-    let about =
-        format!(" [`{robot}::{method}`] for C, whose header tells what the pointers are to be.");
+    let about = format!(" [`{robot}::{method}`] for C; its header documents the pointers.");
     let name = ident(symbol);
     quote! {
         #[doc = #about]
-        #[allow(unsafe_code, reason = "the name is promised to be the only one of its kind")]
+        #[allow(unsafe_code, reason = "the name must be unique in the linked program")]
         #[unsafe(no_mangle)]
         pub extern "C" fn #name(#parameters) {
             #body
@@ -142,7 +141,7 @@ fn function(
 
     let (receiver, value) = receiver(module, item, dialect);
     let call = quote! { #value.#method(#(#arguments),*) };
-    // What several functions return is a tuple, several quantities of one a struct.
+    // Several functions return a tuple, several quantities of one function a struct.
     let values: Vec<_> = generated
         .functions
         .iter()

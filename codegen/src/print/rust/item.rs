@@ -1,7 +1,6 @@
-//! The struct that generated functions are methods of.
+//! The struct with generated functions as methods.
 //!
-//! In: what the user declared, or a name for a struct to be made. Out: an [`Item`]. It never looks at
-//! a robot.
+//! In: the declaration of the user, or a name. Out: an [`Item`].
 
 use proc_macro2::{Ident, TokenStream};
 use syn::ext::IdentExt;
@@ -10,32 +9,32 @@ use syn::{GenericParam, Generics, Visibility, parse_quote};
 use super::names::{ident, of_type, type_name, unscoped};
 use crate::schedule::Names;
 
-/// The struct, as its door sees it.
+/// The struct.
 #[derive(Clone)]
 pub struct Item {
-    /// Its visibility, which the methods share.
+    /// Visibility, which the methods share.
     pub visibility: Visibility,
-    /// Its name.
+    /// Name.
     pub ident: Ident,
-    /// Its generic parameters and their bounds.
+    /// Generic parameters and their bounds.
     pub generics: Generics,
-    /// Who declares it.
+    /// Origin of the declaration.
     pub declaration: Declaration,
 }
 
-/// Who declares the struct.
+/// Origin of the declaration of a struct.
 #[derive(Clone, Debug)]
 pub enum Declaration {
     /// The user has: a derive.
     Exists,
-    /// The door has, in these tokens: `chain!`.
+    /// Declared by the front end with these tokens: `chain!`.
     Written(TokenStream),
-    /// This stage does, with a public field for every parameter: build scripts, the command line.
+    /// Declared by the printer with a public field for every parameter: build scripts and the command line.
     Made,
 }
 
 impl Item {
-    /// A public struct to be made, called like this as far as files have no type of that name.
+    /// Public struct with this name, or a similar one if files have a type with this name.
     #[must_use]
     pub fn made(ident: Ident) -> Self {
         Self {
@@ -46,14 +45,13 @@ impl Item {
         }
     }
 
-    /// A public struct to be made, called as a robot is.
+    /// Public struct with the name of a robot.
     #[must_use]
     pub fn named_after(robot: &str) -> Self {
         Self::made(ident(&type_name(robot)))
     }
 
-    /// Names beside its own, which in a pattern would be taken for its only value, and those of its
-    /// generic parameters.
+    /// Reserved names: its own, which in a pattern would be its only value, and its generic parameters.
     pub(super) fn names(&self) -> Names {
         let mut names = unscoped();
         let mut take = |ident: &Ident| names.take(&ident.unraw().to_string());
@@ -77,7 +75,7 @@ mod tests {
     use syn::parse_quote;
 
     #[test]
-    fn the_struct_and_its_generic_parameters_are_left_alone() {
+    fn names_of_the_struct_and_its_parameters_are_reserved() {
         let item = Item {
             generics: parse_quote! { <'t_1, T, const q_1: usize> },
             ..Item::made(format_ident!("k"))

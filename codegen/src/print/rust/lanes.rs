@@ -1,8 +1,8 @@
-//! Functions of numbers side by side.
+//! Functions of several states in the lanes of vectors.
 //!
 //! In: a [`Module`], the struct that gets methods, and the path of a crate with a trait `number::Number`. Out: the
-//! struct, and a method for each function that takes and returns arrays of numbers, of every result one without
-//! arrays within it. It is Rust that no user reads first: what the functions mean is said where they are called.
+//! struct, and a method for each function on flat arrays of numbers. Documentation is printed where the functions are
+//! called from.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -103,7 +103,7 @@ fn method(
     }
 }
 
-/// What stands under the upper rows of a matrix of four.
+/// Lower rows of the 4×4 matrix of an entity; empty if its array is complete.
 pub(in crate::print) const fn under(entity: Entity) -> &'static [f64] {
     match entity {
         Entity::Pose => &[0.0, 0.0, 0.0, 1.0],

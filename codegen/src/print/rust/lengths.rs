@@ -1,16 +1,16 @@
-//! How long arrays are, as types have it.
+//! Lengths of arrays in types.
 //!
-//! In: numbers, or names that stand for them. Out: types. It never knows what is in an array.
+//! In: numbers or generic parameters. Out: types.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::space::{Space, Spaces};
 
-/// A length for each space.
+/// Length of each space.
 pub(super) type Lengths<'a> = &'a dyn Fn(Space) -> TokenStream;
 
-/// Those of spaces that are known; of actions how many there are, for each is one thing.
+/// Lengths of known spaces; for wrenches their number, since each is one value.
 pub(super) fn known(spaces: &Spaces) -> impl Fn(Space) -> TokenStream {
     |space| match space {
         Space::Actions => literal(spaces.actions()),
@@ -18,13 +18,13 @@ pub(super) fn known(spaces: &Spaces) -> impl Fn(Space) -> TokenStream {
     }
 }
 
-/// A length that is known.
+/// Literal of a known length.
 pub(super) fn literal(length: usize) -> TokenStream {
     let length = Literal::usize_unsuffixed(length);
     quote! { #length }
 }
 
-/// The type of so many of a type.
+/// The array type `[T; N]`.
 pub(super) fn array(of: &TokenStream, length: &TokenStream) -> TokenStream {
     quote! { [#of; #length] }
 }

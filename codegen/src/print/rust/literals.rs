@@ -1,31 +1,30 @@
-//! Numbers as Rust reads them back: exactly.
+//! Literals of Rust.
 //!
-//! In: an `f64` that is finite in the type in question. Out: the shortest decimal that the type reads as
-//! the same number. It never rounds, except to that type.
+//! In: an `f64` that is finite in the scalar type. Out: the shortest decimal that the type reads as the same number.
 
 use std::str::FromStr;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-/// How a number is written.
+/// Form of a literal.
 #[derive(Clone, Debug)]
 pub(super) enum Numerals {
-    /// `0.333`, where the type is known beside it.
+    /// `0.333`, if its type is known from the context.
     Bare,
     /// `0.333_f32`.
     Single,
     /// `0.333_f64`.
     Double,
-    /// `k(0.333)`, by a function that makes a number of the generic type.
+    /// `k(0.333)`, by a function that converts to the generic type.
     Through(Ident),
 }
 
 impl Numerals {
-    /// The number as an expression that binds tighter than any operator.
+    /// Literal as an expression that binds tighter than any operator.
     ///
     /// # Panics
-    /// Where it is not finite.
+    /// If the number is not finite.
     pub fn write(&self, value: f64) -> TokenStream {
         match self {
             Self::Bare => signed(value, &format!("{:?}", value.abs())),

@@ -1,8 +1,7 @@
-//! The robot with its loops as data.
+//! The robot with its loops as data in Rust.
 //!
-//! In: what closes them, as [`LoopsData`](crate::module::LoopsData). Out: the function `mechanism` that
-//! returns it as the runtime's `Mechanism`, for the generic recursions that generated code is checked
-//! against; none where there is no loop. It never reads the programs of the generated functions.
+//! In: [`LoopsData`](crate::module::LoopsData). Out: the function `mechanism`, which returns the runtime's `Mechanism`
+//! for the generic recursions that generated code is compared with; nothing without loops.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -21,11 +20,11 @@ use crate::print::{Fields, documentation};
 use crate::schedule::Length;
 use crate::space::Space;
 
-/// How many numbers a frame has, and a loop.
+/// Count of numbers of a frame, and of a loop.
 const PLACEMENT: usize = 12;
 const LOOP: usize = 2 * PLACEMENT + 1;
 
-/// `fn mechanism() -> ::homogen::Mechanism<N, F, C, Q, B>`, a method where fields enter it.
+/// `fn mechanism() -> ::homogen::Mechanism<N, F, C, Q, B>`, a method if fields enter it.
 pub(super) fn mechanism(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Runtime(runtime) = &dialect.world else {
         return TokenStream::new();
@@ -75,7 +74,7 @@ pub(super) fn mechanism(module: &Module, item: &Item, dialect: &Dialect) -> Toke
     }
 }
 
-/// The function's signature where the description is not known: of any lengths.
+/// Signature for an unknown description, generic over all lengths.
 pub(super) fn absent(reads_fields: bool, runtime: &TokenStream) -> TokenStream {
     let this = reads_fields.then(|| quote! { &self });
     let names = ["N", "F", "C", "Q", "B"].map(|name| quote::format_ident!("{name}"));
@@ -86,7 +85,7 @@ pub(super) fn absent(reads_fields: bool, runtime: &TokenStream) -> TokenStream {
     }
 }
 
-/// Each of a loop, with its frames and its size as numbers.
+/// Residuals of a loop, with its frames and its size.
 fn residuals<'a>(
     closed: &'a LoopData,
     numbers: &'a [TokenStream],

@@ -1,7 +1,7 @@
-//! One generated function: its signature, its doc comment, its body, its trait.
+//! A generated function: signature, doc comment, body and trait.
 //!
-//! In: a [`GeneratedFunction`] of a [`Module`]. Out: an inherent method, and the implementation of a trait
-//! that calls it. It never prints an operation itself.
+//! In: a [`GeneratedFunction`] of a [`Module`]. Out: an inherent method, and the implementation of a trait that calls
+//! it.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -23,16 +23,16 @@ use crate::print::large::columns;
 use crate::schedule::Meaning;
 use crate::space::{Space, Spaces};
 
-/// Code, and what the names of values in it stand for.
+/// Code with the meanings of its names.
 #[derive(Clone, Debug)]
 pub struct Explained {
-    /// The code.
+    /// Code.
     pub text: TokenStream,
-    /// The names with their meanings; fields and what the language binds besides are not among them.
+    /// Names with their meanings, except fields and names of the language.
     pub meanings: Vec<(String, Meaning)>,
 }
 
-/// What computes `listed` from what its struct has, to stand between braces.
+/// Body of a function with these fields, to be put between braces.
 pub(super) fn computation(
     of: (&GeneratedFunction, Fields<'_>),
     module: &Module,
@@ -74,7 +74,7 @@ pub(super) fn explained(
     }
 }
 
-/// The method that computes `listed` by what stands between its braces, under these lines.
+/// Method of a function with this body, under a comment.
 pub(super) fn method(
     (item, spaces): (&Item, &Spaces),
     (generated, about): (&GeneratedFunction, &[String]),
@@ -93,7 +93,7 @@ pub(super) fn method(
     }
 }
 
-/// The implementation of a function's trait by the method `name`.
+/// Implementation of a function's trait by the method `name`.
 pub(super) fn in_trait(
     module: &Module,
     item: &Item,
@@ -103,7 +103,7 @@ pub(super) fn in_trait(
 ) -> TokenStream {
     let arguments = names(function, dialect).into_iter();
     let lengths = known(&module.spaces);
-    // Controllers that serve any robot know of no actions from outside.
+    // Controllers for any robot pass no external wrenches.
     let acted = module.spaces.actions() > 0 && function.takes_actions();
     let actions = match &dialect.world {
         World::Runtime(runtime) if acted => Some(no_actions(&lengths, runtime)),
@@ -114,7 +114,7 @@ pub(super) fn in_trait(
     implementation(item, function, &lengths, &[], &call, dialect)
 }
 
-/// The names of a function's arguments.
+/// Names of a function's arguments.
 pub(super) fn names(function: Function, dialect: &Dialect) -> Vec<Ident> {
     let arguments = function.arguments().iter();
     arguments
@@ -122,8 +122,8 @@ pub(super) fn names(function: Function, dialect: &Dialect) -> Vec<Ident> {
         .collect()
 }
 
-/// The implementation of a function's trait, for arrays of the given lengths (which may be the
-/// parameters `unknown`) and with the given body.
+/// Implementation of a function's trait with the given body, for arrays of the given lengths, some of which may be the
+/// generic parameters `unknown`.
 pub(super) fn implementation(
     item: &Item,
     function: Function,
@@ -142,7 +142,7 @@ pub(super) fn implementation(
     quote! { #head { #[inline] fn #method #parameters { #call } } }
 }
 
-/// The trait of a function, for arrays of the given lengths.
+/// Trait of a function for arrays of the given lengths.
 pub(super) fn of_runtime(
     function: Function,
     lengths: Lengths<'_>,
@@ -150,7 +150,7 @@ pub(super) fn of_runtime(
     dialect: &Dialect,
 ) -> TokenStream {
     let number = &dialect.number;
-    // The traits are called as the functions are, in the case of types.
+    // Traits have the names of the variants.
     let name = format_ident!("{function:?}");
     let [count, coordinates] = [Space::Velocities, Space::Coordinates].map(lengths);
     let same = count.to_string() == coordinates.to_string();
@@ -159,8 +159,8 @@ pub(super) fn of_runtime(
     quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> }
 }
 
-/// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]` of functions, which actions from outside
-/// enter or not; `unknown` are generic parameters that stand for lengths.
+/// `fn gravity<T: ::homogen::Scalar>(&self, q: &[T; 2]) -> [T; 2]` of functions with or without external wrenches;
+/// `unknown` are generic parameters for lengths.
 pub(super) fn signature(
     name: &Ident,
     functions: (&[Function], bool),
@@ -177,7 +177,7 @@ pub(super) fn signature(
     quote! { fn #name #parameters }
 }
 
-/// The generic parameters of a function.
+/// Generic parameters of a function.
 pub(super) fn generics(unknown: &[TokenStream], dialect: &Dialect) -> Vec<TokenStream> {
     let bound = dialect.bound().into_iter();
     bound.chain(unknown.iter().cloned()).collect()

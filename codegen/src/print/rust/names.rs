@@ -1,23 +1,21 @@
-//! Names that Rust takes.
+//! Names of Rust.
 //!
-//! In: texts. Out: the words that nothing can be called, names of methods and types, identifiers. It
-//! never names a value.
+//! In: texts. Out: reserved words, names of methods and types, identifiers.
 
 use proc_macro2::{Ident, Span};
 
 use crate::module::Module;
 use crate::schedule::{Names, sanitize};
 
-/// The function of sines that a struct has of its own.
+/// Private function of a struct for sine and cosine.
 pub(super) const SIN_COS: &str = "sin_cos";
 
-/// Names in a scope of their own.
+/// Names of a new scope.
 pub(super) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 
-/// The names of all methods, in the order of the module; none is that of a function that a struct
-/// has besides.
+/// Names of all methods, in the order of the module, without clashes with other functions of the struct.
 pub(in crate::print) fn of_methods(module: &Module) -> Vec<Ident> {
     let mut names = unscoped();
     names.take("chain");
@@ -28,12 +26,12 @@ pub(in crate::print) fn of_methods(module: &Module) -> Vec<Ident> {
         .collect()
 }
 
-/// A name as a token.
+/// Name as a token.
 pub(in crate::print) fn ident(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-/// A text as the name of a type: `double pendulum` is `DoublePendulum`.
+/// Text as the name of a type: `DoublePendulum` for `double pendulum`.
 pub(in crate::print) fn type_name(text: &str) -> String {
     let words = sanitize(text);
     let words = words.split('_').map(|word| {
@@ -45,7 +43,7 @@ pub(in crate::print) fn type_name(text: &str) -> String {
     unscoped().alone(&name)
 }
 
-/// The name of a type: one that the language has gets an underscore.
+/// Name of a type; a primitive type of Rust gets an underscore.
 pub(super) fn of_type(name: Ident) -> Ident {
     if PRIMITIVE.contains(&&*name.to_string()) {
         return ident(&format!("{name}_"));
@@ -53,7 +51,7 @@ pub(super) fn of_type(name: Ident) -> Ident {
     in_every_edition(name)
 }
 
-/// The same name, raw where some edition reserves it.
+/// The same name, raw if an edition reserves it.
 pub(crate) fn in_every_edition(name: Ident) -> Ident {
     let text = name.to_string();
     if KEYWORDS.contains(&&*text) {
@@ -63,7 +61,7 @@ pub(crate) fn in_every_edition(name: Ident) -> Ident {
     }
 }
 
-/// Types that the language has.
+/// Primitive types of Rust.
 const PRIMITIVE: [&str; 17] = [
     "bool", "char", "f32", "f64", "i128", "i16", "i32", "i64", "i8", "isize", "str", "u128", "u16",
     "u32", "u64", "u8", "usize",
@@ -84,7 +82,7 @@ mod tests {
     use super::{type_name, unscoped};
 
     #[test]
-    fn letters_that_look_like_others_or_like_nothing_are_no_part_of_a_name() {
+    fn ambiguous_and_invisible_letters_are_replaced() {
         let wishes = [
             "a\u{430}",
             "fi\u{fb01}",

@@ -1,8 +1,7 @@
-//! A robot whose fields have been read once and for all.
+//! Prepared robots.
 //!
-//! In: the functions of a [`Module`] in two parts. Out: the method `prepare`, which computes what depends on
-//! fields alone, and the struct that holds it, with a method and a trait for each function. It never
-//! decides what belongs to which part.
+//! In: the prepared functions of a [`Module`]. Out: the method `prepare`, which computes everything that depends on
+//! fields alone, and the struct of its results, with a method and a trait for each function.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -22,7 +21,7 @@ use super::world::World;
 use crate::module::Module;
 use crate::print::{Fields, documentation};
 
-/// The method of the robot, and what stands beside it; nothing where nobody asks.
+/// Method of the robot, and items beside it; empty if it was not requested.
 pub(super) fn prepared(
     module: &Module,
     item: &Item,
@@ -90,7 +89,7 @@ fn signature(item: &Item, dialect: &Dialect) -> TokenStream {
     quote! { fn prepare #generics(&self) -> #name #arguments }
 }
 
-/// The struct that holds what is computed of the fields of another.
+/// The struct of a prepared robot.
 fn of(item: &Item, dialect: &Dialect) -> Item {
     let generics = dialect
         .bound()
@@ -103,7 +102,7 @@ fn of(item: &Item, dialect: &Dialect) -> Item {
     }
 }
 
-/// Its declaration, with so many numbers.
+/// Its declaration with this number of values.
 fn structure(item: &Item, own: &Item, count: usize, dialect: &Dialect) -> TokenStream {
     let about = doc(&documentation::of_prepared(&item.ident.unraw().to_string()));
     let derive = match dialect.world {
@@ -118,8 +117,8 @@ fn structure(item: &Item, own: &Item, count: usize, dialect: &Dialect) -> TokenS
     quote! { #about #derive #visibility struct #name #arguments { #values: #kind, } }
 }
 
-/// The signature of the method, and the struct, after a mistake, which keep the rest of the program compiling;
-/// `members` are the methods and the traits of what a robot has, for any struct.
+/// Signature of the method, and the struct, after an error, so that the rest of the program type-checks; `members` are
+/// the methods and the traits of any struct of the robot.
 pub(super) fn absent(
     item: &Item,
     dialect: &Dialect,

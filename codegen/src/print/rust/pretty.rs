@@ -1,7 +1,6 @@
-//! Tokens as a person reads them.
+//! Formatting of tokens.
 //!
-//! In: a [`TokenStream`] of items. Out: a [`Source`] whose `Display` is formatted Rust. It never
-//! changes a token.
+//! In: a [`TokenStream`] of items. Out: a [`Source`] whose `Display` is formatted Rust.
 
 use std::fmt;
 
@@ -10,7 +9,7 @@ use quote::ToTokens;
 
 use crate::print::ascii::spelt;
 
-/// Formatted source text, with line comments above it.
+/// Formatted source text, with line comments at its head.
 #[derive(Clone, Debug)]
 pub struct Source {
     header: String,
@@ -24,7 +23,7 @@ impl Source {
     pub fn new(header: impl Into<String>, items: &TokenStream) -> Self {
         let text = match syn::parse2::<syn::File>(items.clone()) {
             Ok(file) => spaced(&prettyplease::unparse(&file)),
-            // What is no file of Rust is still worth reading.
+            // Tokens that do not parse are shown as they are.
             Err(_) => items.to_string(),
         };
         Self {
@@ -34,8 +33,8 @@ impl Source {
         }
     }
 
-    /// A file of its own: items that formatters leave as they are, since no two of them lay out long lists alike,
-    /// and text behind them.
+    /// A file: items with `#[rustfmt::skip]`, since versions of rustfmt lay out long lists differently, and text after
+    /// them.
     #[must_use]
     pub fn file(header: impl Into<String>, items: &TokenStream, appendix: String) -> Self {
         let mut file: syn::File = match syn::parse2(items.clone()) {
@@ -57,7 +56,7 @@ impl Source {
         }
     }
 
-    /// The same without a character beyond ASCII.
+    /// The same in ASCII.
     #[must_use]
     pub(crate) fn in_ascii(self) -> Self {
         let [header, text, appendix] =
@@ -80,7 +79,7 @@ impl fmt::Display for Source {
     }
 }
 
-/// The same with an empty line after every item and method, as people write it.
+/// The same with an empty line after every item and method.
 fn spaced(text: &str) -> String {
     let mut spaced = String::with_capacity(text.len());
     let mut after_item = false;

@@ -1,8 +1,7 @@
-//! The types of results, and the expressions that make them.
+//! Types of results, and the expressions that construct them.
 //!
-//! In: a quantity and its numbers. Out: the runtime's typed matrices, or arrays where there is no
-//! runtime, in arrays by the spaces that they are over; structs of several quantities, which are the
-//! runtime's, or the file's own. It never reorders the numbers of a program.
+//! In: a quantity and its numbers. Out: the runtime's matrix types, or arrays without the runtime, in arrays over their
+//! spaces; structs for several quantities, from the runtime or in the file.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -18,7 +17,7 @@ use crate::function::Function;
 use crate::module::Module;
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
-/// The type of what `functions` return together.
+/// Type of the results of `functions`.
 pub(super) fn result_type(
     functions: &[Function],
     lengths: Lengths<'_>,
@@ -26,8 +25,8 @@ pub(super) fn result_type(
 ) -> TokenStream {
     let types = functions.iter().map(|&function| match function.result() {
         Outcome::One(quantity) => type_of(&quantity, lengths, dialect),
-        outcome @ Outcome::Parts(_) => {
-            let path = structure(function, dialect);
+        outcome @ Outcome::Parts(name, _) => {
+            let path = structure(name, dialect);
             match dialect.world {
                 World::Runtime(_) => {
                     let lengths = spaces(outcome).into_iter().map(lengths);
@@ -41,7 +40,7 @@ pub(super) fn result_type(
     one_or_tuple(types.collect())
 }
 
-/// The spaces that some quantities are over, each once.
+/// Spaces of some quantities, each once.
 fn spaces(outcome: Outcome) -> Vec<Space> {
     let mut found = Vec::new();
     for &space in outcome.parts().flat_map(|(_, part)| part.over) {
@@ -52,27 +51,26 @@ fn spaces(outcome: Outcome) -> Vec<Space> {
     found
 }
 
-/// The path of the struct that a function of several quantities returns.
-fn structure(function: Function, dialect: &Dialect) -> TokenStream {
+/// Path of the struct for a function with several quantities.
+fn structure(name: &str, dialect: &Dialect) -> TokenStream {
     match &dialect.world {
         World::Runtime(runtime) => {
-            // It is called as the function is, in the case of types.
-            let name = format_ident!("{function:?}");
+            let name = format_ident!("{name}");
             quote! { #runtime::#name }
         }
         World::Core(_) | World::Lanes(_) => {
-            let name = own_structure(function, dialect);
+            let name = own_structure(name, dialect);
             quote! { #name }
         }
     }
 }
 
-/// The name of that struct where there is no runtime.
-fn own_structure(function: Function, dialect: &Dialect) -> Ident {
-    format_ident!("{}{function:?}", dialect.robot.unraw())
+/// Name of that struct without the runtime.
+fn own_structure(name: &str, dialect: &Dialect) -> Ident {
+    format_ident!("{}{name}", dialect.robot.unraw())
 }
 
-/// The structs that functions return, where there is no runtime to have them.
+/// Structs for results without the runtime.
 pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let World::Core(_) = dialect.world else {
         return TokenStream::new();
@@ -84,12 +82,12 @@ pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) ->
     functions.dedup();
     let lengths = known(&module.spaces);
     let structures = functions.into_iter().filter_map(|function| {
-        let Outcome::Parts(parts) = function.result() else {
+        let Outcome::Parts(name, parts) = function.result() else {
             return None;
         };
-        let name = own_structure(function, dialect);
+        let name = own_structure(name, dialect);
         let about = doc(&[format!(
-            "What [`{}::{}`] returns.",
+            "Result of [`{}::{}`].",
             item.ident.unraw(),
             function.name()
         )]);
@@ -109,7 +107,7 @@ pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) ->
     structures.collect()
 }
 
-/// The type of one result.
+/// Type of one result.
 pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
     let number_type = &dialect.number;
     let one = match named(quantity.entity, dialect) {
@@ -123,19 +121,19 @@ pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Diale
     over.fold(one, |one, &space| array(&one, &lengths(space)))
 }
 
-/// The runtime's type of an entity, where it has one.
+/// Type of an entity in the runtime, if it has one.
 fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
     match (entity, &dialect.world) {
         (Entity::Number | Entity::Vector, _) | (_, World::Core(_) | World::Lanes(_)) => None,
         (entity, World::Runtime(runtime)) => {
-            // They are called as the entities are.
+            // Types have the names of the variants.
             let name = format_ident!("{entity:?}");
             Some(quote! { #runtime::#name })
         }
     }
 }
 
-/// The value of what `functions` return together: their numbers stand one after the other.
+/// Value of the results of `functions`, from their numbers in order.
 pub(super) fn result_value(
     functions: &[Function],
     spaces: &Spaces,
@@ -148,17 +146,18 @@ pub(super) fn result_value(
         let (own, others) = rest.split_at(outcome.size(spaces).min(rest.len()));
         rest = others;
         let parts = outcome.parts().zip(outcome.split(spaces, own));
-        let fields: Vec<(Option<Ident>, TokenStream)> = parts
-            .map(|((name, quantity), own)| {
-                (name.map(ident), value_of(&quantity, spaces, own, dialect))
-            })
-            .collect();
-        match &*fields {
-            [(None, value)] => value.clone(),
-            fields => {
-                let path = structure(function, dialect);
-                let fields = fields.iter().map(|(name, value)| quote! { #name: #value });
-                quote! { #path { #(#fields),* } }
+        let values = parts.map(|((field, quantity), own)| {
+            let value = value_of(&quantity, spaces, own, dialect);
+            match field.map(ident) {
+                Some(field) => quote! { #field: #value },
+                None => value,
+            }
+        });
+        match outcome {
+            Outcome::One(_) => quote! { #(#values)* },
+            Outcome::Parts(name, _) => {
+                let path = structure(name, dialect);
+                quote! { #path { #(#values),* } }
             }
         }
     });
@@ -192,18 +191,18 @@ fn made(path: &TokenStream, blocks: &TokenStream) -> TokenStream {
     quote! { #path::new(#blocks) }
 }
 
-/// Values in arrays within arrays of the given lengths, the outermost first.
+/// Nested arrays of the given lengths, the outermost first.
 fn nested(lengths: &[usize], values: &[TokenStream]) -> TokenStream {
     let Some((_, inner)) = lengths.split_first() else {
         return quote! { #(#values)* };
     };
-    // `chunks` wants a length even of a robot without joints.
+    // `chunks` rejects a length of 0, which a robot without joints has.
     let each = inner.iter().product::<usize>().max(1);
     let rows = values.chunks(each).map(|values| nested(inner, values));
     quote! { [#(#rows),*] }
 }
 
-/// The rows of an upper 3×4 block as `[[…]; 3], […]`.
+/// Rows of an upper 3×4 block as `[[…]; 3], […]`.
 pub(super) fn square_and_column(numbers: &[TokenStream]) -> TokenStream {
     let square = numbers.chunks(4).map(|row| {
         let row = row.iter().take(3);

@@ -1,7 +1,7 @@
-//! What the reviewer of a file reads beside its code.
+//! Material for the reviewer of a Rust file.
 //!
-//! In: a [`Module`] with its [`Review`](crate::module::Review), and its struct. Out: text behind
-//! the items, a module of tests and where numbers come from. It never prints an operation.
+//! In: a [`Module`] with its [`Review`](crate::module::Review), and its struct. Out: text after the items: a module of
+//! tests, and the origins of inertial numbers.
 
 use std::fmt::Write;
 
@@ -19,7 +19,7 @@ use crate::space::{ACTION, Variable};
 use crate::template;
 use crate::wording::visible;
 
-/// What stands behind the items: tests, and where numbers come from.
+/// Text after the items: tests, and the origins of inertial numbers.
 #[must_use]
 pub fn appendix(listing: &Module, item: &Item, world: &World) -> String {
     let mut text = String::new();
@@ -37,7 +37,7 @@ pub fn appendix(listing: &Module, item: &Item, world: &World) -> String {
     text
 }
 
-/// A module with a test for each function.
+/// Module with a test for each function.
 fn tests(listing: &Module, item: &Item) -> String {
     let vectors = listing
         .review
@@ -52,7 +52,7 @@ fn tests(listing: &Module, item: &Item) -> String {
         Real::F64 | Real::Generic => "f64",
     };
     let robot = item.ident.to_string();
-    // No struct is called so: what is left are names of the module.
+    // No struct has this name, so that the remaining words are names of the module.
     let mut own = words(&calls(listing, vectors, "Self", number));
     let (name, used) = if own.clone().alone(&robot) == robot {
         (robot.clone(), robot)
@@ -73,7 +73,7 @@ fn tests(listing: &Module, item: &Item) -> String {
     text
 }
 
-/// All words of the module, which has these calls.
+/// All words of the module with these calls.
 fn words(calls: &str) -> Names {
     let is_word = |letter: char| letter == '_' || letter.is_alphanumeric();
     let code = TESTS
@@ -87,7 +87,7 @@ fn words(calls: &str) -> Names {
     names
 }
 
-/// A test for each function.
+/// Tests, one for each function.
 fn calls(listing: &Module, vectors: &[Vector], robot: &str, number: &str) -> String {
     let mut text = String::new();
     let functions = listing
@@ -115,7 +115,7 @@ fn calls(listing: &Module, vectors: &[Vector], robot: &str, number: &str) -> Str
     text
 }
 
-/// The statements that call a method and look at what it returns.
+/// Statements that call a method and compare its results.
 fn call(
     listing: &Module,
     (generated, vector): (&GeneratedFunction, &Vector),
@@ -199,7 +199,7 @@ fn call(
     text
 }
 
-/// The places of the results of a function behind `found`, and what each is.
+/// Expressions for the results of a function, with their quantities.
 fn results(generated: &GeneratedFunction) -> Vec<(String, crate::space::Quantity)> {
     let several = generated.functions.len() > 1;
     let functions = generated.functions.iter().enumerate();
@@ -229,15 +229,15 @@ fn of_type(value: f64, scalar: Real) -> String {
     }
 }
 
-/// Items between brackets, as many on a line as fit it.
+/// Items between brackets, as many on a line as fit.
 fn filled(start: &str, items: &[String], end: &str) -> String {
     review::filled((start, "            "), items, end)
 }
 
-/// The head of the module, with words between `@` for what differs.
+/// Head of the module, with placeholders between `@`.
 const TESTS: &str = "
-/// What functions should return at a state or two: by dense 4×4 matrices of the description, in 106 bits. Each number
-/// may be off by what rounding can make of it there.
+/// Expected results at a state or two, from dense 4×4 matrices of the description in 106 bits. Each number may differ
+/// by the rounding error that is possible there.
 #[cfg(test)]
 #[allow(clippy::all, clippy::pedantic)]
 #[rustfmt::skip]
@@ -248,7 +248,7 @@ mod @module@ {
         let mut entry = 0;
         for &found in found {
             let off = if found > expected[entry] { found - expected[entry] } else { expected[entry] - found };
-            // What is no number is not near one.
+            // NaN fails.
             assert!(off <= tolerances[entry], \"entry {}: {} and not {}\", entry, found, expected[entry]);
             entry += 1;
         }

@@ -1,18 +1,18 @@
-//! The square root that a file for `core` alone brings along, which has none.
+//! Square root of a file for `core` alone, which has none.
 //!
-//! In: the type of number. Out: a function that becomes a private one of the struct, as text that is a file of its own
-//! here. A quotient iteration gives an estimate within one unit in the last place; the remainder, exact in integers,
-//! decides the rounding. So results have the bits of the processor's instruction.
+//! In: the scalar type. Out: a private function of the struct, as text in a file of its own. A quotient iteration gives
+//! an estimate within one ulp; the remainder, exact in integers, decides the rounding, so that results have the same
+//! bits as the processor's instruction.
 
 use proc_macro2::{Ident, TokenStream};
 
 use super::sines::beside;
 use crate::real::Real;
 
-/// The name of the function.
+/// Name of the function.
 pub(super) const SQRT: &str = "sqrt";
 
-/// The function, which binds nothing that is called as the struct.
+/// The function, without a binding that has the struct's name.
 pub(super) fn function(real: Real, robot: &Ident) -> TokenStream {
     let text = match real {
         Real::F32 => include_str!("roots/single.rs"),
@@ -42,7 +42,7 @@ mod tests {
     }
 
     #[test]
-    fn they_have_the_bits_of_the_processor() {
+    fn roots_have_the_bits_of_the_processor() {
         // Zeros, subnormal numbers, powers of two with their neighbours, infinity.
         let sparse = (0..2047_u64).flat_map(|exponent| {
             let power = exponent << 52;

@@ -1,7 +1,7 @@
-//! The functions of their own that a long routine consists of.
+//! Sections of a long routine in Rust.
 //!
-//! In: the [`Work`] of a routine. Out: a function for each section, which stands within the one that calls
-//! it, and the calls. Places of the work array are numbers below its length, so that no index can fail.
+//! In: the [`Work`] of a routine. Out: a function for each section, within its caller, and the calls. Indices of the
+//! work array are literals below its length, so that none can fail.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -9,10 +9,10 @@ use quote::{ToTokens, quote};
 use super::body::Writer;
 use super::lengths::{array, literal};
 use super::names::ident;
-use crate::schedule::{Apart, LONGEST_SCOPE, Value, Work};
+use crate::schedule::{LONGEST_SCOPE, SectionBody, Value, Work};
 
 impl Writer<'_> {
-    /// The functions; `constant` and `mul_add` bind what numbers and fused products are written by.
+    /// The functions; `constant` and `mul_add` are statements that bind the functions for literals and fused products.
     pub(super) fn sections(
         &mut self,
         work: &Work,
@@ -24,43 +24,43 @@ impl Writer<'_> {
             array(&self.dialect.number, &literal(work.len)),
         );
         let sections = work.sections.iter().map(|section| {
-            let Apart {
+            let SectionBody {
                 name: own,
                 statements,
                 has_literals,
                 is_fused,
                 ..
             } = section;
-            let (own, taken) = (ident(own), self.taken(section));
+            let (own, loads) = (ident(own), self.loads(section));
             let constant = has_literals.then_some(constant);
             let mul_add = is_fused.then_some(mul_add);
             let statements = self.statements(statements);
             quote! {
                 #[inline(never)]
-                fn #own #bound(#name: &mut #kind) { #constant #mul_add #taken #statements }
+                fn #own #bound(#name: &mut #kind) { #constant #mul_add #loads #statements }
             }
         });
         sections.collect()
     }
 
-    /// The array, what is put into it at first, and the calls.
+    /// The array, its initial values, and the calls.
     pub(super) fn calls(&self, work: &Work) -> TokenStream {
         let (name, zero) = (ident(&work.name), self.read(&Value::Literal(0.0)));
         let len = literal(work.len);
-        let given = work.given.iter();
-        let given = given.map(|(place, value)| self.put_at(*place, &self.read(value)));
+        let initial = work.initial.iter();
+        let initial = initial.map(|(place, value)| self.put_at(*place, &self.read(value)));
         let calls = work.sections.iter().map(|section| {
             let section = ident(&section.name);
             quote! { #section(&mut #name); }
         });
-        quote! { let mut #name = [#zero; #len]; #(#given)* #(#calls)* }
+        quote! { let mut #name = [#zero; #len]; #(#initial)* #(#calls)* }
     }
 
-    /// What a section takes; in a single binding where there is more than a scope may have.
-    fn taken(&self, section: &Apart) -> TokenStream {
-        let names = section.taken.iter().map(|(_, name)| ident(name));
-        let places = section.taken.iter().map(|(place, _)| self.place(*place));
-        if section.taken.len() > LONGEST_SCOPE {
+    /// Bindings of the values that a section reads; a single one if there are more than a scope may have.
+    fn loads(&self, section: &SectionBody) -> TokenStream {
+        let names = section.loads.iter().map(|(_, name)| ident(name));
+        let places = section.loads.iter().map(|(place, _)| self.place(*place));
+        if section.loads.len() > LONGEST_SCOPE {
             return quote! { let [#(#names),*] = [#(#places),*]; };
         }
         quote! { #(let #names = #places;)* }

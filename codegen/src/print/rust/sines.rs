@@ -1,9 +1,7 @@
-//! The sines and cosines that a file for `core` alone brings along.
+//! Sine and cosine of a file for `core` alone.
 //!
-//! In: the type of number. Out: a function that becomes a private one of the struct, as text that
-//! is a file of its own here. They are the straight
-//! halves of `homogen::trigonometry`, which explains them line by line; the tests of the workspace
-//! hold the two together bit for bit.
+//! In: the scalar type. Out: a private function of the struct, as text in a file of its own. It is the branch-free part
+//! of `homogen::trigonometry`, which explains it line by line; tests compare both bit for bit.
 
 use std::str::FromStr;
 
@@ -13,12 +11,12 @@ use super::names::ident;
 use crate::real::Real;
 use crate::schedule::Names;
 
-/// The function, which binds nothing that is called as the struct.
+/// The function, without a binding that has the struct's name.
 pub(super) fn function(real: Real, robot: &Ident) -> TokenStream {
     beside(text(real), robot)
 }
 
-/// A function of a file of its own, which binds nothing that is called as the struct.
+/// A function from its text, without a binding that has the struct's name.
 pub(super) fn beside(text: &str, robot: &Ident) -> TokenStream {
     // The text is Rust: it is compiled in tests.
     let function = TokenStream::from_str(text).unwrap_or_default();
@@ -31,7 +29,7 @@ pub(super) fn beside(text: &str, robot: &Ident) -> TokenStream {
     renamed(function, robot, &ident(&other))
 }
 
-/// Takes all words of tokens.
+/// Reserves all words of tokens.
 fn take(tokens: &TokenStream, names: &mut Names) {
     for token in tokens.clone() {
         match token {
@@ -42,15 +40,14 @@ fn take(tokens: &TokenStream, names: &mut Names) {
     }
 }
 
-/// The same tokens where what is bound to one name is bound to another: attributes, functions and what is found in
-/// something else keep theirs.
+/// The same tokens with a bound name replaced; attributes, functions and members keep theirs.
 fn renamed(tokens: TokenStream, from: &Ident, to: &Ident) -> TokenStream {
     let mut before = String::new();
     let tokens = tokens.into_iter().map(|token| {
         let keeps = [".", ":", "fn", "#"].contains(&&*before);
         before = token.to_string();
         match token {
-            // The type behind a colon is none of the struct's name.
+            // The type after a colon does not have the struct's name.
             TokenTree::Ident(word) if word == *from && !keeps => to.clone().into(),
             TokenTree::Group(group) if !keeps => {
                 let inside = renamed(group.stream(), from, to);
@@ -64,7 +61,8 @@ fn renamed(tokens: TokenStream, from: &Ident, to: &Ident) -> TokenStream {
     tokens.collect()
 }
 
-/// What is said of the function, and the function from the word `fn` on: between them stands that it is not inlined.
+/// Documentation of the function, and the function from the word `fn` on; the attribute against inlining between them
+/// is left out.
 ///
 /// # Panics
 /// Never: the texts are our own.
@@ -75,7 +73,7 @@ pub(in crate::print) fn parts(real: Real) -> [&'static str; 2] {
     parts.expect("it is not inlined").into()
 }
 
-/// The function as it was written.
+/// Text of the function.
 const fn text(real: Real) -> &'static str {
     match real {
         Real::F32 => include_str!("sines/single.rs"),
@@ -96,7 +94,7 @@ mod tests {
         include!("sines/double.rs");
 
         #[test]
-        fn they_are_those_of_the_platform() {
+        fn sines_agree_with_the_platform() {
             let angles = (-4000..4000).map(|i| f64::from(i) * 0.37);
             let errors = angles.map(|angle| {
                 let (sine, cosine) = sin_cos(angle);
@@ -105,9 +103,9 @@ mod tests {
             assert!(errors.fold(0.0, f64::max) <= f64::EPSILON);
         }
 
-        /// The statements that other languages print are the same routine, bit for bit.
+        /// The statements for other languages give the same bits.
         #[test]
-        fn they_are_those_of_the_statements() {
+        fn sines_agree_with_the_statements() {
             for angle in (-4000..4000).map(|i| f64::from(i) * 0.37) {
                 let [sine, cosine, shifted] = computed(Real::F64, angle, |value| value);
                 let (sine, cosine) = turned(sine, cosine, shifted.to_bits());
@@ -137,13 +135,13 @@ mod tests {
             assert!(errors.fold(0.0, f64::max) <= f64::from(f32::EPSILON) / 2.0);
         }
 
-        /// The same in single precision: a sum or a product of two of its numbers is rounded right by way of `f64`.
+        /// The same in single precision: a sum or a product of two of its numbers is rounded correctly by way of `f64`.
         #[test]
         #[expect(
             clippy::cast_possible_truncation,
             reason = "rounding to the type is the purpose"
         )]
-        fn they_are_those_of_the_statements() {
+        fn sines_agree_with_the_statements() {
             for angle in (-4000_i16..4000).map(|i| f32::from(i) * 0.75) {
                 let round = |value: f64| f64::from(value as f32);
                 let [sine, cosine, shifted] = computed(Real::F32, angle.into(), round);
@@ -158,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn each_is_one_function() {
+    fn the_text_is_one_function() {
         for (real, start) in [
             (Real::F32, "fn sin_cos (angle : f32)"),
             (Real::F64, "fn sin_cos (angle : f64)"),
@@ -169,13 +167,13 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_bound_that_is_called_as_the_struct() {
+    fn no_binding_has_the_name_of_the_struct() {
         for real in [Real::F32, Real::F64] {
             let plain = function(real, &format_ident!("Arm")).to_string();
             for name in ["angle", "near", "r", "z", "quadrant"] {
                 let function = function(real, &format_ident!("{name}")).to_string();
                 let of = |text: &str, name: &str| {
-                    // Behind what is said of it.
+                    // After its documentation.
                     let (_, code) = text.split_once("fn sin_cos").expect("a function");
                     let words = code.split(|c: char| !c.is_alphanumeric() && c != '_');
                     words.filter(|word| *word == name).count()

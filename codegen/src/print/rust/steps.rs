@@ -1,7 +1,7 @@
 //! `neutral`, `integrate`, `difference` and `normalize` of a robot in Rust.
 //!
-//! In: what moves each joint, and the functions that a robot has of these. Out: methods. With the runtime they call its
-//! functions of single joints; elsewhere they are the statements that every language prints.
+//! In: the motion of each joint. Out: methods. With the runtime they call its functions of single joints; otherwise
+//! they are the statements that every language prints.
 
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ use crate::module::{DataMotion, Module};
 use crate::print::documentation;
 use crate::print::steps::{Step, joints, neutral};
 
-/// The methods, where the robot needs them.
+/// The methods, if the robot needs them.
 pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let methods = Step::of(module).iter().map(|&step| {
         let about = doc(&documentation::of_step(
@@ -42,7 +42,7 @@ pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
         let result = row(step.result());
         let (statements, entries) = computation(step, module, dialect);
         match &dialect.world {
-            // An attribute has it, whatever the type of number.
+            // The class has an attribute for it.
             World::Lanes(_) if step == Step::Neutral => TokenStream::new(),
             World::Lanes(_) => quote! {
                 #about #[inline(always)] #head -> (#result,) { #statements ([#(#entries),*],) }
@@ -164,7 +164,7 @@ impl Steps<'_> {
         names.map(|name| self.dialect.local(&name)).collect()
     }
 
-    /// The function of a single joint.
+    /// Function of a single joint.
     fn kernel(&self, verb: &str, posture: Posture) -> TokenStream {
         let runtime = self.runtime;
         let kernel = format_ident!(

@@ -1,8 +1,7 @@
-//! What is printed after an error, so that one bad joint does not raise forty more errors.
+//! Stubs after an error, so that one error in a description does not cause many more.
 //!
-//! In: what was asked for, and as much as is known of the robot. Out: the right signatures with
-//! bodies that type-check and never run. It never says what the mistake was; that is in
-//! [`Errors`](crate::error::Errors).
+//! In: the request, and the spaces of the robot if they are known. Out: the right signatures with bodies that
+//! type-check and never run. The errors themselves are in [`Errors`](crate::error::Errors).
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -19,10 +18,10 @@ use crate::real::Real;
 use crate::request::Request;
 use crate::space::{Space, Spaces};
 
-/// Every method, trait and `chain` that was asked for, for a crate that has the runtime.
+/// Every requested method and trait, and `chain`, for a crate with the runtime.
 ///
-/// Where the lists of coordinates are unknown, because the description was not good enough to tell, their length
-/// is a parameter of each function, so that calls with arrays of any length type-check.
+/// If the description is too faulty to know the coordinates, their number is a generic parameter of each function, so
+/// that calls with arrays of any length type-check.
 #[must_use]
 pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStream {
     let world = World::runtime(request.runtime.as_ref());
@@ -30,14 +29,14 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     let unnamed = || ident(&dialect.names.clone().alone("N"));
     let unknown = spaces.is_none().then(unnamed);
     let lengths = |space: Space| {
-        // They are known whatever else is not.
+        // The number of external wrenches is known from the request.
         if space == Space::Actions {
             return literal(request.external.len());
         }
         let known = spaces.map(|spaces| literal(spaces.len(space)));
         known.unwrap_or_else(|| quote! { #unknown })
     };
-    // How many entries spaces of parameters have, the description tells later than how it moves.
+    // The lengths of parameter spaces need more of the description than the joints.
     let other = ident(&dialect.names.clone().alone("P"));
     let lengths = |space: Space| match space {
         Space::Coordinates | Space::Velocities | Space::Actions => lengths(space),
@@ -74,6 +73,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
         (&lengths, parameter.as_ref()),
         &dialect,
     ));
+    traits.extend(batch::robot(item, &[], &dialect));
     let declaration = match &item.declaration {
         Declaration::Written(tokens) => tokens.clone(),
         Declaration::Exists | Declaration::Made => TokenStream::new(),
@@ -82,7 +82,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     quote! { #declaration #block #traits }
 }
 
-/// Methods and traits of the functions that were asked for.
+/// Methods and traits of the requested functions.
 fn functions(
     item: &Item,
     request: &Request,
@@ -134,12 +134,12 @@ fn functions(
     (methods, traits)
 }
 
-/// A generic parameter that stands for a number.
+/// Generic parameter for a length.
 fn constant(name: &Ident) -> TokenStream {
     quote! { const #name: ::core::primitive::usize }
 }
 
-/// What stands for the robot as data: a chain, a mechanism where it was wanted, and base parameters.
+/// The robot as data: a chain, a mechanism if it was requested, and base parameters.
 fn data(
     item: &Item,
     request: &Request,
@@ -158,7 +158,7 @@ fn data(
             reads_fields,
             runtime,
         );
-        // What may be called in constants must still be after a mistake.
+        // Functions that are callable in constants stay so.
         let constant = (!reads_fields).then(|| quote! { const });
         let signature = quote! { #constant #signature };
         let body = nothing(&joints, &frames, runtime);
@@ -188,8 +188,7 @@ fn absent(item: &Item, signature: &TokenStream, body: &TokenStream) -> TokenStre
     }
 }
 
-/// A chain of so many joints and frames that are nowhere, because the compiler runs what stands in
-/// constants.
+/// A chain of joints and frames without content, since the compiler evaluates constants.
 fn nothing(joints: &TokenStream, frames: &TokenStream, runtime: &TokenStream) -> TokenStream {
     let none = quote! { ::core::option::Option::None };
     let pose = quote! { #runtime::Pose::new([[0.0; 3]; 3], [0.0; 3]) };

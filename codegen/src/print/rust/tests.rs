@@ -1,4 +1,4 @@
-//! Hand-made programs as text: a reader of these tests sees what a user of the crate gets.
+//! Text of hand-made modules, as users of the crate see it.
 
 use proc_macro2::TokenStream;
 use quote::format_ident;
@@ -25,7 +25,7 @@ const Q: [Operand; 2] = [
     Operand::Input(Input::Variable(Variable::Q, 1)),
 ];
 
-/// A step, called as the pivot of that number if there is one.
+/// A step, labelled as the pivot with this number if there is one.
 pub(crate) fn step(pivot: Option<usize>, operation: Operation) -> Step {
     let label = pivot.map(|k| {
         Block::Pivot
@@ -46,7 +46,7 @@ fn name(text: &str) -> Name {
     }
 }
 
-/// Two links in a vertical plane, the mass of the second one (or of its payload) in `mass`.
+/// Two links in a vertical plane; the mass of the second one, or of its payload, is `mass`.
 fn gravity(mass: Operand) -> Program {
     Program {
         angles: vec![Q[0], Operand::Step(0)],
@@ -96,8 +96,8 @@ fn constant(results: &[f64]) -> Program {
     }
 }
 
-/// The spaces of joints of those names, all of which turn.
-pub(crate) fn turning(names: impl IntoIterator<Item = String>) -> Spaces {
+/// Spaces of revolute joints with these names.
+pub(crate) fn revolute(names: impl IntoIterator<Item = String>) -> Spaces {
     let entry = |name| Entry {
         name,
         kind: Kind::Turn,
@@ -127,11 +127,15 @@ pub(crate) fn module(scalar: Real) -> Module {
     ]
     .concat();
     Module {
-        spaces: turning(["shoulder", "elbow"].map(str::to_owned)),
+        spaces: revolute(["shoulder", "elbow"].map(str::to_owned)),
         about: About {
             driven: false,
             robot: "double pendulum".to_owned(),
-            source: Some(("pendulum.urdf".to_owned(), 0x00c0_ffee)),
+            source: crate::description::Source {
+                file: Some("pendulum.urdf".to_owned()),
+                hash: 0x00c0_ffee,
+                ..crate::description::Source::default()
+            },
             base: "world".to_owned(),
             tip: "rod-2".to_owned(),
             facts: vec![
@@ -179,7 +183,7 @@ fn made() -> Item {
     Item::made(format_ident!("Pendulum"))
 }
 
-/// What is printed for a crate that has the runtime.
+/// Output for a crate with the runtime.
 fn with_runtime(module: &Module) -> String {
     pretty(&print(module, &pendulum(), &World::default()))
 }
@@ -200,7 +204,7 @@ pub(crate) fn with_payload(mut module: Module) -> Module {
     module
 }
 
-/// The text of the method or function `name`, without its doc comment and attributes.
+/// Text of the method or function `name`, without its doc comment and attributes.
 fn function<'a>(text: &'a str, name: &str) -> &'a str {
     let start = text
         .find(&format!("fn {name}"))
@@ -254,6 +258,9 @@ impl<T: ::homogen::Scalar> ::homogen::robot::Gravity<2, T> for Pendulum {
         Self::gravity(self, q)
     }
 }
+
+#[automatically_derived]
+impl ::homogen::robot::Batched for Pendulum {}
 ";
     assert!(text.ends_with(end), "{text}");
 }
@@ -320,27 +327,31 @@ fn several_functions_are_a_tuple_and_have_no_trait() {
     let body = function(&text, "mass_matrix_and_gravity");
     let end = "let _ = q;\n        ([[1.0_f64, 0.5_f64], [0.5_f64, 0.25_f64]], [0.0_f64, 0.0_f64])";
     assert!(body.ends_with(end), "{body}");
-    assert!(!text.contains("::homogen::robot::"), "{text}");
+    let traits: Vec<_> = text.split("::homogen::robot::").skip(1).collect();
+    let is_of_batches = |of: &&str| of.starts_with("Batched for");
+    assert!(traits.iter().all(is_of_batches), "{text}");
 }
 
 #[test]
-fn further_frames_have_methods_of_their_own() {
+fn further_frames_have_methods() {
     let mut module = module(Real::F64);
     module.functions = ["hand-eye", "hand eye"]
         .map(|frame| GeneratedFunction {
             frame: Some(frame.to_owned()),
-            ..generated(&[Function::Velocity], constant(&[0.0; 6]))
+            ..generated(&[Function::TipVelocity], constant(&[0.0; 6]))
         })
         .to_vec();
     let text = with_runtime(&module);
     let body = function(&text, "velocity_of_hand_eye(");
     assert!(body.contains("::homogen::Velocity::new("), "{body}");
     function(&text, "velocity_of_hand_eye_(");
-    assert!(!text.contains("::homogen::robot::"), "{text}");
+    let traits: Vec<_> = text.split("::homogen::robot::").skip(1).collect();
+    let is_of_batches = |of: &&str| of.starts_with("Batched for");
+    assert!(traits.iter().all(is_of_batches), "{text}");
 }
 
 #[test]
-fn a_stub_has_the_signatures_of_what_was_asked_for() {
+fn a_stub_has_the_requested_signatures() {
     let item = pendulum();
     let request = Request {
         functions: vec![
@@ -363,7 +374,7 @@ fn a_stub_has_the_signatures_of_what_was_asked_for() {
     ] {
         assert!(unknown.contains(signature), "{unknown}");
     }
-    let two = turning(["one", "other"].map(str::to_owned));
+    let two = revolute(["one", "other"].map(str::to_owned));
     let known = text(Some(&two));
     assert!(
         known.contains("const fn chain() -> ::homogen::Chain<2, 2>"),

@@ -1,6 +1,6 @@
-//! What generated code finds around it.
+//! Libraries that generated code may use.
 //!
-//! In: the choice of a door. Out: the paths that the code may call. It never knows a robot.
+//! In: the choice of a front end. Out: the paths that the code may call.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,30 +8,29 @@ use quote::quote;
 use crate::print::documentation::Angles;
 use crate::real::Real;
 
-/// What generated code can rely on.
+/// Library that generated code may use.
 #[derive(Clone, Debug)]
 pub enum World {
-    /// The runtime crate, at this path: results are typed matrices, and there are traits.
+    /// The runtime crate at this path: results are matrix types, and there are traits.
     Runtime(TokenStream),
-    /// Nothing but `core` and these functions: results are arrays.
+    /// `core` and these functions: results are arrays.
     Core(Library),
-    /// At this path a trait `number::Number`, of numbers alone or side by side, and functions of single
-    /// joints in `posture`: arguments and results are arrays without arrays within them.
+    /// A crate at this path with a trait `number::Number`, for scalars and vectors, and functions of single joints in
+    /// `posture`: arguments and results are flat arrays.
     Lanes(TokenStream),
 }
 
-/// What code without the runtime finds and leaves around it.
+/// Functions around code without the runtime.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
-    /// A function from an angle to its sine and cosine, as a pair; where none is named, the struct
-    /// gets one of its own.
+    /// Function from an angle to its sine and cosine as a pair; without it, the struct gets a private one.
     pub sin_cos: Option<TokenStream>,
-    /// How the names of functions for C begin; there are none where this is not given.
+    /// Prefix of functions for C; `None` for no such functions.
     pub c_prefix: Option<String>,
 }
 
 impl World {
-    /// The runtime at a path, or where it usually is.
+    /// The runtime at a path, or at the default one.
     #[must_use]
     pub fn runtime(path: Option<&TokenStream>) -> Self {
         path.map_or_else(Self::default, |path| Self::Runtime(path.clone()))
@@ -46,7 +45,7 @@ impl Default for World {
 }
 
 impl Library {
-    /// For which angles its sines and cosines are precise.
+    /// Angles for which its sines and cosines are accurate.
     pub(super) fn angles(&self, real: Real) -> Angles {
         match &self.sin_cos {
             None => Angles::own(real),
@@ -55,7 +54,7 @@ impl Library {
     }
 }
 
-/// A path as people write it.
+/// Path as people write it.
 pub(super) fn spelled(path: &TokenStream) -> String {
     path.to_string().replace(' ', "")
 }

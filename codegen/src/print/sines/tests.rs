@@ -1,4 +1,4 @@
-//! The statements, run in both precisions, beside the platform.
+//! The statements in both precisions, compared with the platform.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use super::{ANGLE, COSINE, SHIFTED, SINE, statements};
 use crate::real::Real;
 use crate::schedule::{Operation, Statement, Value};
 
-/// Sine, cosine and the shifted number by the statements for a type of number, each operation rounded to it.
+/// Sine, cosine and the shifted number by the statements for a scalar type, each operation rounded to it.
 pub(in crate::print) fn computed(real: Real, angle: f64, round: fn(f64) -> f64) -> [f64; 3] {
     let mut bound = BTreeMap::from([(ANGLE.to_owned(), angle)]);
     for statement in statements(real) {
@@ -32,7 +32,7 @@ pub(in crate::print) fn computed(real: Real, angle: f64, round: fn(f64) -> f64) 
     [SINE, COSINE, SHIFTED].map(|name| bound[name])
 }
 
-/// The last step: the sine and the cosine of the angle, from those of what is left of it in a quadrant.
+/// The last step: sine and cosine of the angle from those of the reduced angle and its quadrant.
 pub(in crate::print) fn turned(sine: f64, cosine: f64, quadrant: u64) -> (f64, f64) {
     match quadrant & 3 {
         0 => (sine, cosine),
@@ -43,7 +43,7 @@ pub(in crate::print) fn turned(sine: f64, cosine: f64, quadrant: u64) -> (f64, f
 }
 
 #[test]
-fn they_are_those_of_the_platform() {
+fn sines_agree_with_the_platform() {
     for angle in (-4000..4000).map(|i| f64::from(i) * 0.37) {
         let [sine, cosine, shifted] = computed(Real::F64, angle, |value| value);
         let (sine, cosine) = turned(sine, cosine, shifted.to_bits());

@@ -1,7 +1,4 @@
-//! Settings on the command line.
-//!
-//! In: the value of a flag, or a request. Out: the request with what the flag says, or the values that say the same
-//! again. It never knows a shell.
+//! Settings as options of the command line: reading them, and printing them again.
 
 use std::num::NonZeroUsize;
 
@@ -18,19 +15,17 @@ use crate::request::{Request, Target, TargetOf};
 use crate::wording::known;
 
 impl Setting {
-    /// Sets what a flag says, with its value, which is empty where it stands alone. A setting without a group has no
-    /// such value, and sets nothing.
+    /// Sets the field of a request from the value of an option, which is empty for a switch. A setting without a group
+    /// has no option, and sets nothing.
     ///
     /// # Errors
-    /// The mistake in the value.
+    /// The error in the value.
     pub fn take(&self, text: &str, request: &mut Request) -> Result<(), String> {
         match self.form {
             SettingForm::Switch(of) => *of(request) = true,
             SettingForm::Drive(_, Some(alone)) if text.is_empty() => *alone(request) = true,
             SettingForm::Drive(part, alone) => {
-                let (joint, numbers) = text
-                    .rsplit_once('=')
-                    .ok_or("a joint and its number have = between them")?;
+                let (joint, numbers) = text.rsplit_once('=').ok_or("write JOINT=NUMBER")?;
                 let numbers = numbers.split(',').map(number).collect::<Result<_, _>>()?;
                 request.drives.push((joint.into(), part, numbers));
                 if let Some(alone) = alone {
@@ -46,7 +41,7 @@ impl Setting {
             SettingForm::Gravity if text == "none" => request.gravity = Some(Default::default()),
             SettingForm::Gravity => {
                 let entries: Vec<Number> = text.split(',').map(number).collect::<Result<_, _>>()?;
-                let refusal = "gravity is three numbers with commas between them, or none";
+                let refusal = "write gravity as three numbers with commas, or none";
                 request.gravity = Some(entries.try_into().map_err(|_| refusal)?);
             }
             SettingForm::Count(of, _) => {
@@ -56,7 +51,7 @@ impl Setting {
             SettingForm::Functions => request.functions.push(together(text)?),
             SettingForm::Formulation => request.formulation = formulation(text)?,
             SettingForm::Processor => {
-                let refusal = |hint| format!("there is no such processor\n  hint: {hint}");
+                let refusal = |hint| format!("unknown processor\n  hint: {hint}");
                 request.processor = Processor::from_name(text).map_err(refusal)?;
             }
             SettingForm::Loops => request.loops.push(text.to_owned()),
@@ -65,10 +60,10 @@ impl Setting {
         Ok(())
     }
 
-    /// The values with which its flag says the same of a request; none of a flag that stands alone. What is said of
-    /// drives stands in the order of the request, and is none of this.
+    /// The values of the option that set the same; empty if the request has the default, `None` for a switch. Values of
+    /// armature, rotors and friction are printed elsewhere, in the order of the request.
     #[must_use]
-    pub fn said(&self, request: &mut Request) -> Vec<Option<String>> {
+    pub fn values(&self, request: &mut Request) -> Vec<Option<String>> {
         let texts = |names: &[Name]| names.iter().map(|name| Some(name.text.clone())).collect();
         let one = |value: Option<String>| value.into_iter().map(Some).collect();
         match self.form {
@@ -78,11 +73,11 @@ impl Setting {
             SettingForm::Name(of) => texts(of(request).as_slice()),
             SettingForm::Names(of) | SettingForm::External(of) => texts(of(request)),
             SettingForm::Positions(of) => {
-                let said = of(request).iter().map(|(joint, at)| match at {
+                let positions = of(request).iter().map(|(joint, at)| match at {
                     Some(at) => Some(format!("{}={}", joint.text, at.value)),
                     None => Some(joint.text.clone()),
                 });
-                said.collect()
+                positions.collect()
             }
             SettingForm::Gravity => one(request.gravity.map(|gravity| numbers(&gravity))),
             SettingForm::Count(of, _) => one(of(request).map(|count| count.to_string())),
@@ -104,7 +99,7 @@ impl Setting {
                     (request.processor != Processor::Portable).then_some(request.processor);
                 one(chosen.map(|processor| processor.name().to_owned()))
             }
-            // By default it is what code for `core` alone, or with the runtime, is of.
+            // Default type, for code with the runtime or for `core`.
             SettingForm::Scalar => match (request.scalar, &request.runtime) {
                 (Real::Generic, _) | (Real::F64, None) => Vec::new(),
                 (scalar, _) => one(Some(scalar.name().to_owned())),
@@ -119,7 +114,7 @@ impl Setting {
     }
 }
 
-/// Numbers with commas between them.
+/// Numbers separated by commas.
 pub(crate) fn numbers(numbers: &[Number]) -> String {
     let numbers = numbers.iter().map(|number| number.value.to_string());
     numbers.collect::<Vec<_>>().join(",")
@@ -137,27 +132,27 @@ fn number(text: &str) -> Result<Number, String> {
     finite.ok_or_else(|| format!("`{text}` is not a finite number"))
 }
 
-/// The function of that name.
+/// The function with a name.
 ///
 /// # Errors
-/// An unknown name: a hint that lists the known ones.
+/// A hint with the known names.
 pub fn function(text: &str) -> Result<Function, String> {
     Function::from_name(text).ok_or_else(|| {
         let hint = known(text, "functions", &Function::names());
-        format!("there is no such function\n  hint: {hint}")
+        format!("unknown function\n  hint: {hint}")
     })
 }
 
-/// `mass_matrix`, or `mass_matrix+bias`.
+/// One function, `mass_matrix`, or several, `mass_matrix+bias`.
 ///
 /// # Errors
-/// An unknown function, or one that is given twice.
+/// An unknown or repeated function.
 pub fn together(text: &str) -> Result<Vec<Function>, String> {
     let mut functions = Vec::new();
     for name in text.split('+') {
         let function = function(name)?;
         if functions.contains(&function) {
-            return Err(format!("{name} is asked for twice"));
+            return Err(format!("{name} occurs twice"));
         }
         functions.push(function);
     }
@@ -210,7 +205,7 @@ mod tests {
     use crate::request::Request;
 
     #[test]
-    fn what_a_flag_says_is_said_again() {
+    fn options_are_printed_as_they_are_read() {
         for (flag, value) in [
             ("base", "a b"),
             ("lock", "elbow"),
@@ -227,9 +222,9 @@ mod tests {
             let mut settings = SETTINGS.iter();
             let setting = settings.find(|setting| setting.flag_name() == flag);
             let (setting, mut request) = (setting.expect(flag), Request::default());
-            assert!(setting.said(&mut request).is_empty(), "{flag}");
+            assert!(setting.values(&mut request).is_empty(), "{flag}");
             assert_eq!(setting.take(value, &mut request), Ok(()), "{flag}");
-            assert_eq!(setting.said(&mut request), [Some(value.to_owned())]);
+            assert_eq!(setting.values(&mut request), [Some(value.to_owned())]);
         }
     }
 
@@ -240,7 +235,7 @@ mod tests {
         for setting in switches() {
             let mut request = Request::default();
             assert_eq!(setting.take("", &mut request), Ok(()), "{}", setting.key);
-            let set = switches().filter(|other| !other.said(&mut request).is_empty());
+            let set = switches().filter(|other| !other.values(&mut request).is_empty());
             assert_eq!(
                 set.map(|other| other.key).collect::<Vec<_>>(),
                 [setting.key]

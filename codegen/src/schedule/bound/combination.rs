@@ -1,39 +1,38 @@
-//! Values that are sums of others with numbers as factors: what a constant rotation, a lever or an
-//! inertia makes of vectors.
+//! Linear combinations: steps as sums of other values with literal factors, as constant rotations, offsets and inertias
+//! give them.
 //!
-//! In: up to three steps. Out: the matrix A of y = A x, where x are values of vectors that have
-//! names, or that something else than numbers has made, and what rounding takes on the way from x to
-//! y. It never looks at how long x is.
+//! In: up to three steps. Out: the matrix A of y = A x, where x are labelled values or values that are not linear
+//! combinations with literals, and the rounding errors on the way from x to y.
 
 use super::kind::{Follows, Of, is_sum};
 use super::known::Known;
 use crate::schedule::{Operand, Operation};
 
-/// The most steps that are combined at once.
+/// Maximum number of steps of a combination.
 pub const ROWS: usize = 3;
 
-/// The most columns that are looked at, and the most steps that are followed.
+/// Maximum number of columns plus substituted steps.
 const MOST: usize = 24;
 
-/// A column of A.
+/// Column of A.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// What it multiplies.
+    /// Value that it multiplies.
     pub of: Of,
-    /// Its entries.
+    /// Entries.
     pub entries: [f64; ROWS],
 }
 
-/// y = A x, and what is lost of y beside what x has lost.
+/// y = A x, and the error of y beyond that of x.
 pub struct Combination {
-    /// The columns of A.
+    /// Columns of A.
     pub columns: Vec<Column>,
-    /// Of each entry of y.
+    /// Error of each entry of y.
     pub lost: [f64; ROWS],
 }
 
 impl Combination {
-    /// What some steps are combined of; none where nothing has been combined.
+    /// Combination of some steps; `None` if no step can be substituted.
     pub fn of(known: &Known<'_>, steps: &[u32]) -> Option<Self> {
         let mut found = Self {
             columns: Vec::with_capacity(8),
@@ -45,7 +44,7 @@ impl Combination {
             found.add(Of::Whole(Operand::Step(step)), entries);
         }
         let mut followed = 0;
-        // The youngest first, so that whatever uses a step has been followed before it is.
+        // The latest step first, so that all its readers have been substituted before it.
         while let Some((at, step)) = found.youngest(known, steps)
             && found.columns.len() + followed < MOST
         {
@@ -56,7 +55,7 @@ impl Combination {
         (followed > 0).then_some(found)
     }
 
-    /// The column of the youngest step that can be followed.
+    /// Column of the latest step that can be substituted.
     fn youngest(&self, known: &Known<'_>, asked: &[u32]) -> Option<(usize, u32)> {
         let mut youngest: Option<(usize, u32)> = None;
         for (at, column) in self.columns.iter().enumerate() {
@@ -74,7 +73,7 @@ impl Combination {
         youngest
     }
 
-    /// Puts what a step came from in its place.
+    /// Substitutes the operands of a step for the step.
     fn follow(&mut self, known: &Known<'_>, step: u32, entries: [f64; ROWS]) {
         let operation = known.program.steps[step as usize].operation;
         let rounding = rounded(known, known.steps[step as usize].value.reach());
@@ -89,7 +88,7 @@ impl Combination {
                 unreachable!("only sums and products are followed")
             }
         };
-        // The rounding of a product by itself is that of the step.
+        // For a separate product, its rounding is that of the step.
         let mut lost = if is_sum(operation) { rounding } else { 0.0 };
         for (factor, operand) in rest {
             self.add(Of::Whole(operand), entries.map(|entry| factor * entry));
@@ -126,7 +125,7 @@ impl Combination {
     }
 }
 
-/// What a rounding of such a result is at most.
+/// Bound of the rounding error of a result of this magnitude.
 fn rounded(known: &Known<'_>, reach: f64) -> f64 {
     known.scalar().roundoff() * reach + known.scalar().smallest()
 }

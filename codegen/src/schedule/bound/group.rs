@@ -1,8 +1,7 @@
-//! Columns of y = C x in groups, each of which multiplies one vector.
+//! Groups of the columns of y = C x, each of which multiplies one vector.
 //!
-//! In: columns. Out: those whose values are entries of one vector as far as labels and factors tell; and those that
-//! together are A R v or A Rᵗ v, with the rotation matrix R of a quaternion and a matrix A of numbers. It never looks at
-//! how long a vector is.
+//! In: columns. Out: groups whose values are entries of one vector, according to labels and factors, and groups that
+//! are A R v or A Rᵗ v, with the rotation matrix R of a quaternion and a constant matrix A.
 
 use super::combination::{Column, ROWS};
 use super::kind::{Kind, Of};
@@ -25,7 +24,7 @@ impl Group {
     }
 }
 
-/// Adds columns to groups, by what they have in common.
+/// Adds columns to the groups of their kinds.
 pub fn by_kind(known: &Known<'_>, columns: &[Column], groups: &mut Vec<Group>) {
     for column in columns {
         let kind = known.kind_of(column.of);
@@ -41,20 +40,20 @@ pub fn by_kind(known: &Known<'_>, columns: &[Column], groups: &mut Vec<Group>) {
     }
 }
 
-/// A column by an entry of R, rᵢₖ vₖ.
+/// Column that multiplies a product with an entry of R, rᵢₖ vₖ.
 struct Part {
-    /// Its place among the columns.
+    /// Index among the columns.
     at: usize,
-    /// Row and column of the entry.
+    /// Row and column of the entry of R.
     place: [usize; 2],
-    /// The error of the entry.
+    /// Error of the entry.
     error: f64,
-    /// vₖ: 1 where there is no other factor than numbers.
+    /// vₖ; 1 if all other factors are literals.
     by: Operand,
     entries: [f64; ROWS],
 }
 
-/// Takes the columns of rotated vectors out of all: for each vector v a group, whose matrix is A.
+/// Removes the columns of rotated vectors: for each vector v a group, whose matrix is A.
 pub fn rotated(known: &Known<'_>, columns: &mut Vec<Column>) -> Vec<Group> {
     let mut found = Vec::new();
     let mut first = 0;
@@ -70,8 +69,8 @@ pub fn rotated(known: &Known<'_>, columns: &mut Vec<Column>) -> Vec<Group> {
     found
 }
 
-/// A group that has this column and later ones, and their places: all with entries of the same R, or those whose other
-/// factors are entries of the same vector as far as labels tell.
+/// Group of this column and later ones, with their indices: all have entries of the same R, and their other factors are
+/// entries of the same vector according to labels.
 fn with_first(known: &Known<'_>, columns: &[Column], first: usize) -> Option<(Group, Vec<usize>)> {
     let one = Operand::Literal(1.0);
     let part = |at: usize, quaternion: Option<_>, kind: Option<Kind>| {
@@ -80,7 +79,7 @@ fn with_first(known: &Known<'_>, columns: &[Column], first: usize) -> Option<(Gr
             Of::Whole(a) => [(a, one); 2],
             Of::Product(a, b) => [(a, b), (b, a)],
         };
-        // The first factor that will do, so that a column is taken once where both are entries of matrices.
+        // The first suitable factor, so that a column counts once if both factors are entries of matrices.
         factors.into_iter().find_map(|(a, by)| {
             let entry = known.entry(a)?;
             let is_same = quaternion.is_none_or(|quaternion| quaternion == entry.quaternion);
@@ -107,12 +106,12 @@ fn with_first(known: &Known<'_>, columns: &[Column], first: usize) -> Option<(Gr
     })
 }
 
-/// The group of columns that are A R v, if `axis` is 1, or A Rᵗ v, if it is 0. They are, where the columns of each vₖ are
-/// λₖ A: then y = A R (λ v), and v is no shorter than λ v with λ ≤ 1.
+/// Group of columns that are A R v (`axis` 1) or A Rᵗ v (`axis` 0). It exists if the columns of each vₖ are λₖ A: then
+/// y = A R (λ v), and λ v is no longer than v, since λ ≤ 1.
 fn together(parts: &[Part], axis: usize) -> Option<Group> {
-    /// More than rounding makes of numbers that are equal.
+    /// Larger than the rounding errors of equal numbers.
     const NEARLY: f64 = 1e-13;
-    // What multiplies each entry of v: λₖ A.
+    // Matrix that multiplies each entry of v: λₖ A.
     let mut blocks = [[[0.0; ROWS]; 3]; 3];
     let mut given = [[false; 3]; 3];
     let mut values = [None; 3];
@@ -133,7 +132,7 @@ fn together(parts: &[Part], axis: usize) -> Option<Group> {
         if !pairs().all(|(x, a)| (x - factor * a).abs() <= NEARLY * unit) {
             return None;
         }
-        // Of A as the largest there is no factor above 1.
+        // A is the largest block, so that no factor exceeds 1.
         members.extend(value.map(|by| match by {
             Operand::Literal(_) => Of::Whole(Operand::Literal(factor)),
             value => Of::Whole(value),

@@ -1,71 +1,70 @@
-//! How the value of a step came about, and what it has in common with others.
+//! Form and kind of steps: the operation that a value comes from, and the vector that it belongs to.
 //!
-//! In: a step, and its label. Out: what is to be taken together, and
-//! what is put in the place of what came from it. It never looks at how large a value is.
+//! In: a step and its label. Out: which values are bounded together as one vector, and which steps are replaced by
+//! their operands.
 
 use super::turn::{Place, Turn};
 use super::value::Value;
 use crate::expression::{Component, Label, Quantity};
 use crate::schedule::{Operand, Operation, Step};
 
-/// How a value came about, as far as turns are concerned.
+/// Form of a step, as far as rotations are concerned.
 #[derive(Clone, Copy, Debug)]
 pub enum Form {
-    /// An entry of a turned vector.
+    /// Entry of a vector that is rotated by an angle.
     Turned(Turn),
     /// a ± b.
     Sum(Operand, Operand),
-    /// The first, plus or minus something of that value that has no place of its own.
+    /// The operand plus or minus an intermediate value with this range and error.
     More(Operand, Value),
-    /// Nothing that helps.
+    /// Any other operation.
     Plain,
 }
 
-/// A value that no number has made of others.
+/// A value that is not a linear combination with literals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Of {
-    /// A value with a place of its own.
+    /// Operand.
     Whole(Operand),
-    /// A product within a fused operation, or a step that is one.
+    /// Product within a fused operation, or of a step of its own.
     Product(Operand, Operand),
 }
 
-/// The vector that columns belong to, as far as labels and factors show.
-/// A wrong guess costs sharpness, not truth.
+/// Vector that a column belongs to, according to labels and factors. A wrong guess makes bounds larger, not wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// Entries of one vector; of an inertia, of first moments and mass.
+    /// Entries of one labelled vector; for an inertia, first moments and mass.
     Entries(Quantity),
     /// Second moments of one row.
     Row(Quantity, usize),
-    /// Entries of a turned vector, or sine and cosine themselves.
+    /// Entries of a vector that is rotated by an angle, or its sine and cosine.
     Turned(u32),
-    /// Entries of a vector that a rotation matrix multiplies, with √(δ² + …) of the errors of its entries.
+    /// Entries of a vector that a rotation matrix multiplies; with the root sum square of the errors of the matrix.
     Rotated(f64),
-    /// Products with this.
+    /// Products with this factor.
     Times(Operand),
-    /// By itself.
+    /// No vector.
     Alone(Operand),
 }
 
-/// Whether an operation is a sum.
+/// True for a sum or difference, fused or not.
 pub const fn is_sum(operation: Operation) -> bool {
     operation.is_fused() || matches!(operation, Operation::Add(..) | Operation::Sub(..))
 }
 
-/// Whether what a step came from is put in its place.
+/// Condition for the substitution of the operands of a step for the step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Follows {
-    /// It has no name, so that it is nothing but a part.
+    /// Always: it has no label.
     Always,
-    /// Where it was asked for itself.
+    /// Only if its own bound was asked for.
     First,
-    /// It is no sum, or the entry of a turned vector.
+    /// Never: it is neither a sum nor a product, or it is an entry of a rotated vector.
     Never,
 }
 
 impl Follows {
-    /// Of a step.
+    /// Condition for a step.
     pub const fn of(step: &Step, form: &Form) -> Self {
         let combines = is_sum(step.operation) || matches!(step.operation, Operation::Mul(..));
         match (combines, form, &step.label) {
@@ -77,7 +76,7 @@ impl Follows {
 }
 
 impl Kind {
-    /// What a step has in common with others.
+    /// Kind of an operand.
     pub fn of(operand: Operand, label: Option<Label>, form: &Form, place: Option<Place>) -> Self {
         if let Some(Label {
             quantity,

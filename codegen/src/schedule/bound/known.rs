@@ -1,6 +1,6 @@
-//! The values of a program as far as it has been followed.
+//! Values of a program up to the current step.
 //!
-//! In: what a program runs under, and its first steps. Out: range and error of whatever a step may read.
+//! In: conditions, and the first steps of a program. Out: range and error of each operand that a later step may read.
 
 use super::kind::{Follows, Form, Kind, Of};
 use super::quaternion::{Entry, Polynomials, beyond};
@@ -11,20 +11,19 @@ use crate::expression::Input;
 use crate::real::Real;
 use crate::schedule::{Operand, Program};
 
-/// What a program runs under.
+/// Conditions for the bounds of a program.
 pub struct Conditions<'c> {
-    /// The type of number; `f64` where any is meant.
+    /// Scalar type; `f64` for generic code.
     pub scalar: Real,
-    /// The greatest magnitude \[rad\] of an angle whose sine and cosine are within one unit in the
-    /// last place.
+    /// Maximum magnitude of an angle \[rad\] whose sine and cosine are within one ulp.
     pub angles: f64,
-    /// What each input can be.
+    /// Range and error of each input.
     pub range: &'c dyn Fn(Input) -> Value,
-    /// The first entries x of quaternions x, y, z, w, of length 1 but for their rounding.
+    /// First entries x of quaternions x, y, z, w, which have length 1 up to rounding.
     pub quaternions: &'c [Input],
 }
 
-/// The values of a program so far.
+/// Values up to the current step.
 pub struct Known<'p> {
     pub program: &'p Program,
     pub conditions: &'p Conditions<'p>,
@@ -35,17 +34,17 @@ pub struct Known<'p> {
     pub steps: Vec<Computed>,
 }
 
-/// What a step computes, and how that came about.
+/// Value of a step.
 #[derive(Clone, Copy)]
 pub struct Computed {
     pub value: Value,
     pub form: Form,
     pub reason: Option<Reason>,
-    /// The turn that it is the sine or the cosine of, if it is one.
+    /// Rotation whose sine or cosine it is.
     pub place: Option<Place>,
     pub follows: Follows,
     pub kind: Kind,
-    /// The entry of the rotation matrix of a quaternion that it is.
+    /// Entry of the rotation matrix of a quaternion that it is.
     pub entry: Option<Entry>,
 }
 
@@ -54,7 +53,7 @@ impl Known<'_> {
         self.conditions.scalar
     }
 
-    /// What an operation reads.
+    /// Range and error of an operand.
     pub fn value(&self, operand: Operand) -> Value {
         match operand {
             Operand::Literal(_) | Operand::Input(_) => {
@@ -71,7 +70,7 @@ impl Known<'_> {
         }
     }
 
-    /// A number or an argument.
+    /// Range and error of a literal or an input.
     pub fn given(&self, operand: Operand) -> Value {
         match operand {
             Operand::Literal(number) => {
@@ -108,7 +107,7 @@ impl Known<'_> {
         }
     }
 
-    /// The turn that an operand is the sine or the cosine of.
+    /// Rotation whose sine or cosine an operand is.
     pub fn place(&self, operand: Operand) -> Option<Place> {
         match operand {
             Operand::Sin(angle) => Some(Place { angle, sine: true }),
@@ -118,7 +117,7 @@ impl Known<'_> {
         }
     }
 
-    /// The entry of a rotation matrix that an operand is.
+    /// Entry of a rotation matrix that an operand is.
     pub fn entry(&self, operand: Operand) -> Option<Entry> {
         match operand {
             Operand::Step(k) => self.steps[k as usize].entry,
@@ -126,7 +125,7 @@ impl Known<'_> {
         }
     }
 
-    /// What is to be taken together with a column.
+    /// Kind of a column.
     pub fn kind_of(&self, column: Of) -> Kind {
         match column {
             Of::Product(_, b @ Operand::Input(_)) => Kind::Times(b),
@@ -138,9 +137,9 @@ impl Known<'_> {
     }
 }
 
-/// A number of the generated code: rounded to `f64` when it was printed, and to the type, as if no
-/// number were one of the type already: so the error in one type is that in another times the ratio
-/// of their roundoffs, and so is every bound. What it stands for is within `open` of the nearest number of 106 bits.
+/// Range and error of a literal: rounded to `f64` when printed, and then to the type. The error is bounded as if every
+/// literal were inexact, so that all bounds scale with the unit roundoff. The exact number is within `open` of the
+/// nearest number of 106 bits.
 fn literal(number: f64, open: f64, scalar: Real) -> Value {
     let printed = f64::EPSILON / 2.0;
     let read = match scalar {

@@ -1,8 +1,8 @@
-//! How long a few values are together, as the entries of a vector.
+//! Bounds of vectors: length of a few values together.
 //!
-//! In: the values of a program so far, and how sums came about. Out: a bound of √(a² + b² + …), and
-//! of the same of their errors, that turning a vector does not let grow. Ranges of single entries
-//! cannot tell this: each turn would lengthen them by √2, and seven joints there and back by 128.
+//! In: the values of a program up to a step, and the forms of its sums. Out: bounds of √(a² + b² + …) of values and of
+//! their errors that rotations do not increase. Ranges of single entries would grow by √2 with each rotation, and by
+//! 128 for seven joints there and back.
 
 use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
@@ -20,14 +20,14 @@ use crate::schedule::Operand;
 /// √(a² + b² + …) of exact values, and of their errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Length {
-    /// Of the values.
+    /// Length of the values.
     pub size: f64,
-    /// Of the errors.
+    /// Length of the errors.
     pub error: f64,
 }
 
 impl Length {
-    /// What the roundings of two products and their sum amount to, of a vector of this length and another.
+    /// Rounding error of two products and their sum, for a vector of this length and another.
     pub fn roundings(self, other: Self, scalar: Real) -> f64 {
         let size = (self.size + self.error) * (other.size + other.error);
         let roundoff = scalar.roundoff();
@@ -39,7 +39,7 @@ impl Length {
         error: f64::INFINITY,
     };
 
-    /// Of these entries and others.
+    /// Length of the entries of both vectors together.
     fn beside(self, other: Self) -> Self {
         Self {
             size: both(self.size, other.size),
@@ -47,7 +47,7 @@ impl Length {
         }
     }
 
-    /// The better of two bounds.
+    /// Smaller of two bounds.
     const fn least(self, other: Self) -> Self {
         Self {
             size: self.size.min(other.size),
@@ -55,7 +55,7 @@ impl Length {
         }
     }
 
-    /// Of the sum with another vector.
+    /// Length of the sum with another vector.
     fn plus(self, other: Self) -> Self {
         Self {
             size: self.size + other.size,
@@ -63,7 +63,7 @@ impl Length {
         }
     }
 
-    /// Of what a matrix of that norm makes of it.
+    /// Length of the product with a matrix of this norm.
     fn times(self, norm: f64) -> Self {
         Self {
             size: self.size * norm,
@@ -71,7 +71,7 @@ impl Length {
         }
     }
 
-    /// The error of a product with another vector, before it is rounded.
+    /// Error of the scalar product with another vector, before rounding.
     pub fn across(self, other: Self) -> f64 {
         self.size * other.error + self.error * (other.size + other.error)
     }
@@ -86,30 +86,30 @@ impl From<Value> for Length {
     }
 }
 
-/// The most entries of a vector.
+/// Maximum number of entries of a vector.
 const ENTRIES: usize = ROWS;
 
-/// How far back a length is followed at once; what lies further back has been asked for before.
+/// Maximum depth of the recursion; lengths further back are known already.
 const DEPTH: usize = 64;
 
-/// How many lengths are remembered for each step; beyond, none is followed any further.
+/// Maximum average number of lengths stored for each step.
 const MOST: usize = 8;
 
-/// The lengths that were asked for, by the steps that are the entries.
+/// Known lengths, by the steps of the entries.
 #[derive(Default)]
 pub struct Lengths(HashMap<[u32; ENTRIES], Length>);
 
-/// In the place of a step that a set lacks.
+/// Placeholder for an absent entry.
 const NOTHING: u32 = u32::MAX;
 
 impl Lengths {
-    /// How long the values of some operands are together.
+    /// Length of some operands.
     pub fn of(&mut self, known: &Known<'_>, entries: &[Operand]) -> Length {
         self.follow(known, entries, true, DEPTH)
     }
 
-    /// `first` says whether nothing but this has been asked: on the way of a vector's entries, one
-    /// by one, only whole vectors are combined of others.
+    /// Length of some operands. `first` is false while single entries are replaced one by one; then only whole rotated
+    /// vectors are combined.
     fn follow(
         &mut self,
         known: &Known<'_>,
@@ -134,7 +134,7 @@ impl Lengths {
         if !(1..=ENTRIES).contains(&count) || depth == 0 {
             return length.beside(leaves);
         }
-        // The youngest first.
+        // The latest first.
         let steps = &mut set[..count];
         steps.sort_unstable_by(|a, b| b.cmp(a));
         if let Some(&length) = self.0.get(&set) {
@@ -162,7 +162,7 @@ impl Lengths {
         length.beside(leaves)
     }
 
-    /// The length by what the entries are combined of.
+    /// Length by the linear combination that the entries are.
     fn combined(&mut self, known: &Known<'_>, steps: &[u32], depth: usize) -> Length {
         let Some(combination) = Combination::of(known, steps) else {
             return Length::UNKNOWN;
@@ -179,7 +179,7 @@ impl Lengths {
         }
     }
 
-    /// The length of what some groups and other columns give.
+    /// Length of the sum of some groups and other columns.
     fn of_columns(
         &mut self,
         known: &Known<'_>,
@@ -189,7 +189,7 @@ impl Lengths {
     ) -> Length {
         group::by_kind(known, columns, &mut groups);
         let mut length = self.of_groups(known, &groups, depth);
-        // The third entry of a vector that is turned about an axis has another name than the others.
+        // The third entry of a vector that is rotated about an axis has a label of its own.
         let rotated = |group: &Group| matches!(group.kind, Kind::Rotated(_));
         let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]) && !rotated(group);
         let turned =
@@ -210,7 +210,7 @@ impl Lengths {
         length
     }
 
-    /// The sum of what groups of columns give, as a whole or row by row.
+    /// Length of the sum of groups, bounded as a whole or row by row.
     fn of_groups(&mut self, known: &Known<'_>, groups: &[Group], depth: usize) -> Length {
         let mut whole = Length::default();
         let mut rows = [Length::default(); ROWS];
@@ -240,7 +240,7 @@ impl Lengths {
         whole.least(rows.into_iter().fold(Length::default(), Length::beside))
     }
 
-    /// How long some values are together; products by the factor that they share.
+    /// Length of some values; products are bounded by their common factor.
     fn of_group(&mut self, known: &Known<'_>, members: &[Of], depth: usize) -> Length {
         let [Of::Product(a, b), ..] = *members else {
             let operands: Vec<Operand> = (members.iter())
@@ -270,12 +270,12 @@ impl Lengths {
         }
     }
 
-    /// The length by what the youngest entry came from.
+    /// Length by the operands of the latest entry.
     fn unfolded(&mut self, known: &Known<'_>, steps: &[u32], depth: usize) -> Length {
         let youngest = &known.steps[steps[0] as usize];
         let mut rest: Vec<Operand> = steps[1..].iter().map(|&k| Operand::Step(k)).collect();
         let mut without = |gone: Operand, added: Length| {
-            // An entry that is there already would be counted once instead of twice.
+            // An entry that is in the set already would count once instead of twice.
             if rest.contains(&gone) {
                 return Length::UNKNOWN;
             }
@@ -323,7 +323,7 @@ impl Lengths {
     }
 }
 
-/// Of numbers, inputs, sines and cosines; (s, c) of one angle is of length 1.
+/// Length of literals, inputs, sines and cosines; (s, c) of one angle has length 1.
 fn of_leaves(known: &Known<'_>, mut leaves: Vec<Operand>) -> Length {
     let mut length = Length::default();
     while let Some(leaf) = leaves.pop() {
@@ -342,7 +342,7 @@ fn of_leaves(known: &Known<'_>, mut leaves: Vec<Operand>) -> Length {
     length
 }
 
-/// Of sine and cosine of a turn.
+/// Length of sine and cosine of a rotation.
 fn of_turn(known: &Known<'_>, angle: u32) -> Length {
     let (pair, size) = known.turns.pair(angle);
     let [sine, cosine] = pair.map(|operand| Length::from(known.value(operand)));

@@ -1,12 +1,11 @@
-//! Lengths of vectors and norms of small matrices, where squares may overflow or vanish.
+//! Lengths of vectors and norms of small matrices, without overflow or underflow of squares.
 //!
-//! In: numbers of any size. Out: √(a² + b² + …), and how far a matrix can lengthen a vector. What is not
-//! a number stays so.
+//! In: numbers of any size. Out: √(a² + b² + …), and bounds of the spectral norm. NaN is propagated.
 
 use super::combination::ROWS;
 
-/// The greatest factor by which a matrix, given by its columns, lengthens a vector: the least of
-/// three bounds, of which that by the columns' products is exact for rotations.
+/// Bound of the spectral norm of a matrix, given by its columns: the smallest of three bounds. That by the scalar
+/// products of the columns is exact for rotations.
 pub fn norm(columns: &[[f64; ROWS]]) -> f64 {
     let entries = columns.iter().flatten().map(|entry| entry.abs());
     let unit = entries.fold(0.0, f64::max);
@@ -42,10 +41,10 @@ pub fn root(entries: impl IntoIterator<Item = f64>) -> f64 {
     sizes.fold(0.0, both)
 }
 
-/// √(a² + b²) of numbers that are not negative; their squares may overflow or vanish.
+/// √(a² + b²) of numbers that are not negative, without overflow or underflow of squares.
 pub fn both(a: f64, b: f64) -> f64 {
     let (less, more) = (a.min(b), a.max(b));
-    // What is not a number stays so.
+    // Propagates NaN and infinity.
     if less == 0.0 || !(a + b).is_finite() {
         return a + b;
     }
@@ -58,7 +57,7 @@ mod tests {
     use super::{norm, root};
 
     #[test]
-    fn lengths_know_no_sign_and_no_size() {
+    fn lengths_of_any_sign_and_size() {
         for size in [1.0, 1e-200, 1e200] {
             let length = root([0.0, -3.0 * size, 4.0 * size]);
             assert!((length / size - 5.0).abs() < 1e-14, "{length:e}");
@@ -68,13 +67,13 @@ mod tests {
     }
 
     #[test]
-    fn rotations_have_norm_1_and_levers_their_length() {
+    fn rotations_have_norm_1_and_offsets_their_length() {
         let rotation = [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, -1.0]];
         assert!((norm(&rotation) - 1.0).abs() < 1e-15);
         assert!((norm(&rotation[..2]) - 1.0).abs() < 1e-15);
         let lever = [[0.0, 0.0, -2e-200], [0.0, 0.0, 0.0], [2e-200, 0.0, 0.0]];
         assert!((norm(&lever) / 2e-200 - 1.0).abs() < 1e-15);
-        // A row: the length of its entries.
+        // For a row, the length of its entries.
         let row = [[3.0, 0.0, 0.0], [-4.0, 0.0, 0.0]];
         assert!((norm(&row) - 5.0).abs() < 1e-15);
     }

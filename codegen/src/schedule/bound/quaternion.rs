@@ -1,11 +1,10 @@
-//! Rotation matrices of quaternions, recognized by how their entries are computed.
+//! Rotation matrices of quaternions, recognised by the computation of their entries.
 //!
-//! In: steps, and the inputs that are entries x, y, z, w of quaternions of length 1. Out: the ranges of steps that are
-//! polynomials of second degree in these, and the steps that are entries of R = 1 + 2 w v̲ + 2 v̲² with v = (x, y, z). It
-//! never looks at a label.
+//! In: steps, and the inputs that are entries x, y, z, w of unit quaternions. Out: the ranges of steps that are
+//! polynomials of second degree in these, and the steps that are entries of R = 1 + 2 w v̲ + 2 v̲² with v = (x, y, z).
 //!
-//! With n = x² + y² + z² + w² and the rotation R̂ of the quaternion over its length, R = n R̂ + (1 − n) 1: R lengthens no
-//! vector where n ≤ 1, and by n + (n − 1) at most elsewhere.
+//! With n = x² + y² + z² + w² and the rotation R̂ of the normalised quaternion, R = n R̂ + (1 − n) 1. R lengthens no
+//! vector if n ≤ 1, and by a factor of at most 2n − 1 otherwise.
 
 use std::collections::HashMap;
 use std::mem::replace;
@@ -17,26 +16,25 @@ use crate::schedule::{Operand, Operation};
 /// Σ aᵢⱼ qᵢ qⱼ over i ≤ j, with q₄ = 1.
 type Polynomial = [[f64; 5]; 5];
 
-/// An entry of the rotation matrix of a quaternion, or the opposite of it.
+/// An entry of the rotation matrix of a quaternion, or its negative.
 #[derive(Clone, Copy)]
 pub struct Entry {
     /// The first entry of the quaternion.
     pub quaternion: Input,
     /// Row and column.
     pub place: [usize; 2],
-    /// 1, or −1 where it is the opposite.
+    /// 1, or −1 for the negative.
     pub sign: f64,
 }
 
-/// The steps so far that are polynomials in a quaternion, by its first entry.
+/// Steps that are polynomials in a quaternion, by its first entry.
 #[derive(Default)]
 pub struct Polynomials(HashMap<u32, (Input, Polynomial)>);
 
-/// Margin of what is derived from polynomials, whose numbers are taken as they are printed: each stands for one within
-/// its roundoff.
+/// Margin of the ranges of polynomials, for literals that are taken as printed and are rounded.
 const MARGIN: f64 = 1e-9;
 
-/// The place of an input among the entries of a quaternion.
+/// Index of an input among the entries of a quaternion.
 fn place(input: Input, first: Input) -> Option<usize> {
     match (input, first) {
         (Input::Variable(of, k), Input::Variable(same, first)) if of == same => k
@@ -47,7 +45,7 @@ fn place(input: Input, first: Input) -> Option<usize> {
     }
 }
 
-/// The factor on the range of an input: above 1 for an entry of a quaternion, which may be longer than 1.
+/// Factor on the range of an input: above 1 for an entry of a quaternion, which rounding may make longer than 1.
 pub fn beyond(input: Input, quaternions: &[Input], scalar: Real) -> f64 {
     let is_entry = |&first: &Input| place(input, first).is_some();
     if quaternions.iter().any(is_entry) {
@@ -57,18 +55,18 @@ pub fn beyond(input: Input, quaternions: &[Input], scalar: Real) -> f64 {
     }
 }
 
-/// The greatest n. Entries that were divided by a computed length leave n within 10 units of roundoff of 1.
+/// Largest n. Entries that were divided by a computed length leave n within 10 unit roundoffs of 1.
 fn longest(scalar: Real) -> f64 {
     1.0 + 16.0 * scalar.roundoff() + MARGIN
 }
 
-/// The greatest factor by which R lengthens a vector.
+/// Largest factor by which R lengthens a vector.
 pub fn stretch(scalar: Real) -> f64 {
     2.0 * longest(scalar) - 1.0
 }
 
 impl Polynomials {
-    /// Takes in a step. If it is a polynomial: the range of its exact value, and the entry of R that it is.
+    /// Adds a step. For a polynomial: the range of its exact value, and the entry of R that it is.
     pub fn take(
         &mut self,
         step: u32,
@@ -111,7 +109,7 @@ impl Polynomials {
 }
 
 impl Entry {
-    /// The entry of R that equals a polynomial, or its opposite.
+    /// The entry of R that a polynomial equals, up to its sign.
     fn of(quaternion: Input, polynomial: &Polynomial) -> Option<Self> {
         (0..18).find_map(|k| {
             let (place, sign) = ([k / 3 % 3, k % 3], if k < 9 { 1.0 } else { -1.0 });
@@ -124,8 +122,8 @@ impl Entry {
         })
     }
 
-    /// True of different entries in one row, or in one column, of the same R: together they are no longer than a unit
-    /// vector that R carries.
+    /// True for different entries in one row or one column of the same R: together they are no longer than a unit
+    /// vector multiplied by R.
     pub fn are_in_line(entries: &[Self]) -> bool {
         (0..2).any(|axis| {
             let mut others = [false; 3];
@@ -138,7 +136,7 @@ impl Entry {
     }
 }
 
-/// A polynomial, if its terms have so few digits that sums and products of them are exact.
+/// The polynomial if its coefficients have few enough digits for exact sums and products.
 fn exact(polynomial: Polynomial) -> Option<Polynomial> {
     const PARTS: f64 = 64.0;
     let few = |term: &f64| term.abs() <= PARTS && (PARTS * term).fract() == 0.0;
@@ -165,7 +163,7 @@ fn product(a: &Polynomial, b: &Polynomial) -> Option<Polynomial> {
     exact(product).filter(|_| is_linear(a) && is_linear(b))
 }
 
-/// The range of a polynomial: eigenvalues of a symmetric matrix are in the discs of Gershgorin.
+/// Range of a polynomial by Gershgorin discs, which contain the eigenvalues of a symmetric matrix.
 fn range(of: &Polynomial, longest: f64) -> [f64; 2] {
     let linear = (0..4).map(|i| of[i][4] * of[i][4]).sum::<f64>();
     let linear = (linear * longest).sqrt() + MARGIN;
@@ -194,7 +192,7 @@ fn rotation([row, column]: [usize; 2]) -> Polynomial {
         }
     } else {
         entry[row.min(column)][row.max(column)] = 2.0;
-        // v̲ has −z in row 0 and column 1, and so on round.
+        // v̲ has −z in row 0, column 1, and so on cyclically.
         let sign = if (row + 1) % 3 == column { -1.0 } else { 1.0 };
         entry[3 - row - column][3] = 2.0 * sign;
     }

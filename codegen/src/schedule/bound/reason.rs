@@ -1,24 +1,24 @@
-//! Why a result has no bound.
+//! Reasons for the lack of a bound.
 
-/// Why a result has no bound.
+/// Reason why a result has no bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// Its sines are not promised for every angle that may come.
+    /// An angle may leave the range in which its sine is accurate.
     Angle,
-    /// A number may become larger than the type has one.
+    /// A value may exceed the range of the type.
     Overflow,
-    /// What is divided by, or the root taken of, may be zero.
+    /// A divisor or the argument of a root may be zero.
     Divisor,
 }
 
 impl Reason {
-    /// In words.
+    /// Text for comments.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
             Self::Angle => "angles leave the range of its sines",
-            Self::Overflow => "a number may overflow, as far as ranges tell",
-            Self::Divisor => "a divisor may be zero, as far as ranges tell",
+            Self::Overflow => "a number may overflow within the range",
+            Self::Divisor => "a divisor may be zero within the range",
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Sums as terms, and terms as products.
 //!
-//! In: an operation. Out: its terms, each with the factors that it is a product of, wherever these
-//! were multiplied. It never looks at a value.
+//! In: an operation. Out: its terms, each with its factors, whether they are multiplied in the same step or an earlier
+//! one.
 
 use super::known::Known;
 use crate::schedule::{Operand, Operation};
@@ -9,11 +9,11 @@ use crate::schedule::{Operand, Operation};
 /// A term of a sum.
 #[derive(Clone, Copy)]
 pub struct Term {
-    /// Whether a minus stands before it.
+    /// True if it is subtracted.
     pub minus: bool,
-    /// The term, where it has a place of its own.
+    /// The term as an operand, if it is one.
     pub whole: Option<Operand>,
-    /// What it is the product of, if it is one.
+    /// Factors, if it is a product.
     pub factors: Option<[Operand; 2]>,
 }
 
@@ -26,7 +26,7 @@ impl Known<'_> {
                     Operation::Mul(a, b) => Some([a, b]),
                     _ => None,
                 },
-                // As if it were multiplied by 1: a shift of an angle by nearly nothing leaves this.
+                // As a product with 1, which remains of a shift by an angle near zero.
                 Operand::Sin(_) | Operand::Cos(_) => Some([whole, Operand::Literal(1.0)]),
                 _ => None,
             };

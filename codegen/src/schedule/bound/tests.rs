@@ -1,5 +1,4 @@
-//! Tiny programs whose bounds are worked by hand; and programs at random, whose values and errors are
-//! never beyond what is said of them.
+//! Bounds of small programs against bounds by hand. Values and errors of random programs against their bounds.
 
 mod quaternion;
 mod random;
@@ -40,7 +39,7 @@ fn bound(angles: &[Operand], operations: &[Operation]) -> f64 {
     found(&program(angles, operations), Real::F64, &range).0 / U
 }
 
-/// The bound of the first result, and why there is none.
+/// Bound of the first result, and the reason for its lack.
 fn found(program: &Program, scalar: Real, range: &dyn Fn(Input) -> Value) -> (f64, Option<Reason>) {
     let conditions = Conditions {
         scalar,
@@ -75,9 +74,9 @@ fn errors_grow_by_what_they_are_multiplied_with() {
     let sum = Operation::Add(A, B);
     // (a + b) b: an error of 5 u, times 2, and the rounding of 10.
     close(bound(&[], &[sum, Operation::Mul(step(0), B)]), 20.0);
-    // b − (a + b), of which ranges do not know that it is −a.
+    // b − (a + b): ranges do not show that it is −a.
     close(bound(&[], &[sum, Operation::Sub(B, step(0))]), 5.0 + 4.0);
-    // a / (b + b): an error of 4 u of what is between 2 and 4.
+    // a / (b + b): an error of 4 u of a divisor between 2 and 4.
     let twice = Operation::Add(B, B);
     close(
         bound(&[], &[twice, Operation::Div(A, step(0))]),
@@ -86,7 +85,7 @@ fn errors_grow_by_what_they_are_multiplied_with() {
 }
 
 #[test]
-fn a_fused_product_is_taken_as_two_roundings() {
+fn a_fused_product_counts_as_two_roundings() {
     let apart = [Operation::Mul(A, B), Operation::Add(step(0), A)];
     let fused = [Operation::MulAdd(A, B, A)];
     close(bound(&[], &apart), 6.0 + 9.0);
@@ -104,13 +103,13 @@ fn a_square_is_not_negative() {
 }
 
 #[test]
-fn what_may_be_zero_divides_without_bound() {
+fn division_by_possible_zero_has_no_bound() {
     assert_eq!(bound(&[], &[Operation::Div(B, A)]), f64::INFINITY);
     assert_eq!(bound(&[], &[Operation::Sqrt(A)]), f64::INFINITY);
 }
 
 #[test]
-fn numbers_are_rounded_when_they_are_printed_and_when_they_are_read() {
+fn literals_are_rounded_when_printed_and_when_read() {
     let product = |number| [Operation::Mul(Operand::Literal(number), B)];
     // 0.75 b: an error of 0.75 u, times 2, and the rounding of 1.5.
     close(bound(&[], &product(0.75)), 3.0);
@@ -138,7 +137,7 @@ fn sines_and_cosines_are_within_a_unit_in_the_last_place() {
     close(bound(&[B], &twice(c)), 2.0 + 2.0 * 1.0_f64.cos());
 }
 
-/// In single precision, of the last step, with both inputs in a range.
+/// Bound of the last step in single precision, with both inputs in a range.
 fn single(range: [f64; 2], angles: &[Operand], operations: &[Operation]) -> (f64, Option<Reason>) {
     let [lo, hi] = range;
     let program = program(angles, operations);
@@ -146,14 +145,14 @@ fn single(range: [f64; 2], angles: &[Operand], operations: &[Operation]) -> (f64
 }
 
 #[test]
-fn what_may_overflow_has_no_bound() {
+fn possible_overflow_has_no_bound() {
     let square = [Operation::Mul(A, B)];
     assert_eq!(
         single([0.0, 1e20], &[], &square),
         (f64::INFINITY, Some(Reason::Overflow))
     );
     assert!(single([0.0, 1e19], &[], &square).0.is_finite());
-    // What is cut by another bound has been computed all the same.
+    // A value with a smaller bound from elsewhere may still overflow while it is computed.
     let product = [Operation::MulSub(A, B, A)];
     assert_eq!(single([0.0, 1e20], &[], &product).1, Some(Reason::Overflow));
     let number = [Operation::Mul(Operand::Literal(1e39), B)];
@@ -164,7 +163,7 @@ fn what_may_overflow_has_no_bound() {
 #[test]
 fn underflow_is_within_the_bound() {
     let least = f64::from(f32::MIN_POSITIVE);
-    // The product is subnormal: it may be taken for zero, and so may what is read.
+    // The product is subnormal: it may be flushed to zero, and so may the operands.
     let product = [Operation::Mul(A, B)];
     let (bound, _) = single([1e-22, 1e-20], &[], &product);
     assert!((least..2.0 * least).contains(&bound), "{bound:e}");
@@ -199,7 +198,7 @@ fn an_angle_of_many_turns_has_any_sine() {
 }
 
 #[test]
-fn what_is_not_known_of_an_input_is_no_reason() {
+fn an_unknown_input_gives_no_reason() {
     let program = program(&[], &[Operation::Mul(A, B)]);
     let (bound, reason) = found(&program, Real::F64, &|_| Value::UNKNOWN);
     assert_eq!((bound, reason), (f64::INFINITY, None));
@@ -213,7 +212,7 @@ fn a_divisor_that_may_be_zero_is_the_reason_of_all_that_follows() {
     assert_eq!(found(&program, Real::F64, &range).1, Some(Reason::Divisor));
 }
 
-/// c x + s y and c y − s x, turn after turn about the same angle.
+/// c x + s y and c y − s x, repeatedly, with the same angle.
 fn spun(turns: u32) -> Vec<Operation> {
     let (s, c) = (Operand::Sin(0), Operand::Cos(0));
     let (mut x, mut y) = (A, B);
@@ -231,17 +230,17 @@ fn spun(turns: u32) -> Vec<Operation> {
 }
 
 #[test]
-fn a_turn_does_not_lengthen_a_vector() {
+fn a_planar_rotation_does_not_lengthen_a_vector() {
     let length = 13.0_f64.sqrt();
     for turns in [1, 2, 10, 40] {
         let found = bound(&[A], &spun(turns));
-        // Sine and cosine √2 u, two roundings in each of two entries: 3 √2 u of the length a turn.
+        // Sine and cosine √2 u, two roundings in each of two entries: 3 √2 u of the length for each rotation.
         let expected = 3.0 * 2.0_f64.sqrt() * length * f64::from(turns);
         assert!(found <= expected * (1.0 + 1e-8), "{turns}: {found} u");
     }
 }
 
-/// Rotations by numbers about two axes in turn, of (a, b, a).
+/// Constant rotations about two axes alternately, of (a, b, a).
 fn rotated(times: u32) -> Vec<Operation> {
     let [c, s] = [0.8, 0.6].map(Operand::Literal);
     let mut entries = [A, B, A];
@@ -265,17 +264,17 @@ fn a_constant_rotation_does_not_lengthen_a_vector() {
     let length = 22.0_f64.sqrt();
     for times in [1, 2, 10, 40] {
         let found = bound(&[], &rotated(times));
-        // Numbers rounded, and three roundings in each of two entries, all of one sign.
+        // Rounded literals, and three roundings in each of two entries, all with the same sign.
         let expected = 8.0 * length * f64::from(times);
         assert!(found <= expected, "{times}: {found} u");
     }
 }
 
 #[test]
-fn an_angle_that_is_shifted_turns_as_well() {
+fn a_shifted_angle_is_a_rotation() {
     let (s, c) = (Operand::Sin(0), Operand::Cos(0));
     let [p, r] = [0.8, 0.6].map(Operand::Literal);
-    // Cosine and sine of q + φ, and a vector that they turn again and again.
+    // Cosine and sine of q + φ, and a vector that they rotate repeatedly.
     let mut operations = vec![
         Operation::Mul(r, s),
         Operation::MulSub(p, c, step(0)),
@@ -298,9 +297,9 @@ fn an_angle_that_is_shifted_turns_as_well() {
 }
 
 #[test]
-fn what_looks_like_a_turn_and_is_none_may_lengthen() {
+fn an_apparent_rotation_may_lengthen_a_vector() {
     let mut operations = spun(20);
-    // c y + s x: not at right angles to c x + s y.
+    // c y + s x: not orthogonal to c x + s y.
     for operation in &mut operations {
         if let Operation::MulSub(c, y, rest) = *operation {
             *operation = Operation::MulAdd(c, y, rest);
@@ -311,10 +310,10 @@ fn what_looks_like_a_turn_and_is_none_may_lengthen() {
     assert!(found >= 2.0_f64.powi(10), "{found} u");
 }
 
-/// A computed angle that is off by more than a turn tells nothing of its sine, but something of what
-/// that is in double precision.
+/// A computed angle that is off by more than a full turn leaves its sine unknown in single precision, and its bound
+/// must still scale with that in double precision.
 #[test]
-fn an_angle_that_is_off_by_turns_scales_as_well() {
+fn bounds_of_angles_that_are_off_by_turns_scale() {
     let mut program = program(
         &[step(0)],
         &[
@@ -337,10 +336,10 @@ fn an_angle_that_is_off_by_turns_scales_as_well() {
     assert!(of(Real::F64) <= ratio * of(Real::F32) * (1.0 + 1e-9));
 }
 
-/// What is left where larger numbers cancelled, such as the cosine of two halves of a right angle, is known to fewer
-/// bits than a literal has.
+/// The result of a cancellation, such as the cosine of two halves of a right angle, is known to fewer bits than a
+/// literal has.
 #[test]
-fn what_106_bits_leave_open_of_a_literal_is_counted() {
+fn errors_of_literals_beyond_106_bits_count() {
     let (small, open) = (6.1e-17, 1e-32);
     let of_one = [Operation::Mul(
         Operand::Literal(small),
@@ -361,7 +360,7 @@ fn what_106_bits_leave_open_of_a_literal_is_counted() {
     let more = error(Some(open), Real::F64) - error(None, Real::F64);
     let expected = 2.0 * small * open;
     assert!((expected..1.01 * expected).contains(&more), "{more:e}");
-    // A bound in one type is that in another times the ratio of their roundoffs.
+    // Bounds scale with the unit roundoff of the type.
     let ratio = Real::F32.roundoff() / Real::F64.roundoff();
     assert!(error(Some(open), Real::F32) >= ratio * more);
 }

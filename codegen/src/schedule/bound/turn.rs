@@ -1,36 +1,35 @@
-//! Sines and cosines, and vectors that are turned by them.
+//! Sines and cosines, and vectors that they rotate.
 //!
-//! In: angles, and sums of products. Out: which pairs of values are sine and cosine of one angle,
-//! given by the program or found on the way as cos(q + φ) = c cos q − s sin q, and which sums are
-//! entries of a vector that such a pair turns. It never looks at how long a vector is.
+//! In: angles, and sums of products. Out: pairs of values that are sine and cosine of one angle, given by the program
+//! or computed as cos(q + φ) = c cos q − s sin q, and sums that are entries of a vector rotated by such a pair.
 
 use super::reason::Reason;
 use super::value::Value;
 use crate::real::Real;
 use crate::schedule::Operand;
 
-/// Sine or cosine of a turn.
+/// Sine or cosine of a rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The turn: an angle of the program, or one that was found.
+    /// Index of the rotation: angles of the program first, then computed ones.
     pub angle: u32,
-    /// Whether it is the sine; of turns that were found either may be called so.
+    /// True for the sine; for computed rotations the choice is arbitrary.
     pub sine: bool,
 }
 
-/// c x + s y, or c y − s x, of a vector (x, y) and a turn.
+/// Entry c x + s y or c y − s x of a rotated vector (x, y).
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
-    /// The turn.
+    /// Index of the rotation.
     pub angle: u32,
-    /// What the cosine multiplies, and whether a minus stands before it.
+    /// Factor of the cosine, and true if the product is subtracted.
     pub by_cosine: (Operand, bool),
-    /// What the sine multiplies, and whether a minus stands before it.
+    /// Factor of the sine, and true if the product is subtracted.
     pub by_sine: (Operand, bool),
 }
 
 impl Turn {
-    /// The sum of two products, where their factors are those of a turn.
+    /// The sum of two products as an entry of a rotated vector.
     pub fn of(
         place: impl Fn(Operand) -> Option<Place>,
         first: [Operand; 2],
@@ -54,7 +53,7 @@ impl Turn {
         })
     }
 
-    /// Whether the other is the second entry of the same turned vector.
+    /// True if the other is the second entry of the same rotated vector.
     pub fn completes(&self, other: &Self) -> bool {
         let ((x, x_minus), (y, y_minus)) = (self.by_cosine, self.by_sine);
         let ((z, z_minus), (w, w_minus)) = (other.by_cosine, other.by_sine);
@@ -62,7 +61,7 @@ impl Turn {
         self.angle == other.angle && (x, y) == (w, z) && opposed
     }
 
-    /// What multiplies cosine and sine, where that is two numbers.
+    /// Factors of cosine and sine if both are literals.
     fn numbers(&self) -> Option<[f64; 2]> {
         let number = |(operand, minus)| match operand {
             Operand::Literal(number) => Some(if minus { -number } else { number }),
@@ -72,7 +71,7 @@ impl Turn {
     }
 }
 
-/// The turns of a program so far.
+/// Rotations of a program up to the current step.
 #[derive(Default)]
 pub struct Turns {
     /// Sine and cosine of each angle of the program.
@@ -80,17 +79,17 @@ pub struct Turns {
     found: Vec<Shifted>,
 }
 
-/// A turn by an angle of the program and a constant one.
+/// Rotation by the sum of an angle of the program and a constant.
 struct Shifted {
     angle: u32,
-    /// What multiplies cosine and sine of the angle to give this one's cosine.
+    /// Factors of cosine and sine of the angle in the cosine of this rotation.
     cosine: [f64; 2],
-    /// The steps that are its sine, once that is known, and its cosine.
+    /// Steps that are its sine, if known, and its cosine.
     steps: [Option<u32>; 2],
 }
 
 impl Turns {
-    /// Takes in an angle of the program.
+    /// Adds an angle of the program.
     pub fn push(&mut self, angle: Value, reason: Option<Reason>, scalar: Real) {
         let both = match reason {
             None => [angle.sine(scalar), angle.cosine(scalar)],
@@ -99,22 +98,22 @@ impl Turns {
         self.given.push((both, reason));
     }
 
-    /// The sine of an angle of the program.
+    /// Sine of an angle of the program.
     pub fn sine(&self, angle: u32) -> Value {
         self.given[angle as usize].0[0]
     }
 
-    /// Its cosine.
+    /// Cosine of an angle of the program.
     pub fn cosine(&self, angle: u32) -> Value {
         self.given[angle as usize].0[1]
     }
 
-    /// Why they have no bound.
+    /// Reason why they have no bound.
     pub fn reason(&self, angle: u32) -> Option<Reason> {
         self.given[angle as usize].1
     }
 
-    /// The operands that are sine and cosine of a turn, and the length of the two together.
+    /// Operands that are sine and cosine of a rotation, and their length as a vector.
     pub fn pair(&self, angle: u32) -> ([Operand; 2], f64) {
         let given = u32::try_from(self.given.len()).expect("as many as joints");
         let Some(found) = angle.checked_sub(given) else {
@@ -126,10 +125,10 @@ impl Turns {
         (found.steps.map(step), (c * c + s * s).sqrt())
     }
 
-    /// What a step is that turns two numbers: sine or cosine of the sum of the angle and a constant
-    /// one, where they are those of one.
+    /// The sine or cosine that a step with two constant factors is: of the sum of the angle and a constant, if the
+    /// factors are a cosine and a sine.
     pub fn place(&mut self, step: u32, turn: &Turn) -> Option<Place> {
-        /// Further from one than digits that were rounded leave a sum of squares.
+        /// Larger than the deviation of a sum of squares from 1 by rounded literals.
         const NEARLY: f64 = 1e-9;
         let [c, s] = turn.numbers()?;
         if (c * c + s * s - 1.0).abs() > NEARLY {
@@ -137,7 +136,7 @@ impl Turns {
         }
         let given = self.given.len();
         let angle = |at: usize| u32::try_from(given + at).expect("fewer than steps");
-        // At right angles to one that lacks its sine.
+        // Orthogonal to a rotation whose sine is not known yet.
         let lacking = self.found.iter().position(|other| {
             let [p, r] = other.cosine;
             let across = [-r, p] == [c, s] || [r, -p] == [c, s];

@@ -1,56 +1,54 @@
-//! Where a number of a program lies, and how far rounding may have taken it from there.
+//! Range and error of a value.
 //!
-//! In: operands. Out: the same for the result of an operation, second-order terms of the error
-//! included. The rounding of these computations themselves is not followed: [`SLACK`] covers
-//! it.
+//! In: operands. Out: range and error of the result of an operation, with second-order terms. The rounding errors of
+//! these computations are not tracked; [`SLACK`] covers them.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::expression::Double;
 use crate::real::Real;
 
-/// What the bounds are multiplied by for their own rounding, which they do not follow: more than
-/// some million operations of `f64` on positive numbers can lose.
+/// Factor on bounds for the rounding errors of their computation: more than millions of operations on positive numbers
+/// in `f64` can lose.
 pub const SLACK: f64 = 1.0 + 1e-9;
 
-/// The exact value is within [`lo`, `hi`], and the computed one within `error` of it.
+/// Exact value within [`lo`, `hi`], computed value within `error` of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
-    /// The least that the exact value can be.
+    /// Minimum of the exact value.
     pub lo: f64,
-    /// The greatest that it can be.
+    /// Maximum of the exact value.
     pub hi: f64,
-    /// The greatest distance of the computed value from the exact one.
+    /// Maximum distance of the computed value from the exact one.
     pub error: f64,
 }
 
 impl Value {
-    /// Anything at all.
+    /// Any value.
     pub const UNKNOWN: Self = Self {
         lo: f64::NEG_INFINITY,
         hi: f64::INFINITY,
         error: f64::INFINITY,
     };
 
-    /// A number between two others, free of error.
+    /// An exact number between two others.
     #[must_use]
     pub const fn between(lo: f64, hi: f64) -> Self {
         Self { lo, hi, error: 0.0 }
     }
 
-    /// The greatest magnitude that the exact value can have.
+    /// Maximum magnitude of the exact value.
     pub(super) const fn size(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// The greatest magnitude that the computed value can have.
+    /// Maximum magnitude of the computed value.
     pub(crate) const fn reach(self) -> f64 {
         self.size() + self.error
     }
 
-    /// After one more rounding. A result below the normal numbers is rounded to their spacing, or,
-    /// where a processor does not have such numbers, taken for zero: the loss is less than the
-    /// smallest normal number in both cases.
+    /// Adds one rounding. A subnormal result is rounded to the spacing of subnormal numbers or flushed to zero,
+    /// depending on the processor; the loss is below the smallest normal number in both cases.
     pub(crate) fn rounded(self, scalar: Real) -> Self {
         Self {
             error: self.error + scalar.roundoff() * self.reach() + scalar.smallest(),
@@ -59,7 +57,7 @@ impl Value {
         .or_unknown()
     }
 
-    /// As an operation reads it: where a processor does not have subnormal numbers, they are zero.
+    /// Value that an operation reads: some processors flush subnormal operands to zero.
     pub(super) fn read(self, scalar: Real) -> Self {
         Self {
             error: self.error + scalar.smallest(),
@@ -67,12 +65,12 @@ impl Value {
         }
     }
 
-    /// Whether the type has a number of that size.
+    /// True if the type has numbers of this magnitude.
     pub(super) fn fits(self, scalar: Real) -> bool {
         self.reach() * SLACK < scalar.largest()
     }
 
-    /// With what is known from elsewhere.
+    /// Limits magnitude and error to known bounds.
     pub(super) const fn within(self, size: f64, error: f64) -> Self {
         Self {
             lo: self.lo.max(-size),
@@ -81,7 +79,7 @@ impl Value {
         }
     }
 
-    /// With a range that the exact value is known to keep.
+    /// Limits the exact value to a known range.
     pub(super) const fn kept(self, range: Option<[f64; 2]>) -> Self {
         match range {
             Some([lo, hi]) => Self {
@@ -93,7 +91,7 @@ impl Value {
         }
     }
 
-    /// a + b, not yet rounded.
+    /// a + b before rounding.
     pub(super) fn plus(self, other: Self) -> Self {
         Self {
             lo: self.lo + other.lo,
@@ -112,7 +110,7 @@ impl Value {
         }
     }
 
-    /// a b, not yet rounded.
+    /// a b before rounding.
     pub(super) fn times(self, other: Self) -> Self {
         let ends = [
             self.lo * other.lo,
@@ -127,7 +125,7 @@ impl Value {
         .or_unknown()
     }
 
-    /// a², not yet rounded.
+    /// a² before rounding.
     pub(super) fn squared(self) -> Self {
         let square = self.times(self);
         Self {
@@ -136,7 +134,7 @@ impl Value {
         }
     }
 
-    /// 1/a, not yet rounded; unknown where what is computed for a may be zero.
+    /// 1/a before rounding; unknown if the computed a may be zero.
     pub(super) fn reciprocal(self) -> Self {
         let least = self.lo.max(-self.hi);
         let computed = least - self.error;
@@ -151,7 +149,7 @@ impl Value {
         .or_unknown()
     }
 
-    /// √a, not yet rounded; unknown where what is computed for a may be negative.
+    /// √a before rounding; unknown if the computed a may be negative.
     pub(super) fn root(self) -> Self {
         let least = self.lo - self.error;
         if least <= 0.0 {
@@ -165,14 +163,13 @@ impl Value {
         .or_unknown()
     }
 
-    /// The sign of a: of an argument that of what is read, which is zero where it is subnormal and the
-    /// processor has no such numbers.
+    /// Sign of a. For an argument, the sign of the value as read: zero if it is subnormal and the processor flushes it.
     pub(super) fn sign(self, scalar: Real) -> Self {
         let of = |x: f64| f64::from(i8::from(x > 0.0) - i8::from(x < 0.0));
         let error = if self.error <= scalar.smallest() {
             0.0
         } else {
-            // Within its error a number may be on the other side of zero.
+            // Within its error a number may have the other sign.
             of(self.hi + self.error) - of(self.lo - self.error)
         };
         Self {
@@ -182,18 +179,18 @@ impl Value {
         .or_unknown()
     }
 
-    /// sin a, within one unit in the last place.
+    /// sin a, within one ulp.
     pub(super) fn sine(self, scalar: Real) -> Self {
-        // What is lost in reducing an angle of many turns may be more than the margin.
+        // The error of reducing a large angle may exceed the margin.
         if self.size() > REDUCED {
             return Self::between(-1.0, 1.0).of_place(self.error, scalar);
         }
-        // One of these quarter turns, and then every whole one, leads to an end of the range.
+        // These quarter turns, modulo whole turns, are extrema of the sine within the range.
         let passes = |quarter: f64| {
             let turns = ((self.lo - MARGIN) / TAU - quarter).ceil();
             (turns + quarter) * TAU <= self.hi + MARGIN
         };
-        // Not the platform's sine: what is printed is the same everywhere.
+        // Not the platform's sine, so that printed bounds are the same on every platform.
         let sine = |angle: f64| Double::from(angle).sin_cos().0.to_f64();
         let (from, to) = (sine(self.lo), sine(self.hi));
         let lo = if passes(0.75) { -1.0 } else { from.min(to) };
@@ -202,10 +199,10 @@ impl Value {
         exact.of_place(self.error, scalar)
     }
 
-    /// A sine of an angle that is off by so much.
+    /// Adds the error of a sine whose angle has this error.
     fn of_place(self, error: f64, scalar: Real) -> Self {
-        // A unit in the last place is at most 2u of a number, and u below 1. Of what is subnormal
-        // both the angle and its sine may be taken for zero.
+        // One ulp is at most 2u of a number, and at most u below 1. A subnormal angle and its sine may both be flushed
+        // to zero.
         let place = scalar.roundoff() * (2.0 * (self.size() + error)).min(1.0);
         Self {
             error: error + place + 2.0 * scalar.smallest(),
@@ -214,7 +211,7 @@ impl Value {
         .or_unknown()
     }
 
-    /// cos a, within one unit in the last place.
+    /// cos a, within one ulp.
     pub(super) fn cosine(self, scalar: Real) -> Self {
         let turned = Self {
             lo: self.lo + FRAC_PI_2,
@@ -235,7 +232,7 @@ impl Value {
         }
     }
 
-    /// Infinity times zero, or infinity less infinity, tells nothing.
+    /// Unknown instead of NaN, which infinity times zero and infinity minus infinity give.
     const fn or_unknown(self) -> Self {
         if self.lo.is_nan() || self.hi.is_nan() || self.error.is_nan() {
             Self::UNKNOWN
@@ -245,8 +242,8 @@ impl Value {
     }
 }
 
-/// More than what is lost in reducing an angle of up to [`REDUCED`].
+/// Larger than the error of reducing an angle of up to [`REDUCED`].
 const MARGIN: f64 = 1e-13;
 
-/// Beyond this angle \[rad\] sines are taken to be anything.
+/// Maximum angle \[rad\] whose sine is bounded by its range; beyond, it is between −1 and 1.
 const REDUCED: f64 = 100.0;

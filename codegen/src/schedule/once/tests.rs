@@ -1,4 +1,4 @@
-//! That parting programs changes nothing but who computes what.
+//! Separated programs compute the same as whole ones.
 
 use super::{Parts, part};
 use crate::expression::{Block, Component, Input, Numeral, Of};
@@ -48,7 +48,7 @@ fn first() -> Program {
     )
 }
 
-/// q + m² + m, c(m²): what was late in the other is early here.
+/// q + m² + m, c(m²): steps that follow the angles in the other program precede them here.
 fn second() -> Program {
     program(
         &[
@@ -98,7 +98,7 @@ fn results_keep_their_bits() {
 }
 
 #[test]
-fn what_programs_share_is_computed_once_and_nothing_of_it_is_left() {
+fn shared_work_is_computed_once() {
     let Parts { once, names, each } = parts();
     // 2 t, m², m² s(2 t), m² + m.
     assert_eq!(once.steps.len(), 4);
@@ -116,7 +116,7 @@ fn what_programs_share_is_computed_once_and_nothing_of_it_is_left() {
 }
 
 #[test]
-fn without_fields_nothing_is_moved() {
+fn nothing_moves_without_fields() {
     let bare = program(
         &[Operation::Mul(Operand::Sin(0), Q)],
         0,

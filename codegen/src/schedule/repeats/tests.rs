@@ -1,4 +1,4 @@
-//! What is found again where it is known to be, and what is not taken for it.
+//! Detection of loops in a program with known ones, and of none in similar programs.
 
 use homogen_random::Random;
 
@@ -7,15 +7,15 @@ use crate::expression::Input;
 use crate::schedule::{Operand, Operation, Program, Step};
 use crate::space::Variable;
 
-/// How many steps there are before the first round.
+/// Number of steps before the first iteration.
 pub const HEAD: u32 = 900;
-const ROUNDS: u32 = 9;
-/// How many steps a round has.
+const ITERATIONS: u32 = 9;
+/// Number of steps of an iteration.
 pub const LENGTH: u32 = 60;
-/// How many results of a round are read behind it, and how many values it reads that others do not.
+/// Number of results of an iteration that are read after it, and of values that differ between iterations.
 const CROSSING: u32 = 4;
 
-/// Steps that compute anything, rounds of equal operations, and steps that read their results.
+/// Arbitrary steps, iterations of equal operations, and steps that read their results.
 pub fn program(head: u32, length: u32) -> Program {
     let mut random = Random::new(3);
     let mut below = move |end: u32| {
@@ -26,7 +26,7 @@ pub fn program(head: u32, length: u32) -> Program {
     let operation = |kind, a, b| match kind {
         0 => Operation::Add(a, b),
         1 => Operation::Sub(a, b),
-        // What is multiplied again and again overflows.
+        // Repeated products overflow.
         2 => Operation::Mul(a, Operand::Literal(0.5)),
         _ => Operation::MulSub(Operand::Literal(0.25), a, b),
     };
@@ -38,19 +38,19 @@ pub fn program(head: u32, length: u32) -> Program {
     let body: Vec<_> = (0..length)
         .map(|k| (below(4), below(k.max(1)), below(head)))
         .collect();
-    for round in 0..ROUNDS {
-        let start = head + round * length;
+    for iteration in 0..ITERATIONS {
+        let start = head + iteration * length;
         for (k, &(kind, own, shared)) in (0..).zip(&body) {
             let own = match k {
-                0..CROSSING => Operand::Step(10 * k + round),
+                0..CROSSING => Operand::Step(10 * k + iteration),
                 _ => Operand::Step(start + own),
             };
             operations.push(operation(kind, own, Operand::Step(shared)));
         }
     }
-    let left = |k| Operand::Step(head + length - 1 - k % CROSSING + length * (k % ROUNDS));
+    let output = |k| Operand::Step(head + length - 1 - k % CROSSING + length * (k % ITERATIONS));
     for k in 0..30 {
-        operations.push(operation(0, left(k), left(k + 7)));
+        operations.push(operation(0, output(k), output(k + 7)));
     }
     let last = u32::try_from(operations.len() - 1).expect("few steps");
     let step = |operation| Step {
@@ -61,28 +61,28 @@ pub fn program(head: u32, length: u32) -> Program {
         angles: Vec::new(),
         before_angles: 0,
         steps: operations.into_iter().map(step).collect(),
-        results: vec![Operand::Step(last), Operand::Step(last - 1), left(2)],
+        results: vec![Operand::Step(last), Operand::Step(last - 1), output(2)],
         ..Program::default()
     }
 }
 
 #[test]
-fn rounds_are_found_with_what_differs_between_them() {
+fn iterations_are_found_with_their_inputs() {
     let found = repeats(&program(HEAD, LENGTH));
     let [repeat] = &*found else {
         panic!("{} repeats", found.len());
     };
     assert_eq!(repeat.first, HEAD..HEAD + LENGTH);
-    assert_eq!(repeat.rounds, ROUNDS);
-    assert_eq!(repeat.taken.len(), CROSSING as usize);
-    assert_eq!(repeat.left.len(), CROSSING as usize);
+    assert_eq!(repeat.iterations, ITERATIONS);
+    assert_eq!(repeat.loads.len(), CROSSING as usize);
+    assert_eq!(repeat.stores.len(), CROSSING as usize);
     assert!(repeat.saved() >= SAVED);
 }
 
 #[test]
-fn a_round_that_reads_another_is_none() {
+fn an_iteration_that_reads_another_is_rejected() {
     let mut program = program(HEAD, LENGTH);
-    let [reads, of] = [3, 2].map(|round| HEAD + round * LENGTH + 20);
+    let [reads, of] = [3, 2].map(|iteration| HEAD + iteration * LENGTH + 20);
     let operation = &mut program.steps[reads as usize].operation;
     *operation = operation.map(|operand| match operand {
         Operand::Step(step) if step >= HEAD => Operand::Step(of),
@@ -93,7 +93,7 @@ fn a_round_that_reads_another_is_none() {
 }
 
 #[test]
-fn what_saves_little_is_left_as_it_is() {
+fn short_repeats_are_not_loops() {
     let mut all_read = program(HEAD, LENGTH);
     let steps = 0..u32::try_from(all_read.steps.len()).expect("few steps");
     all_read.results = steps.map(Operand::Step).collect();

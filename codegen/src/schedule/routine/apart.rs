@@ -1,7 +1,7 @@
-//! The sections of a long routine, each a function of its own.
+//! Sections of a long routine, each a function of its own.
 //!
-//! In: the sections of a program, and a routine whose names are being given. Out: the routine, with what
-//! each section takes of the work array, computes, and leaves there. It never says where to cut.
+//! In: the sections of a program, and the naming of its routine. Out: the routine, with the values that each section
+//! reads from the work array, computes, and stores there.
 
 use std::collections::BTreeSet;
 
@@ -12,36 +12,36 @@ use crate::schedule::sections::{Section, Sections};
 use crate::schedule::{Operand, Step};
 use crate::space::Variable;
 
-/// What is computed in functions of their own, one after the other.
+/// Sections of a routine and their work array.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Work {
-    /// The name of the array through which they hand on what later ones read.
+    /// Name of the work array.
     pub name: String,
-    /// How long it is.
+    /// Length of the work array.
     pub len: usize,
-    /// What is put there before the first of them: place and value.
-    pub given: Vec<(usize, Value)>,
-    /// The functions.
-    pub sections: Vec<Apart>,
+    /// Index and value of the entries that are stored before the first section.
+    pub initial: Vec<(usize, Value)>,
+    /// Sections in execution order.
+    pub sections: Vec<SectionBody>,
 }
 
-/// A function of its own, of the work array alone.
+/// Section: a function of the work array alone.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Apart {
-    /// Its name.
+pub struct SectionBody {
+    /// Name of the function.
     pub name: String,
-    /// What it takes: place, and the name that it gets.
-    pub taken: Vec<(usize, String)>,
-    /// What is computed, and put into the array.
+    /// Indices of the entries that it reads, and the names that they get.
+    pub loads: Vec<(usize, String)>,
+    /// Statements, with stores to the array.
     pub statements: Vec<Statement>,
-    /// Whether a number known at generation is among the values.
+    /// True if a value is a literal.
     pub has_literals: bool,
-    /// Whether an operation is a product and a sum at once.
+    /// True if an operation is fused.
     pub is_fused: bool,
 }
 
 impl Naming<'_> {
-    /// The routine in sections.
+    /// The routine with its sections.
     pub(super) fn in_sections(
         mut self,
         sections: &Sections,
@@ -52,15 +52,15 @@ impl Naming<'_> {
         let name = self.names.fresh("work");
         let mut statements = self.statements(&before(program));
         statements.extend(self.sines_and_cosines());
-        let given = sections.given.iter();
-        let given = given.map(|&(value, place)| (place, self.value(value.operand())));
-        let given = given.collect();
+        let initial = sections.initial.iter();
+        let initial = initial.map(|&(value, place)| (place, self.value(value.operand())));
+        let initial = initial.collect();
         let each = sections.sections.iter().zip(1..);
-        let each = each.map(|(section, number)| self.apart(section, number));
+        let each = each.map(|(section, number)| self.section_body(section, number));
         let each = each.collect();
         let results = program.results.iter().zip(&sections.results);
         let results = results.map(|(&result, place)| match place {
-            Some(place) => Value::Waiting(*place),
+            Some(place) => Value::Work(*place),
             None => self.value(result),
         });
         let results: Vec<Value> = results.collect();
@@ -71,12 +71,12 @@ impl Naming<'_> {
             work: Some(Work {
                 name,
                 len: sections.work,
-                given,
+                initial,
                 sections: each,
             }),
             results,
             stored: BTreeSet::new(),
-            // The array is filled with zeros.
+            // Filling the array with zeros needs a literal.
             has_literals: true,
             is_fused: is_fused(&program.steps[..program.before_angles]),
             names: self.names,
@@ -84,42 +84,42 @@ impl Naming<'_> {
         }
     }
 
-    fn apart(&mut self, section: &Section, number: usize) -> Apart {
+    fn section_body(&mut self, section: &Section, number: usize) -> SectionBody {
         let name = self.names.fresh(&format!("section_{number}"));
-        let taken = section.taken.iter().map(|&(value, place)| {
+        let loads = section.loads.iter().map(|&(value, place)| {
             let Value::Name(name) = self.value(value.operand()) else {
                 unreachable!("what waits has a name");
             };
             (place, name)
         });
-        let taken = taken.collect();
+        let loads = loads.collect();
         let steps = section.steps.clone();
         let statements = if let Some(repeat) = &section.repeat {
-            self.rounds_apart(repeat, &section.left)
+            self.loop_section(repeat, &section.stores)
         } else {
-            self.left = section.left.iter().copied().collect();
+            self.stores = section.stores.iter().copied().collect();
             self.statements(&within(self.program, steps.clone(), &[]))
         };
         let steps = &self.program.steps[steps.start as usize..steps.end as usize];
         let mut read = steps.iter().flat_map(|step| step.operation.operands());
-        Apart {
+        SectionBody {
             name,
-            taken,
+            loads,
             statements,
             has_literals: read.any(|operand| matches!(operand, Operand::Literal(_))),
             is_fused: is_fused(steps),
         }
     }
 
-    /// Rounds, and what they leave in the work array.
-    fn rounds_apart(&mut self, repeat: &Repeat, left: &[(u32, usize)]) -> Vec<Statement> {
-        let mut statements = vec![Statement::Rounds(self.rounds(repeat))];
-        for &(step, place) in left {
+    /// A loop, and the stores of its results in the work array.
+    fn loop_section(&mut self, repeat: &Repeat, stores: &[(u32, usize)]) -> Vec<Statement> {
+        let mut statements = vec![Statement::Loop(self.loop_of(repeat))];
+        for &(step, place) in stores {
             let name = self.unnamed();
             let step = &mut self.steps[step as usize];
-            // Other sections take it by a name.
+            // Other sections bind it to a name.
             let value = std::mem::replace(step, Value::Name(name));
-            statements.push(Statement::Left(place, value));
+            statements.push(Statement::StoreWork(place, value));
         }
         statements
     }

@@ -1,6 +1,6 @@
 //! Meanings of the names in a routine.
 //!
-//! In: what a value is, as data. Out: the identifier that generated code would like for it, made here and nowhere else.
+//! In: the meaning of a value. Out: its preferred identifier in generated code.
 
 use std::fmt;
 
@@ -22,16 +22,16 @@ pub enum Meaning {
     Cosine(Turn),
     /// A part of a sum or product, by its number from 1 on.
     Part(usize),
-    /// The table from which a loop takes its columns.
+    /// The table that a loop reads its columns from.
     Table,
-    /// The column that a loop is at.
+    /// The index of a loop.
     Round,
 }
 
 /// The angle of a sine and a cosine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Turn {
-    /// The name of its value; `a` where it has none.
+    /// The name of its value; `a` if it has none.
     pub name: String,
     /// The coordinates that it is the sum of, by their indices; empty for any other angle.
     pub coordinates: Vec<u16>,

@@ -1,32 +1,32 @@
-//! The rounds of a routine, each of which computes the same of other values.
+//! Loops of a routine.
 //!
-//! In: a repeat of a program, and a routine whose names are being given. Out: statements of one round, and the table
-//! through which what differs comes and goes. It never says what is a repeat.
+//! In: a repeat of a program, and the naming of its routine. Out: the statements of one iteration, and the table that
+//! values which differ between iterations are read from and written to.
 
 use super::{Meaning, Naming, Statement, Value};
 use crate::schedule::Operand;
 use crate::schedule::blocks::within;
 use crate::schedule::repeats::Repeat;
 
-/// The same statements for each column of a table.
+/// Loop over the columns of a table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rounds {
-    /// The name of the table.
+pub struct Loop {
+    /// Name of the table.
     pub table: String,
-    /// What stands there before the first round: rows with an entry for each round.
+    /// Initial rows of the table, with an entry for each iteration.
     pub rows: Vec<Vec<Value>>,
-    /// What counts the rounds, from 0.
-    pub round: String,
-    /// What is taken from the table: the name of each row, from the first on.
-    pub taken: Vec<String>,
-    /// What is computed.
+    /// Name of the loop's index, from 0.
+    pub column: String,
+    /// Names of the values that an iteration reads from the table, row by row.
+    pub loads: Vec<String>,
+    /// Statements of an iteration.
     pub statements: Vec<Statement>,
-    /// What is put into the table instead: the name of what each row then has, from the first on.
-    pub left: Vec<String>,
+    /// Names of the values that an iteration writes to the table, row by row.
+    pub stores: Vec<String>,
 }
 
-impl Rounds {
-    /// How many rounds there are: entries of each row.
+impl Loop {
+    /// Number of iterations.
     #[must_use]
     pub fn count(&self) -> usize {
         self.rows.first().map_or(0, Vec::len)
@@ -34,43 +34,43 @@ impl Rounds {
 }
 
 impl Naming<'_> {
-    /// The rounds of a repeat.
-    pub(super) fn rounds(&mut self, repeat: &Repeat) -> Rounds {
-        let [table, round] = [Meaning::Table, Meaning::Round].map(|meaning| self.named(meaning));
+    /// Loop of a repeat.
+    pub(super) fn loop_of(&mut self, repeat: &Repeat) -> Loop {
+        let [table, column] = [Meaning::Table, Meaning::Round].map(|meaning| self.named(meaning));
         let row = |row: &Vec<Operand>| row.iter().map(|&operand| self.value(operand)).collect();
-        let mut rows: Vec<Vec<Value>> = repeat.taken.iter().map(row).collect();
-        // What is left without being taken has to stand somewhere.
-        let missing = repeat.left.len().saturating_sub(rows.len());
+        let mut rows: Vec<Vec<Value>> = repeat.loads.iter().map(row).collect();
+        // Rows that are written and not read.
+        let missing = repeat.stores.len().saturating_sub(rows.len());
         rows.extend(std::iter::repeat_n(rows[0].clone(), missing));
 
-        let taken: Vec<String> = repeat.taken.iter().map(|_| self.unnamed()).collect();
+        let loads: Vec<String> = repeat.loads.iter().map(|_| self.unnamed()).collect();
         let reads = repeat.reads.iter();
-        let reads = reads.map(|(&place, &row)| (place, taken[row].clone()));
-        self.taken = reads.collect();
-        let parts = within(self.program, repeat.first.clone(), &repeat.left);
+        let reads = reads.map(|(&place, &row)| (place, loads[row].clone()));
+        self.loads = reads.collect();
+        let parts = within(self.program, repeat.first.clone(), &repeat.stores);
         let statements = self.statements(&parts);
-        self.taken.clear();
-        let left = repeat.left.iter().map(|&step| self.name(step)).collect();
+        self.loads.clear();
+        let stores = repeat.stores.iter().map(|&step| self.name(step)).collect();
         self.leave(repeat, &table);
-        Rounds {
+        Loop {
             table,
             rows,
-            round,
-            taken,
+            column,
+            loads,
             statements,
-            left,
+            stores,
         }
     }
 
-    /// Finds the results of all rounds in the table.
+    /// Records the places of the results of all iterations in the table.
     fn leave(&mut self, repeat: &Repeat, table: &str) {
         self.steps.truncate(repeat.first.start as usize);
-        for round in 0..repeat.rounds as usize {
+        for column in 0..repeat.iterations as usize {
             for step in repeat.first.clone() {
-                // Nobody reads what is not left.
-                let row = repeat.left.iter().position(|&left| left == step);
+                // A value that is not stored has no reader.
+                let row = repeat.stores.iter().position(|&stores| stores == step);
                 let row = row.unwrap_or_default();
-                self.steps.push(Value::Entry(table.to_owned(), row, round));
+                self.steps.push(Value::Entry(table.to_owned(), row, column));
             }
         }
         self.sums.resize(self.steps.len(), None);
@@ -86,7 +86,7 @@ mod tests {
     use crate::schedule::repeats::tests::{HEAD, LENGTH, program};
     use crate::schedule::{Length, Names, Operation, Program, run};
 
-    /// What a language makes of a routine.
+    /// Interpreter of a routine.
     #[derive(Default)]
     struct Written {
         bound: BTreeMap<String, f64>,
@@ -99,8 +99,8 @@ mod tests {
             match value {
                 Value::Literal(value) => *value,
                 Value::Name(name) => self.bound[name],
-                Value::Waiting(place) => self.work[*place],
-                Value::Entry(table, row, round) => self.tables[table][*row][*round],
+                Value::Work(place) => self.work[*place],
+                Value::Entry(table, row, column) => self.tables[table][*row][*column],
             }
         }
 
@@ -119,22 +119,22 @@ mod tests {
                         self.bound.insert(name.clone(), value);
                     }
                     Statement::Block { statements, .. } => self.run(statements),
-                    Statement::Rounds(rounds) => {
+                    Statement::Loop(each) => {
                         let row = |row: &Vec<Value>| row.iter().map(|of| self.read(of)).collect();
-                        let mut table: Vec<Vec<f64>> = rounds.rows.iter().map(row).collect();
-                        for round in 0..table[0].len() {
-                            for (name, row) in rounds.taken.iter().zip(&table) {
-                                self.bound.insert(name.clone(), row[round]);
+                        let mut table: Vec<Vec<f64>> = each.rows.iter().map(row).collect();
+                        for column in 0..table[0].len() {
+                            for (name, row) in each.loads.iter().zip(&table) {
+                                self.bound.insert(name.clone(), row[column]);
                             }
-                            self.run(&rounds.statements);
-                            for (name, row) in rounds.left.iter().zip(&mut table) {
-                                row[round] = self.bound[name];
+                            self.run(&each.statements);
+                            for (name, row) in each.stores.iter().zip(&mut table) {
+                                row[column] = self.bound[name];
                             }
                         }
-                        self.tables.insert(rounds.table.clone(), table);
+                        self.tables.insert(each.table.clone(), table);
                     }
-                    Statement::Left(place, value) => self.work[*place] = self.read(value),
-                    Statement::SinesAndCosines(_) | Statement::Found(..) => {
+                    Statement::StoreWork(place, value) => self.work[*place] = self.read(value),
+                    Statement::SinesAndCosines(_) | Statement::StoreResult(..) => {
                         unreachable!("{statement:?}")
                     }
                 }
@@ -142,7 +142,7 @@ mod tests {
         }
     }
 
-    /// The results of a program in functions of a length, and how many loops it has.
+    /// Results of a program with functions of this length, and its number of loops.
     fn results(program: &Program, length: Length) -> (Vec<f64>, usize) {
         let names = Names::beside(&["columns"]);
         let routine = of_a_hinge((program, length), names, Stored::AtTheEnd);
@@ -152,13 +152,13 @@ mod tests {
         let mut statements = routine.statements.clone();
         if let Some(work) = &routine.work {
             written.work = vec![f64::NAN; work.len];
-            for (place, value) in &work.given {
+            for (place, value) in &work.initial {
                 written.work[*place] = written.read(value);
             }
             for section in &work.sections {
-                // A section knows nothing but what it takes.
+                // A section has only the names that it binds.
                 written.bound.clear();
-                for (place, name) in &section.taken {
+                for (place, name) in &section.loads {
                     written.bound.insert(name.clone(), written.work[*place]);
                 }
                 written.run(&section.statements);
@@ -167,19 +167,19 @@ mod tests {
         }
         let found = routine.results.iter().map(|result| written.read(result));
         let found = found.collect();
-        let in_rounds = |statement: &&Statement| matches!(statement, Statement::Rounds(_));
-        (found, statements.iter().filter(in_rounds).count())
+        let is_loop = |statement: &&Statement| matches!(statement, Statement::Loop(_));
+        (found, statements.iter().filter(is_loop).count())
     }
 
     #[test]
-    fn rounds_compute_what_all_steps_do_one_after_the_other() {
-        // Rounds that are one scope, and rounds of several blocks.
+    fn loops_compute_the_same_as_all_steps() {
+        // Iterations of one scope, and of several blocks.
         for program in [program(HEAD, LENGTH), program(HEAD, 1000)] {
             let expected = run::<f64>(&program, |_| 0.7);
             for length in [Length::UNBOUNDED, Length::at_most(1000)] {
                 assert_eq!(results(&program, length), (expected.clone(), 1));
             }
-            // Shorter than a round, a section cannot hold a loop.
+            // Sections shorter than an iteration hold no loop.
             assert_eq!(results(&program, Length::at_most(50)), (expected, 0));
         }
     }

@@ -1,4 +1,4 @@
-//! What a routine is called and made of.
+//! Names and structure of routines.
 
 use super::{Angle, Meaning, Names, Readable, Routine, Statement, Stored, Turn, Value};
 use crate::expression::{Block, Component, Input, Numeral, Of};
@@ -61,7 +61,7 @@ fn routine(names: Names, stored: Stored) -> Routine {
 }
 
 #[test]
-fn what_is_read_has_a_name_and_nothing_else() {
+fn only_values_that_are_read_have_names() {
     let routine = routine(Names::beside(&["q_2", "d_2"]), Stored::AtTheEnd);
     let some = |name: &str| Some(name.to_owned());
     let arguments = [
@@ -69,7 +69,7 @@ fn what_is_read_has_a_name_and_nothing_else() {
         (Variable::Qd, vec![None]),
     ];
     assert_eq!(routine.arguments, arguments);
-    // The name of an argument is not given away.
+    // The name of an argument is used for nothing else.
     assert_eq!(routine.fields, [vec![None], vec![None, some("qd_")]]);
     let operation = |name: &str, of| Statement::Operation(name.to_owned(), of);
     let angle = |value, sine, cosine| Angle {
@@ -106,7 +106,7 @@ fn what_is_read_has_a_name_and_nothing_else() {
     ];
     let meanings = meanings.map(|(name, meaning)| (name.to_owned(), meaning));
     assert_eq!(routine.meanings, meanings);
-    // What a language binds besides has a name of its own.
+    // Further names of a language are unique.
     let mut names = routine.names;
     assert_eq!(
         ["t_1", "t_2"].map(|wish| names.fresh(wish)),
@@ -115,20 +115,20 @@ fn what_is_read_has_a_name_and_nothing_else() {
 }
 
 #[test]
-fn results_are_stored_behind_what_computes_them_where_that_is_asked_for() {
+fn results_are_stored_early_on_request() {
     let names = || Names::beside(&[]);
     let at_the_end = routine(names(), Stored::AtTheEnd);
     assert!(at_the_end.stored.is_empty());
-    let mut as_found = routine(names(), Stored::AsFound);
+    let mut as_found = routine(names(), Stored::Early);
     assert_eq!(as_found.results, at_the_end.results);
-    // A number that is known at generation is there from the start.
+    // A literal is in the array from the start.
     assert_eq!(as_found.stored, [0].into());
     let last = as_found.statements.pop();
-    assert_eq!(last, Some(Statement::Found(0, name("d_2"))));
+    assert_eq!(last, Some(Statement::StoreResult(0, name("d_2"))));
     assert_eq!(as_found.statements, at_the_end.statements);
 }
 
-/// The routine of a program that reads the angle of a hinge.
+/// Routine of a program that reads the angle of a hinge.
 pub(super) fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stored) -> Routine {
     let entry = Entry {
         name: "hip".to_owned(),
@@ -147,9 +147,9 @@ pub(super) fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stor
     Routine::of(program, &readable, names, stored)
 }
 
-/// The sine of q₁, and a chain of steps of which each is a result.
+/// The sine of q₁, and a chain of steps that are all results.
 #[test]
-fn what_is_only_a_result_leaves_no_block() {
+fn a_stored_result_is_not_returned_by_its_block() {
     let steps = 1000_u32;
     let q = Operand::Input(Input::Variable(Variable::Q, 0));
     let operation = |k: u32| match k {
@@ -170,19 +170,19 @@ fn what_is_only_a_result_leaves_no_block() {
             .collect(),
         ..Program::default()
     };
-    let handed_on = |stored| {
+    let outputs = |stored| {
         let names = Names::beside(&[]);
         let routine = of_a_hinge((&program, Length::UNBOUNDED), names, stored);
-        let handed_on = |statement: &Statement| match statement {
-            Statement::Block { handed_on, .. } => handed_on.len(),
+        let outputs = |statement: &Statement| match statement {
+            Statement::Block { outputs, .. } => outputs.len(),
             _ => 0,
         };
-        let blocks: usize = routine.statements.iter().map(handed_on).sum();
+        let blocks: usize = routine.statements.iter().map(outputs).sum();
         (blocks, routine.stored.len())
     };
-    assert_eq!(handed_on(Stored::AtTheEnd), (1000, 0));
-    let (blocks, stored) = handed_on(Stored::AsFound);
-    // The last of each block alone is read by the next one.
+    assert_eq!(outputs(Stored::AtTheEnd), (1000, 0));
+    let (blocks, stored) = outputs(Stored::Early);
+    // The next block reads only the last step of each block.
     assert!((1..20).contains(&blocks), "{blocks}");
     assert_eq!(stored, 1001);
 }

@@ -1,15 +1,15 @@
-//! What sections compute against the whole, and what they may hold.
+//! Results of sections compared with those of the whole program, and their lengths.
 
 use std::collections::BTreeMap;
 
 use homogen_random::Random;
 
-use super::{Length, Section, Waiting, sections};
+use super::{Length, Section, Shared, sections};
 use crate::expression::Input;
 use crate::schedule::{Operand, Operation, Program, Step, run};
 use crate::space::Variable;
 
-/// Steps of which most read what has just been computed, and some anything: an input, a sine, an old step.
+/// Steps that read mostly recent values, and sometimes any: an input, a sine, an old step.
 fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
     let input = |random: &mut Random| {
         let entry = u16::try_from(random.below(40)).expect("few inputs");
@@ -39,7 +39,7 @@ fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
         let [a, b, c] = [operand(), operand(), operand()];
         let operation = match k % 4 {
             0 => Operation::Sub(a, b),
-            // What is squared again and again overflows.
+            // Repeated squares overflow.
             1 => Operation::Mul(a, Operand::Literal(0.5)),
             2 => Operation::Add(a, b),
             _ => Operation::NegMulAdd(Operand::Literal(0.25), b, c),
@@ -57,10 +57,10 @@ fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
     program
 }
 
-/// What sections compute: each knows nothing but its own values and what it takes.
+/// Results of sections; each reads its own values and those that it loads.
 fn in_sections(program: &Program, length: Length, q: &dyn Fn(Input) -> f64) -> Vec<f64> {
     let cut = sections(program, length).expect("it is long");
-    // What stands before the sections is what the whole program has there.
+    // Values before the sections are those of the whole program.
     let whole = |operand| {
         let results = vec![operand];
         run(
@@ -72,29 +72,31 @@ fn in_sections(program: &Program, length: Length, q: &dyn Fn(Input) -> f64) -> V
         )[0]
     };
     let mut work = vec![f64::NAN; cut.work];
-    for &(value, place) in &cut.given {
+    for &(value, place) in &cut.initial {
         work[place] = whole(value.operand());
     }
     for Section {
-        steps, taken, left, ..
+        steps,
+        loads,
+        stores,
+        ..
     } in &cut.sections
     {
-        let mut known: BTreeMap<Waiting, f64> = taken
+        let mut known: BTreeMap<Shared, f64> = loads
             .iter()
             .map(|&(value, place)| (value, work[place]))
             .collect();
         for step in steps.clone() {
-            let operation =
-                program.steps[step as usize]
-                    .operation
-                    .map(|operand| match Waiting::of(operand) {
-                        Some(value) => known[&value],
-                        None => whole(operand),
-                    });
-            known.insert(Waiting::Step(step), computed(operation));
+            let operation = program.steps[step as usize]
+                .operation
+                .map(|operand| match Shared::of(operand) {
+                    Some(value) => known[&value],
+                    None => whole(operand),
+                });
+            known.insert(Shared::Step(step), computed(operation));
         }
-        for &(step, place) in left {
-            work[place] = known[&Waiting::Step(step)];
+        for &(step, place) in stores {
+            work[place] = known[&Shared::Step(step)];
         }
     }
     let results = program.results.iter().zip(&cut.results);
@@ -114,7 +116,7 @@ fn computed(operation: Operation<f64>) -> f64 {
 }
 
 #[test]
-fn sections_compute_what_the_whole_does() {
+fn sections_compute_the_same_as_the_whole() {
     let mut random = Random::new(1);
     for (steps, before, most) in [(600, 5, 40), (500, 30, 77), (300, 1, 1), (301, 2, 300)] {
         let program = tangled(steps, before, &mut random);
@@ -132,7 +134,7 @@ fn sections_compute_what_the_whole_does() {
 }
 
 #[test]
-fn no_section_is_longer_than_it_may_be_and_all_steps_are_in_one() {
+fn every_step_is_in_a_section_of_allowed_length() {
     let program = tangled(2000, 10, &mut Random::new(2));
     for most in [1, 2, 99, 1999] {
         let cut = sections(&program, Length::at_most(most)).expect("it is long");
@@ -148,10 +150,10 @@ fn no_section_is_longer_than_it_may_be_and_all_steps_are_in_one() {
     assert_eq!(sections(&program, Length::UNBOUNDED), None);
 }
 
-/// A value that nobody reads any more makes room: of a chain of values, each of which the next few read, no more
-/// wait than there are links in sight.
+/// An entry of the array is reused after its last reader: for a chain of values, each of which the next few read, the
+/// length of the array is bounded by that number.
 #[test]
-fn the_array_is_no_longer_than_what_waits() {
+fn the_array_has_only_values_that_are_read_later() {
     let step = |k: u32| Step {
         label: None,
         operation: Operation::Add(

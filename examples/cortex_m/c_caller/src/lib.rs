@@ -1,11 +1,10 @@
-//! The arm's functions for C: the generated file, and nothing of one's own.
-//!
-//! In: nothing. Out: the static library `libarm.a`, whose header the build script writes.
+//! The arm's functions for C: only the generated file. The build script writes the header of the static library
+//! `libarm.a`.
 #![no_std]
 
 include!(concat!(env!("OUT_DIR"), "/arm.rs"));
 
-/// Never reached; a library without a standard library must still have one.
+/// Never reached; required without a standard library.
 #[cfg(target_os = "none")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

@@ -1,11 +1,11 @@
-//! What each function may cost at most.
+//! The largest cost of each function.
 //!
-//! In: a file of lines `arm function instructions text stack`. Out: complaints where a board needs
-//! more, and the lines anew where all need less. The numbers never go up.
+//! In: a file of lines `arm function instructions text stack`. Out: an error if a board needs more, and lower lines if all
+//! need less. The numbers never go up.
 
 use std::collections::BTreeMap;
 
-/// What a function costs.
+/// The cost of a function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Instructions of a call.
@@ -27,8 +27,8 @@ impl Cost {
         self.each(other, u32::min)
     }
 
-    /// What is allowed where this was needed: 3 % more, for other versions of the compiler.
-    fn with_room(self) -> Self {
+    /// The budget for this cost: 3 % more, for other versions of the compiler.
+    fn with_margin(self) -> Self {
         self.each(self, |cost, _| (cost * 103).div_ceil(400) * 4)
     }
 
@@ -48,7 +48,7 @@ impl Budget {
     /// The lines of one arm.
     ///
     /// # Errors
-    /// A line that is none.
+    /// A line of another form.
     pub fn read(text: &str, arm: &str) -> Result<Self, String> {
         let mut budget = BTreeMap::new();
         let lines = text
@@ -76,22 +76,22 @@ impl Budget {
         Ok(Self(budget))
     }
 
-    /// The line of a function that needed `cost` at most: no number is larger than it was.
+    /// The line of a function that needs at most `cost`: no number is larger than before.
     pub fn lowered(&self, arm: &str, function: &str, cost: Cost) -> String {
-        let room = cost.with_room();
+        let budget = cost.with_margin();
         let Cost {
             instructions,
             text,
             stack,
-        } = self.0.get(function).map_or(room, |old| old.min(room));
+        } = self.0.get(function).map_or(budget, |old| old.min(budget));
         format!("{arm} {function} {instructions} {text} {stack}\n")
     }
 
-    /// Complains where `cost` is more than allowed.
+    /// Adds an error if `cost` is larger than the budget.
     pub fn check(&self, board: &str, function: &str, cost: Cost, wrong: &mut Vec<String>) {
         let Some(allowed) = self.0.get(function) else {
             wrong.push(format!(
-                "budget: nothing is said of `{function}`, which costs {cost:?}"
+                "budget: there is no line for `{function}`, which costs {cost:?}"
             ));
             return;
         };
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn more_than_allowed_is_told() {
+    fn costs_above_the_budget_are_errors() {
         let budget = Budget::read("# arm …\npuma gravity 10 20 30\n", "puma").expect("a line");
         let mut wrong = Vec::new();
         let mut cost = Cost {

@@ -1,8 +1,8 @@
-//! The generated C beside the generated Rust.
+//! The generated C compared with the generated Rust.
 //!
-//! In: for each board the image of the controller and the object of the functions in C, taken apart. Out:
-//! the rows of a table, or everything that is wrong with the latter: what no image may have, and a function
-//! that takes more instructions than the same in Rust by more than its share.
+//! In: for each board the disassembled image of the controller and object of the functions in C. Out: the rows of a
+//! table, or all errors of the C: forbidden symbols and instructions, and functions with more instructions than
+//! allowed relative to Rust.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -11,13 +11,13 @@ use crate::error;
 use crate::image::{self, Functions};
 use crate::judge::read;
 
-/// How many instructions in C may stand against a hundred in Rust.
+/// The largest number of instructions in C for a hundred in Rust.
 const SHARE: u32 = 103;
 
-/// Of the arm whose images and objects lie in `seen`, for these boards.
+/// The table of the arm whose images and objects are in `seen`, for these boards.
 ///
 /// # Errors
-/// Everything that is wrong, a line each.
+/// All errors, a line each.
 pub fn table(arm: &str, seen: &str, boards: &[&str]) -> Result<String, String> {
     let mut wrong = Vec::new();
     let mut images = Vec::new();
@@ -31,7 +31,7 @@ pub fn table(arm: &str, seen: &str, boards: &[&str]) -> Result<String, String> {
     for function in error::FUNCTIONS {
         for ([rust, c], board) in images.iter().zip(boards) {
             let [rust, c] = [rust, c].map(|functions| image::instructions(functions, function));
-            // What is not there takes none.
+            // A missing function has none.
             if c == 0 || rust == 0 || 100 * c > SHARE * rust {
                 wrong.push(format!(
                     "{board}: {function} has {c} instructions in C, {rust} in Rust"
@@ -62,7 +62,7 @@ pub fn table(arm: &str, seen: &str, boards: &[&str]) -> Result<String, String> {
     }
 }
 
-/// The functions of an image that lies in a folder, taken apart.
+/// The functions of the disassembled image in a folder.
 fn functions(folder: &Path, wrong: &mut Vec<String>) -> Result<Functions, String> {
     let [symbols, code] = ["symbols", "code"].map(|file| read(&folder.join(file)));
     Ok(image::read(&symbols?, &code?, wrong))

@@ -1,7 +1,6 @@
-//! The states on which the controller is tried, for C.
+//! The states of the tests, for C.
 //!
-//! In: the table of `controller`. Out: a header with the bits of its numbers, so that no compiler
-//! reads a decimal in another way.
+//! In: the table of `controller`. Out: a header with the bits of its numbers, which every compiler reads alike.
 
 use std::fmt::Write;
 

@@ -1,9 +1,8 @@
-//! How far results are from the truth.
+//! Rounding errors of results.
 //!
-//! In: results in single precision, the controller's or others; the generic recursions of the
-//! runtime in double, which share nothing with generated code; and the sizes that rounding errors
-//! are measured by. Out: for each function the worst error over the trusted states, in units of
-//! rounding of f32 (2⁻²⁴).
+//! In: results in single precision; the generic recursions of the runtime in double precision, which share no code
+//! with generated code; and the magnitudes that errors are relative to. Out: for each function the worst error over the
+//! realistic states, in units of rounding of f32 (2⁻²⁴).
 
 use controller::{
     JOINTS, State, TRUSTED, forward_dynamics, forward_kinematics, geometric_jacobian, gravity,
@@ -17,7 +16,7 @@ use crate::arm::Arm;
 /// The unit of rounding of single precision.
 const U: f64 = 1.0 / 16_777_216.0;
 
-/// The functions whose errors are known.
+/// The functions whose errors are measured.
 pub const FUNCTIONS: [&str; 6] = [
     "forward_kinematics",
     "geometric_jacobian",
@@ -27,7 +26,7 @@ pub const FUNCTIONS: [&str; 6] = [
     "forward_dynamics",
 ];
 
-/// What the controller computes; nothing for a function that is not in the table.
+/// The results of the controller; empty for a function that is not in the table.
 pub fn controller(function: &str, state: &State) -> Vec<f32> {
     let State {
         q, qd, qdd, tau, ..
@@ -43,8 +42,7 @@ pub fn controller(function: &str, state: &State) -> Vec<f32> {
     }
 }
 
-/// The worst error of `function`, whose results for the trusted states `found` tells; NaN where it
-/// has none of them.
+/// The worst error of `function`, with its results for the trusted states by `found`; NaN if there are none.
 pub fn worst(function: &str, found: impl Fn(usize, &State) -> Vec<f32>) -> f64 {
     let states = states();
     let states = states.iter().take(TRUSTED).enumerate();
@@ -64,7 +62,7 @@ fn error(function: &str, state: &State, found: &[f32]) -> f64 {
     let entries = found.iter().zip(&truth).zip(&size);
     largest(entries.map(|((found, truth), size)| {
         let error = (f64::from(*found) - truth).abs();
-        // What is zero by construction is the sum of nothing: the others tell its size.
+        // An entry that is zero by construction has no terms: it has the size of the others.
         let size = if size.size() < 1e-6 * most {
             most
         } else {
@@ -74,7 +72,7 @@ fn error(function: &str, state: &State, found: &[f32]) -> f64 {
     }))
 }
 
-/// What should have been found, and of what sizes it is the sum.
+/// The exact results, with the magnitudes of their terms.
 fn truth(function: &str, state: &State) -> (Vec<f64>, Vec<Magnitude<f64>>) {
     let chain = Arm::chain();
     let tip = chain.tip();
@@ -104,9 +102,8 @@ fn truth(function: &str, state: &State) -> (Vec<f64>, Vec<Magnitude<f64>>) {
     }
 }
 
-/// Of accelerations: by how much the torques that produce them are off, in units of what each
-/// torque is the sum of. The error of the accelerations themselves is that times the condition of
-/// the mass matrix, which is the arm's.
+/// The backward error of accelerations: the error of the torques that produce them, relative to the magnitudes of the
+/// terms of each torque. The error of the accelerations is this times the condition number of the mass matrix.
 fn backward(state: &State, found: &[f32]) -> f64 {
     let [q, qd, _, tau] = exact(state);
     let Ok(found) = <[f32; JOINTS]>::try_from(found) else {
@@ -119,7 +116,7 @@ fn backward(state: &State, found: &[f32]) -> f64 {
     largest((0..JOINTS).map(|i| (torques[i] - tau[i]).abs() / (size[i].size() + tau[i].abs()) / U))
 }
 
-/// The largest, or NaN where there is one, which `f64::max` overlooks.
+/// The largest, or NaN if there is one, which `f64::max` ignores.
 fn largest(errors: impl Iterator<Item = f64>) -> f64 {
     let larger = |worst: f64, error| {
         if worst.is_nan() || error <= worst {

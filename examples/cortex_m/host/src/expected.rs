@@ -1,4 +1,4 @@
-//! The results that the firmware compares its own with.
+//! The results of the host for the firmware to compare with.
 //!
 //! In: the controller, compiled for the host. Out: a file of Rust with the bits of its results.
 
@@ -51,7 +51,7 @@ fn table(text: &mut String, name: &str, function: impl Fn(&State) -> Vec<f32>) {
     text.push_str("];\n");
 }
 
-/// Processors differ in the bits of NaN, which are all one here.
+/// The bits of a number; one pattern for every NaN, because the patterns of processors differ.
 fn bits(number: f32) -> String {
     let bits = if number.is_nan() {
         0x7fc0_0000

@@ -1,12 +1,12 @@
-//! What the firmware's image shows.
+//! Symbols and instructions of the firmware's image.
 //!
-//! In: its symbols, as `nm --demangle --print-size` lists them, and its instructions, as
-//! `objdump --disassemble --demangle` does. Out: size and instructions of each function of the
-//! controller, and every property that the image should have and has not.
+//! In: its symbols by `nm --demangle --print-size`, and its instructions by `objdump --disassemble --demangle`. Out: size
+//! and number of instructions of each function of the controller, and an error for each forbidden symbol and
+//! instruction.
 
 use std::collections::BTreeMap;
 
-/// What only an image has in which something can panic, allocate, or is dispatched by a table.
+/// Symbols of images that can panic, allocate, or call through a table.
 const FORBIDDEN: [(&str, &str); 8] = [
     ("panicking", "a path that panics"),
     ("unwrap_failed", "a path that panics"),
@@ -23,7 +23,7 @@ const FORBIDDEN: [(&str, &str); 8] = [
 pub struct Function {
     /// Bytes of its instructions and constants.
     pub bytes: u32,
-    /// How many instructions it has.
+    /// Number of its instructions.
     pub instructions: u32,
     /// Functions of the controller that it calls, one for each call.
     pub calls: Vec<String>,
@@ -32,7 +32,7 @@ pub struct Function {
 /// The functions of the controller, by name.
 pub type Functions = BTreeMap<String, Function>;
 
-/// How many instructions a call takes, with those of the functions that it calls.
+/// Number of instructions of a call, with those of the functions that it calls.
 pub fn instructions(functions: &Functions, name: &str) -> u32 {
     functions.get(name).map_or(0, |function| {
         let called = function
@@ -43,7 +43,7 @@ pub fn instructions(functions: &Functions, name: &str) -> u32 {
     })
 }
 
-/// Reads an image; everything that is wrong with it is appended to `wrong`.
+/// Reads an image; its errors are appended to `wrong`.
 pub fn read(symbols: &str, code: &str, wrong: &mut Vec<String>) -> Functions {
     let mut functions = Functions::new();
     for line in symbols.lines() {
@@ -93,10 +93,10 @@ fn is_double(name: &str) -> bool {
         && (name.ends_with("df2") || name.ends_with("df3") || name.contains("2d"))
 }
 
-/// `gravity`, of `controller::control::gravity` or in C of `arm_gravity`, and `sin_cos` of the generated
-/// file: the functions of the library, not those that measure.
+/// The short name of a function of the library: `gravity` for `controller::control::gravity` or `arm_gravity` in C, and
+/// `sin_cos` of the generated file. `None` for functions of the measurement.
 fn short(name: &str) -> Option<&str> {
-    // Compilers have two ways to write the last.
+    // Compilers write the last one in two ways.
     let prefixes = [
         "arm_",
         "controller::control::",
@@ -130,7 +130,7 @@ impl<'a> Instruction<'a> {
         })
     }
 
-    /// What no function of the image may do.
+    /// Adds an error if the instruction is forbidden in every function of the image.
     fn judge(&self, inside: &str, wrong: &mut Vec<String>) {
         if self.mnemonic.contains(".f64") {
             let line = self.line.trim();
@@ -146,13 +146,13 @@ impl<'a> Instruction<'a> {
         }
     }
 
-    /// Which function of the controller `5d0 <controller::sines::sin_cos>` is.
+    /// The function of the controller in an operand such as `5d0 <controller::sines::sin_cos>`.
     fn called(&self) -> Option<&str> {
         let (_, name) = self.operands.split_once('<')?;
         short(name.strip_suffix('>')?)
     }
 
-    /// Whether the operand is a later place in the function.
+    /// True if the operand is a later address in the function.
     fn is_forward_in(&self, inside: &str) -> bool {
         let place = self.line.trim().split(':').next().unwrap_or_default();
         let (to, name) = self.operands.split_once(' ').unwrap_or_default();
@@ -162,10 +162,10 @@ impl<'a> Instruction<'a> {
             && matches!((from, to), (Ok(from), Ok(to)) if to > from)
     }
 
-    /// What a function of the controller may do: compute, and call another.
+    /// Counts the instruction; a function of the controller may only compute and call others.
     fn count(&self, inside: &str, function: &mut Function, wrong: &mut Vec<String>) {
         if self.mnemonic == "nop" {
-            return; // behind the return, before the constants
+            return; // after the function's return, before its constants
         }
         function.instructions += 1;
         let branches = self.mnemonic.starts_with('b') || self.mnemonic.starts_with("cb");
@@ -173,7 +173,7 @@ impl<'a> Instruction<'a> {
             .iter()
             .any(|bits| self.mnemonic.starts_with(bits));
         let returns = self.mnemonic == "bx" && self.operands == "lr";
-        // A jump forward, over constants that stand among the instructions.
+        // A forward jump over constants among the instructions.
         let skips = ["b.n", "b.w"].contains(&self.mnemonic) && self.is_forward_in(inside);
         if !branches || bits || returns || skips {
         } else if let ("bl", Some(called)) = (self.mnemonic, self.called()) {
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_should_not_be_there_is_found() {
+    fn forbidden_symbols_and_instructions_are_errors() {
         for symbol in [
             "core::panicking::panic_fmt",
             "__aeabi_dmul",

@@ -1,7 +1,7 @@
-//! Whether the firmware is what it should be, on every board.
+//! The checks of the firmware on every board.
 //!
-//! In: for each board a folder with `log` (what the firmware said), `symbols` and `code` (its
-//! image), and the budget. Out: the rows of a table, or everything that is wrong.
+//! In: for each board a folder with `log` (the output of the firmware), `symbols` and `code` (its image), and the budget.
+//! Out: the rows of a table, or all errors.
 
 use std::fmt::Write;
 use std::fs;
@@ -23,19 +23,19 @@ const FUNCTIONS: [&str; 8] = [
     "forward_dynamics",
 ];
 
-/// `gravity` as a firmware has it that does nothing else: the sines are counted to its text.
+/// The row of `gravity` with the text of the sines, as in a firmware with this function only.
 const GRAVITY_ALONE: &str = "gravity_and_sines";
 
-/// The worst error that passes, in units of rounding.
+/// The largest allowed error, in units of rounding.
 const ERROR: f64 = 20.0;
 
-/// How many more instructions a call may take than the function has: its caller loads arguments.
+/// The largest difference between the instructions of a call and those of the function, for loading arguments.
 const ARGUMENTS: u32 = 8;
 
-/// Judges the boards whose observations lie in `folders`, each called as its board.
+/// Checks the boards with observations in `folders`, each with the name of its board.
 ///
 /// # Errors
-/// Everything that is wrong, a line each.
+/// All errors, a line each.
 pub fn judge(arm: &str, budget: &str, folders: &[&str]) -> Result<String, String> {
     let budget = Budget::read(&read(Path::new(budget))?, arm)?;
     let mut wrong = Vec::new();
@@ -45,7 +45,7 @@ pub fn judge(arm: &str, budget: &str, folders: &[&str]) -> Result<String, String
         let known = error::FUNCTIONS.contains(&function);
         let error =
             known.then(|| error::worst(function, |_, state| error::controller(function, state)));
-        // NaN is no number that passes.
+        // NaN does not pass.
         if error.is_some_and(|error| error.is_nan() || error > ERROR) {
             wrong.push(format!("{function} is off by {error:?} units of rounding"));
         }
@@ -54,10 +54,10 @@ pub fn judge(arm: &str, budget: &str, folders: &[&str]) -> Result<String, String
     unless(&wrong, table)
 }
 
-/// The arm's lines of the budget, lowered to what the boards in `folders` needed.
+/// The arm's lines of the budget, lowered to the costs of the boards in `folders`.
 ///
 /// # Errors
-/// Everything that is wrong, a line each.
+/// All errors, a line each.
 pub fn lowered(arm: &str, budget: &str, folders: &[&str]) -> Result<String, String> {
     let budget = Budget::read(&read(Path::new(budget))?, arm)?;
     let mut wrong = Vec::new();
@@ -106,14 +106,14 @@ fn row(table: &mut String, arm: &str, function: &str, boards: &[Board], error: O
     );
 }
 
-/// What was seen of one board.
+/// The observations of one board.
 pub struct Board {
     functions: Functions,
     log: String,
 }
 
 impl Board {
-    /// Reads a folder; everything that is wrong with the image is appended to `wrong`.
+    /// Reads a folder; errors of the image are appended to `wrong`.
     ///
     /// # Errors
     /// A file that cannot be read.
@@ -138,19 +138,19 @@ impl Board {
         Ok(board)
     }
 
-    /// Whether the bits were the host's, and every call took the instructions that stand there.
+    /// Adds an error unless the bits are those of the host, and every call takes the instructions of the image.
     fn check(&self, function: &str, wrong: &mut Vec<String>) {
-        match *self.said("differences", function) {
+        match *self.reported("differences", function) {
             [0] => {}
             [different] => wrong.push(format!(
                 "{function}: {different} results are not the host's"
             )),
             _ => wrong.push(format!(
-                "{function}: the firmware said nothing of its results"
+                "{function}: no results in the output of the firmware"
             )),
         }
-        let &[least, most, _] = &*self.said("cost", function) else {
-            wrong.push(format!("{function}: the firmware said nothing of its cost"));
+        let &[least, most, _] = &*self.reported("cost", function) else {
+            wrong.push(format!("{function}: no cost in the output of the firmware"));
             return;
         };
         if least != most {
@@ -158,7 +158,7 @@ impl Board {
                 "{function}: from {least} to {most} instructions a call"
             ));
         }
-        // And the branch to it.
+        // Plus the branch to it.
         let listed = image::instructions(&self.functions, function) + 1;
         if !(listed..=listed + ARGUMENTS).contains(&most) {
             wrong.push(format!(
@@ -167,22 +167,22 @@ impl Board {
         }
     }
 
-    /// What a function costs.
+    /// The cost of a function.
     pub fn cost(&self, function: &str) -> Cost {
         if function == GRAVITY_ALONE {
             let gravity = self.cost("gravity");
             let text = gravity.text + self.text("sin_cos");
             return Cost { text, ..gravity };
         }
-        let said = self.said("cost", function);
+        let cost = self.reported("cost", function);
         Cost {
-            instructions: said.get(1).copied().unwrap_or_default(),
+            instructions: cost.get(1).copied().unwrap_or_default(),
             text: self.text(function),
-            stack: said.get(2).copied().unwrap_or_default(),
+            stack: cost.get(2).copied().unwrap_or_default(),
         }
     }
 
-    /// The instructions of a call that sines and cosines take, but for the way to them and back.
+    /// The instructions of sines and cosines in a call, without calls and returns.
     pub fn inside_sines(&self, function: &str) -> u32 {
         let calls = self.functions.get(function).map_or(0, |function| {
             let calls = function.calls.iter().filter(|name| *name == "sin_cos");
@@ -197,7 +197,7 @@ impl Board {
     }
 
     /// The numbers of the line that begins with these words.
-    pub fn said(&self, what: &str, function: &str) -> Vec<u32> {
+    pub fn reported(&self, what: &str, function: &str) -> Vec<u32> {
         let start = format!("{what} {function} ");
         let line = self.log.lines().find_map(|line| line.strip_prefix(&start));
         let numbers = line.unwrap_or_default().split_whitespace();

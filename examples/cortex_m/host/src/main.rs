@@ -1,11 +1,14 @@
-//! What the controller should compute, and whether its image is what it should be.
+//! Expected results of the controller, and checks of its image. It does not build or run firmware.
 //!
-//! `host expected` writes the results that the firmware compares its own with, `host states` the
-//! states for C.
-//! `host judge FOLDER…` reads what was seen of each board's firmware, and prints a table or what is
-//! wrong, `host budget FOLDER…` the budget lowered to that; `host sines FOLDER…` prints the table of
-//! the firmware that compares sines, `host peer FOLDER BOARD…` the one beside the peer, `host c99 FOLDER
-//! BOARD…` the one of the generated C. It never builds or runs anything itself.
+//! | command | output |
+//! |---|---|
+//! | `host expected` | the results for the firmware to compare with |
+//! | `host states` | the states for C |
+//! | `host judge FOLDER…` | a table of the observations of each board's firmware, or the errors |
+//! | `host budget FOLDER…` | the budget, lowered to these observations |
+//! | `host sines FOLDER…` | the table of the firmware that compares sines |
+//! | `host peer FOLDER BOARD…` | the table beside the C of CasADi |
+//! | `host c99 FOLDER BOARD…` | the table of the generated C |
 
 mod arm;
 mod budget;
@@ -31,7 +34,7 @@ fn main() -> ExitCode {
         ["budget", arm, budget, boards @ ..] => judge::lowered(arm, budget, boards),
         ["peer", arm, seen, boards @ ..] => {
             peer::table(arm, seen, boards).map(|[table, behind]| {
-                // The table goes to a file of all arms, and this to the one who reads what comes of it.
+                // The table goes to a file of all arms, this to the terminal.
                 eprint!("{behind}");
                 table
             })

@@ -1,9 +1,8 @@
-//! The controller beside the peer's C.
+//! The controller compared with the C of CasADi.
 //!
-//! In: for each board what was seen of the controller, and of the firmware of the peer's functions:
-//! as `CasADi` writes them and edited, each with the sines of newlib and with sines that return at
-//! once. Out: the rows of a table, and where the controller is not ahead. The errors of all are
-//! measured by the same truth.
+//! In: for each board the observations of the controller, and of the firmware with the functions of `CasADi`: original
+//! and edited, each with the sines of newlib and with sines that return at once. Out: the rows of a table, and a line for
+//! each number in which the controller is not better. All errors are relative to the same exact results.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -11,24 +10,24 @@ use std::path::{Path, PathBuf};
 use crate::error;
 use crate::judge::{Board, read};
 
-/// Rows of a function: what the table calls the code, and its folder, none for the controller's.
+/// The rows of a function: the name of the code in the table, and its folder; none for the controller.
 const CODES: [(&str, Option<&str>); 3] = [
     ("`homogen`", None),
     ("CasADi", Some("plain")),
     ("CasADi, edited", Some("restrict")),
 ];
 
-/// What one code costs on one board.
+/// The cost of one code on one board.
 struct Cost {
-    /// The least and the most of everyday states, and the worst of all.
+    /// The least and the most of the realistic states, and the most of all.
     instructions: [u32; 3],
     without_sines: u32,
     text: u32,
     stack: u32,
 }
 
-/// Of the arm whose observations lie in `seen`, for these boards: the rows of the table, and the
-/// numbers in which the controller is not ahead, a line each.
+/// The rows of the table for the arm with observations in `seen` on these boards, and a line for each number in which
+/// the controller is not better.
 ///
 /// # Errors
 /// A file that cannot be read.
@@ -124,10 +123,12 @@ fn of_controller(folder: &Path, function: &str) -> Result<Cost, String> {
 fn of_peer(folder: &Path, function: &str) -> Result<Cost, String> {
     let whole = Board::read(&folder.join("newlib"), &mut Vec::new())?;
     let bare = Board::read(&folder.join("none"), &mut Vec::new())?;
-    let &[least, most, worst, stack] = &*whole.said("cost", function) else {
-        return Err(format!("the peer's firmware said nothing of {function}"));
+    let &[least, most, worst, stack] = &*whole.reported("cost", function) else {
+        return Err(format!(
+            "no {function} in the output of the peer's firmware"
+        ));
     };
-    let without = bare.said("cost", function);
+    let without = bare.reported("cost", function);
     let size = format!(" peer_{function}");
     let symbols = read(&folder.join("newlib/symbols"))?;
     let line = symbols.lines().find(|line| line.ends_with(&size));
@@ -141,7 +142,7 @@ fn of_peer(folder: &Path, function: &str) -> Result<Cost, String> {
     })
 }
 
-/// All results of a function, state after state.
+/// All results of a function, state by state.
 fn results(folder: &Path, function: &str) -> Result<Vec<f32>, String> {
     let log = read(&folder.join("newlib/log"))?;
     let start = format!("result {function} ");

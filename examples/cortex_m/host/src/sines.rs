@@ -1,4 +1,4 @@
-//! Sines beside each other.
+//! Comparison of functions for sines.
 //!
 //! In: for each board a folder with `log` and `symbols` of the firmware that compares them. Out: the
 //! rows of a table.
@@ -13,8 +13,7 @@ use homogen::trigonometry::single;
 /// A function from an angle to its sine and cosine.
 type SinCos = fn(f32) -> (f32, f32);
 
-/// The functions: what the log calls them, what the table does, up to which angle their errors are
-/// sought \[rad\], and the function.
+/// The functions: the name in the log, the name in the table, the largest angle of the errors \[rad\], and the function.
 const SINES: [(&str, &str, f32, SinCos); 4] = [
     (
         "own",
@@ -42,7 +41,7 @@ const SINES: [(&str, &str, f32, SinCos); 4] = [
     ),
 ];
 
-/// The table's rows, from what was seen of each board.
+/// The rows of the table, from the observations of each board.
 ///
 /// # Errors
 /// A file that cannot be read.
@@ -90,7 +89,7 @@ fn counts(log: &str, name: &str) -> String {
     }
 }
 
-/// The bytes of the function and of all that exists for it.
+/// The bytes of the function and of the code and constants that only it uses.
 fn bytes(symbols: &str, name: &str) -> u32 {
     let own = |symbol: &str| match name {
         "own" | "user" => symbol.strip_prefix("sines::") == Some(name),

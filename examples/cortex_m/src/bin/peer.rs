@@ -1,8 +1,7 @@
-//! A firmware that measures the peer's C as the controller is measured.
+//! A firmware that measures the C of CasADi like the controller.
 //!
-//! In: the functions that `report/peer` and a C compiler made, which `build.rs` links where the
-//! variable `PEER` names them. Out: over semihosting the bits of every result, and instructions
-//! and stack of every function, for `run.sh --peer`.
+//! In: the functions by `report/peer` and a C compiler, which `build.rs` links by the variable `PEER`. Out: over
+//! semihosting the bits of every result, and instructions and stack of every function, for `run.sh --peer`.
 #![no_std]
 #![no_main]
 
@@ -25,11 +24,10 @@ use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
 use clock::Clock;
 use report::Line;
 
-/// The longest result, of an arm of six joints or more.
+/// The length of the longest result, of an arm with six joints or more.
 const LONGEST: usize = JOINTS * JOINTS;
 
-/// Declares functions as `CasADi` writes them: arguments, results, and work space that none of these
-/// needs.
+/// Declares functions of `CasADi`: arguments, results, and work space, which these functions do not need.
 macro_rules! peers {
     ($($name:ident)*) => {
         #[expect(unsafe_code, reason = "C has no types that could be checked")]
@@ -91,8 +89,8 @@ fn run(clock: &Clock) {
     });
 }
 
-/// Tells results and costs of one function, over the states whose errors are measured: the least
-/// and the most of the everyday ones, the worst of all, and the depth of the stack.
+/// Prints results and costs of one function, over the states whose errors are measured: the least and the most
+/// instructions of the realistic states, the most of all, and the depth of the stack.
 fn examine(
     name: &str,
     clock: &Clock,
@@ -104,7 +102,7 @@ fn examine(
         let State {
             q, qd, qdd, tau, ..
         } = state;
-        // The third argument of forward dynamics is torques.
+        // The third argument of forward dynamics is the torques.
         let third = if name == "forward_dynamics" { tau } else { qdd };
         let arguments = [q, qd, third];
         let result = Cell::new([0.0; LONGEST]);
@@ -131,7 +129,7 @@ fn examine(
     line.print();
 }
 
-/// The bits of a result, a line each.
+/// Prints the bits of a result, one line a number.
 fn words(name: &str, result: &[f32], length: usize) {
     for number in result.iter().take(length) {
         let mut line = Line::new();

@@ -1,9 +1,9 @@
-//! A firmware that compares sines: those that a generated file brings along, the runtime's for
-//! angles of any size, `libm`'s, and those of a user.
+//! A firmware that compares sines: those of a generated file, those of the runtime for angles of any size, those of
+//! `libm`, and those of a user.
 //!
-//! In: angles. Out: over semihosting, for each function the least and the largest number of
-//! instructions of a call. `libm` computes its single precision in double, by routines of the
-//! compiler where the processor has none, and takes a time that depends on the angle.
+//! In: angles. Out: over semihosting, for each function the least and the largest number of instructions of a call.
+//! `libm` computes single precision in double, by routines of the compiler if the processor has no double precision;
+//! its time depends on the angle.
 #![no_std]
 #![no_main]
 
@@ -24,7 +24,7 @@ use homogen::trigonometry::single;
 use clock::Clock;
 use report::Line;
 
-/// What joints do, and what they do not.
+/// Angles of joints, and larger ones.
 const ANGLES: [f32; 12] = [
     0.0, 0.1, -0.7, 1.5, -2.2, 3.1, 4.0, -5.5, 7.0, 30.0, -400.0, 3000.0,
 ];
@@ -63,7 +63,7 @@ fn say(clock: &Clock, name: &str, function: impl Fn(f32) -> (f32, f32)) {
     line.print();
 }
 
-/// The same text as in a generated file, which keeps its function to itself.
+/// The same text as in a generated file, whose function is private.
 #[inline(never)]
 fn own(angle: f32) -> (f32, f32) {
     single::sin_cos_moderate(angle)

@@ -1,7 +1,7 @@
-//! Two bodies with a hinge and a spring between them, and how they move on by themselves.
+//! The free motion of two bodies with a hinge and a spring between them.
 //!
-//! In: inertias, the hinge, the spring; a state. Out: the state a step later, and the momentum and the
-//! energy of a state. It never makes them constant: that they are is what the flight shows.
+//! In: inertias, the hinge, the spring; a state. Out: the state after a step, and the momentum and the energy of a
+//! state. The integration does not enforce that these are constant.
 
 use homogen::open_chain::commutator;
 use homogen::{Acceleration, Inertia, Momentum, Pose, Screw, Velocity, vector};
@@ -22,12 +22,12 @@ pub struct Bodies {
     pub stiffness: f64,
 }
 
-/// Where the bodies are and how they move.
+/// The state of the bodies.
 #[derive(Clone, Copy)]
 pub struct State {
     /// M₀,₁.
     pub pose: Pose<f64>,
-    /// How they move.
+    /// The rates.
     pub rates: Rates,
     /// The derivative of the rates.
     pub slope: Rates,
@@ -44,7 +44,7 @@ pub struct Rates {
     pub rate: f64,
 }
 
-/// What must not change.
+/// The constants of the motion.
 #[derive(Clone, Copy)]
 pub struct Constants {
     /// Γ₍₀₎ of both bodies.
@@ -69,7 +69,7 @@ impl Bodies {
         }
     }
 
-    /// In motion, at the beginning.
+    /// The initial state.
     pub fn start(&self) -> State {
         let rates = Rates {
             w: Velocity::new([0.4, 1.2, -0.3], [0.1, -0.05, 0.08]),
@@ -88,8 +88,8 @@ impl Bodies {
         self.placement * self.hinge.exp(angle).to_relative_pose()
     }
 
-    /// Ẇ and q̈ that need no action from outside: Lagrange's equations in frame (1), of the six unit
-    /// screws of that frame and of the hinge.
+    /// Ẇ and q̈ without external wrenches: Lagrange's equations in frame (1), for the six unit screws of that frame
+    /// and the hinge.
     pub fn slope(&self, rates: &Rates) -> Rates {
         let m_1_2 = self.relative_pose(rates.angle);
         let (hinge, second) = (
@@ -132,9 +132,9 @@ impl Bodies {
         }
     }
 
-    /// One step of fourth order: Runge and Kutta's for the rates, Magnus' series for the pose.
+    /// One step of fourth order: Runge–Kutta for the rates, the Magnus series for the pose.
     ///
-    /// The rates do not depend on the pose, since nothing outside acts.
+    /// The rates do not depend on the pose, because there are no external forces.
     pub fn step(&self, state: &State, h: f64) -> State {
         let (y, k_1) = (&state.rates, &state.slope);
         let k_2 = self.slope(&y.plus(0.5 * h, k_1));
@@ -159,7 +159,7 @@ impl Bodies {
         }
     }
 
-    /// What they have together in a state.
+    /// Momentum and energy of both bodies in a state.
     pub fn constants(&self, state: &State) -> Constants {
         let rates = &state.rates;
         let m_1_2 = self.relative_pose(rates.angle);

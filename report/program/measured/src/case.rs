@@ -1,7 +1,7 @@
 //! One program: a function in one formulation and one type of number.
 //!
-//! In: a closure that calls it. Out: a batch over all states for the clock, and its results one by
-//! one for the errors. Calls inside a batch are direct, as in a controller.
+//! In: a closure that calls it. Out: a batch over all states for its time, and single results for its errors. Calls
+//! inside a batch are direct, as in a controller.
 
 use std::array;
 use std::hint::black_box;
@@ -12,7 +12,7 @@ use homogen::Scalar;
 use crate::entries::Entries;
 use crate::truth::{Truth, Truths};
 
-/// Arguments of a robot with so many coordinates and velocities.
+/// Arguments of a robot with `NQ` coordinates and `NV` velocities.
 #[derive(Clone, Copy)]
 #[allow(
     dead_code,
@@ -29,17 +29,17 @@ pub struct State<T, const NQ: usize, const NV: usize> {
     pub tau: [T; NV],
 }
 
-/// A program to be timed and judged.
+/// A program whose time and errors are measured.
 pub struct Case {
-    /// What tells it from the others.
+    /// Its name.
     pub name: String,
     /// The type of its numbers.
     pub scalar: &'static str,
     /// One call a state.
     pub batch: Box<dyn Fn()>,
-    /// The numbers that it returns at a state.
+    /// The numbers of its result at a state.
     pub results: Box<dyn Fn(usize) -> Vec<f64>>,
-    /// Which entries of the exact result they stand for; all in order where empty.
+    /// Their indices in the exact result; all in order if empty.
     pub entries: Vec<usize>,
 }
 
@@ -66,7 +66,7 @@ impl Case {
             name: name.to_owned(),
             scalar,
             batch: Box::new(move || {
-                // By reference: a result that is moved is loaded once more, which waits for its stores.
+                // By reference: a moved result would be loaded again, after its stores.
                 for state in &*states {
                     black_box(&call(black_box(state)));
                 }
@@ -84,7 +84,7 @@ impl Case {
 /// The states in a type of number.
 ///
 /// # Panics
-/// Where the robot has other numbers of coordinates and velocities.
+/// If the robot has other numbers of coordinates and velocities.
 #[allow(
     dead_code,
     reason = "the generated robots need it, where there are any"

@@ -1,7 +1,7 @@
-//! The most that a processor can compute: fused products and sums of which none waits for another.
+//! The limit of the processor: independent fused products and sums.
 //!
-//! In: how many states. Out: a [`Program`] that does [`OPERATIONS`] of them in the place of each state, on the widest
-//! vectors; none where the processor fuses nothing.
+//! In: the number of states. Out: a [`Program`] with [`OPERATIONS`] operations for each state, in the widest registers;
+//! `None` if the processor has no fused operation.
 
 use std::hint::black_box;
 
@@ -9,20 +9,20 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::program::{Program, Run};
 
-/// Products and sums in the place of a state.
+/// Number of fused products and sums for each state.
 const OPERATIONS: usize = 1024;
 
-/// Sums that are under way at a time: more than two units of a latency of five cycles begin, and no more than
-/// sixteen registers hold beside the factors.
+/// Number of independent sums: more than the ten operations that two units with a latency of five cycles have in
+/// flight, and few enough for sixteen registers with the factors.
 const SUMS: usize = 12;
 
 macro_rules! limit {
     ($name:ident, $Work:ident, $number:ident, $lanes:ident, $splat:ident, $mul_add:ident, $reduce:ident) => {
-        /// So many operations.
+        /// A number of operations.
         struct $Work(usize);
 
         impl WithSimd for $Work {
-            /// What is summed; nothing where the processor has no vectors.
+            /// The sum; `None` without SIMD instructions.
             type Output = Option<$number>;
 
             #[inline(always)]
@@ -41,7 +41,7 @@ macro_rules! limit {
             }
         }
 
-        /// The limit in this type of number, for so many states a thread.
+        /// The limit in this type of number, for `states` states a thread.
         pub fn $name(states: usize) -> Option<Program<$number>> {
             let processor = Arch::new();
             processor.dispatch($Work(OPERATIONS))?;

@@ -1,9 +1,8 @@
-//! Runs every program of one function in turns, and prints what each took and how far it was off.
+//! Runs every program of one function in turns, and prints the time and the errors of each.
 //!
-//! In: `SCENE FUNCTION TRUTH BATCHES`, where TRUTH is the folder with the scene's states and exact
-//! results; then, for each peer, `MAKER TYPE SYMBOL LIBRARY`. Out: a line a program: name, type, quartiles of the
-//! time per call in ns, median, 99th percentile and worst of the error. What the programs are was
-//! generated.
+//! In: `SCENE FUNCTION TRUTH BATCHES`, with TRUTH the folder of the scene's states and exact results; then, for each
+//! other program, `MAKER TYPE SYMBOL LIBRARY`. Out: a line a program: name, type, quartiles of the time per call in ns,
+//! median, 99th percentile and maximum of the error. The source of the programs is generated.
 
 mod case;
 #[path = "../../../../examples/src/entries.rs"]
@@ -33,7 +32,7 @@ use with_libm::Libm;
 
 include!(concat!(env!("OUT_DIR"), "/cases.rs"));
 
-/// Long beside the clock's resolution, short beside what else happens on a machine.
+/// The shortest batch: long relative to the clock's resolution, short relative to other events on a machine.
 const SHORTEST: Duration = Duration::from_micros(200);
 
 fn main() -> Result<(), Box<dyn Error>> {

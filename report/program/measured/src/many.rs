@@ -1,9 +1,9 @@
-//! Runs every program of one function on many states in turns, and prints what each took and how far it was off.
+//! Runs every program of one function on many states in turns, and prints the time and the errors of each.
 //!
-//! In: `SCENE FUNCTION TRUTH BATCHES STATES`, where TRUTH is the folder with the scene's states and exact
-//! results, which are gone through again until each thread has STATES of them; then, for each peer, `MAKER TYPE
-//! SYMBOL LIBRARY`. Out: a line a program as those of `measured`, with times per state; first of one thread,
-//! and then, with `:all` behind the name, of all. What the programs are was generated.
+//! In: `SCENE FUNCTION TRUTH BATCHES STATES`, with TRUTH the folder of the scene's states and exact results, which are
+//! repeated until each thread has STATES of them; then, for each other program, `MAKER TYPE SYMBOL LIBRARY`. Out: a line
+//! a program as from `measured`, with times per state; first on one thread, then on all, with `:all` behind the name.
+//! The source of the programs is generated.
 
 #[path = "../../../../examples/src/entries.rs"]
 mod entries;
@@ -31,7 +31,7 @@ use entries::Entries;
 use program::{Foreigners, Program};
 use truth::Truths;
 
-/// The programs of a function of ours: one state at a time, and each kind of vectors that this processor has.
+/// Our programs of a function: one state at a time, and in registers of each length that this processor has.
 #[allow(
     unused_macros,
     reason = "the generated robots need it, where there are any"
@@ -62,17 +62,17 @@ macro_rules! programs {
 
 include!(concat!(env!("OUT_DIR"), "/many.rs"));
 
-/// Long beside the clock's resolution, short beside what else happens on a machine.
+/// The shortest batch: long relative to the clock's resolution, short relative to other events on a machine.
 const SHORTEST: Duration = Duration::from_micros(200);
 
-/// A type of number, and what is measured in it.
+/// A type of number, with the programs that are measured in it.
 trait Measured: Number + Entries + 'static {
     const NAME: &str;
 
     /// Our programs of a function of a scene.
     fn ours(scene: &str, function: &str) -> Vec<Program<Self>>;
 
-    /// A thousand operations or so in the place of a state, fused and without any order among them.
+    /// The limit of the processor: about a thousand independent fused operations for each state.
     fn limit(states: usize) -> Option<Program<Self>>;
 }
 
@@ -100,13 +100,13 @@ impl Measured for f32 {
     }
 }
 
-/// What is asked for.
+/// The arguments of the command line.
 struct Request<'a> {
     scene: &'a str,
     function: &'a str,
     truths: Truths,
     batches: usize,
-    /// Of each thread.
+    /// Number of states of each thread.
     states: usize,
     peers: &'a [[String; 4]],
 }
@@ -128,12 +128,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     for (suffix, threads) in [("", 1), (":all", threads)] {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
-        // Within the pool, so that none of its threads must be woken for a batch on one.
-        let said = pool.install(|| {
+        // Inside the pool, so that a batch on one thread need not wake another.
+        let text = pool.install(|| {
             let double = measure::<f64>(&request, suffix)?;
             Ok::<_, String>(double + &measure::<f32>(&request, suffix)?)
         });
-        print!("{}", said?);
+        print!("{}", text?);
     }
     Ok(())
 }
@@ -172,9 +172,9 @@ fn measure<T: Measured>(request: &Request<'_>, suffix: &str) -> Result<String, S
     let batches: Vec<&dyn Fn()> = batches.iter().map(|batch| batch as &dyn Fn()).collect();
     let calls = u32::try_from(states).map_err(|reason| reason.to_string())?;
     let times = timing::alternate(request.batches, calls, SHORTEST, &batches);
-    let mut said = String::new();
+    let mut text = String::new();
     for ((program, batch), time) in programs.iter().zip(batches).zip(times) {
-        // What one program leaves is not to be taken for another's.
+        // The results of one program must not be taken for another's.
         results.borrow_mut().fill(T::constant(f64::NAN));
         batch();
         let found = |state: usize| {
@@ -186,7 +186,7 @@ fn measure<T: Measured>(request: &Request<'_>, suffix: &str) -> Result<String, S
         };
         let errors = truth.errors(&found, &[]);
         writeln!(
-            said,
+            text,
             "{}{suffix} {} {:.3} {:.3} {:.3} {:e} {:e} {:e}",
             program.name,
             T::NAME,
@@ -199,5 +199,5 @@ fn measure<T: Measured>(request: &Request<'_>, suffix: &str) -> Result<String, S
         )
         .map_err(|reason| reason.to_string())?;
     }
-    Ok(said)
+    Ok(text)
 }

@@ -1,6 +1,6 @@
-//! Functions of others, one call a state.
+//! Functions of other programs, one call a state.
 //!
-//! In: who made it, the type of its numbers, a symbol and a library. Out: a [`Case`] that stands beside ours.
+//! In: the maker, the type of number, a symbol and a library. Out: a [`Case`] for comparison with ours.
 
 use std::cell::RefCell;
 use std::error::Error;
@@ -14,16 +14,16 @@ use crate::entries::Entries;
 use crate::library::Foreign;
 use crate::truth::Truths;
 
-/// A function, and what it is called with.
+/// A function with its arguments.
 struct Peer<T> {
     function: Foreign<T>,
     states: Vec<T>,
-    /// Where the arguments stand in a state.
+    /// The ranges of the arguments in a state.
     places: [Range<usize>; 3],
     result: RefCell<Vec<T>>,
 }
 
-/// The program that MAKER, TYPE, SYMBOL and LIBRARY tell, for a function of ours.
+/// The program by MAKER, TYPE, SYMBOL and LIBRARY, for one of our functions.
 pub fn load(what: &[String; 4], function: &str, truths: &Truths) -> Result<Case, Box<dyn Error>> {
     match &*what[1] {
         "f64" => load_of::<f64>(what, "f64", function, truths),
@@ -45,7 +45,7 @@ fn load_of<T: Scalar + Entries + 'static>(
         places: truth.places(function),
         result: RefCell::new(vec![T::constant(0.0); truth.entries()]),
     });
-    // Pinocchio's users read results where it leaves them: copies of them are not part of its time.
+    // Users of Pinocchio read results in place: copies are not part of its time.
     let copies = maker != "pinocchio";
     let length = truth.length();
     let same = Rc::clone(&peer);

@@ -1,8 +1,7 @@
-//! One program that goes through many states.
+//! A program over many states.
 //!
-//! In: a closure that computes one state or a slice of them, or a library of others. Out: a [`Program`], which
-//! goes through lists of states on all the threads of the pool that it runs in: shares of them are taken by
-//! whoever is free, as those of a batch are. It never measures.
+//! In: a closure for one state or a slice of them, or a library of another program. Out: a [`Program`] over lists of
+//! states, on all threads of the pool that it runs in; idle threads take shares of the states, as in a batch.
 
 use std::error::Error;
 use std::fs;
@@ -19,18 +18,18 @@ use crate::library::Foreign;
 /// q, q̇, and q̈ or τ of many states, one state after the other in each.
 pub type Lists<'a, T> = [&'a [T]; 3];
 
-/// From lists to results.
+/// A function from lists to results.
 pub type Run<T> = Box<dyn Fn(Lists<'_, T>, &mut [T])>;
 
-/// A program to be timed and judged.
+/// A program whose time and errors are measured.
 pub struct Program<T> {
-    /// What tells it from the others.
+    /// Its name.
     pub name: String,
-    /// Goes through all states.
+    /// Computes all states.
     pub run: Run<T>,
 }
 
-/// How many states a thread takes in one go: as many as those of a batch do.
+/// Number of states in a share of a thread: the same as in a batch.
 const SHARE: usize = 512;
 
 #[allow(
@@ -38,7 +37,7 @@ const SHARE: usize = 512;
     reason = "the generated robots need it, where there are any"
 )]
 impl<T: Copy + Send + Sync + 'static> Program<T> {
-    /// A function that is called for each state.
+    /// A program that calls a function for each state.
     pub fn alone<const NQ: usize, const NV: usize>(
         name: &str,
         function: impl Fn(&[T; NQ], &[T; NV], &[T; NV]) -> [T; NV] + Sync + 'static,
@@ -58,7 +57,7 @@ impl<T: Copy + Send + Sync + 'static> Program<T> {
         }
     }
 
-    /// A function that takes slices of states, and splits them itself.
+    /// A program of a function of slices of states, which splits them itself.
     pub fn batch<const NQ: usize, const NV: usize>(
         name: String,
         function: impl Fn(&[[T; NQ]], &[[T; NV]], &[[T; NV]], &mut [[T; NV]]) + 'static,
@@ -71,7 +70,7 @@ impl<T: Copy + Send + Sync + 'static> Program<T> {
     }
 }
 
-/// The kinds of vectors that this processor has.
+/// The lengths of registers that this processor has.
 #[allow(
     dead_code,
     reason = "the generated robots need it, where there are any"
@@ -106,16 +105,16 @@ const fn has_avx512() -> bool {
     false
 }
 
-/// A function of others, once for each thread: some keep what they compute in their library, and so each thread
-/// has a copy of its own.
+/// A function of another program, loaded once for each thread, because some have their results in static memory of the
+/// library.
 pub struct Foreigners<T>(Vec<Mutex<Foreign<T>>>);
 
 impl<T: Copy + Send + Sync + 'static> Foreigners<T> {
-    /// For the threads of the pool that this runs in.
+    /// Loads it for the threads of the pool that this runs in.
     pub fn load(library: &Path, symbol: &str) -> Result<Self, Box<dyn Error>> {
         let mut copies = vec![Mutex::new(Foreign::load(library, symbol)?)];
         for thread in 1..rayon::current_num_threads() {
-            // A name that was loaded before would be taken for the same library.
+            // The loader takes the same name for the same library.
             let name = library.file_name().unwrap_or_default().display();
             let name = format!("homogen-{}-{thread}-{name}", std::process::id());
             let copy = std::env::temp_dir().join(name);
@@ -127,7 +126,7 @@ impl<T: Copy + Send + Sync + 'static> Foreigners<T> {
         Ok(Self(copies))
     }
 
-    /// The program that calls it for each state; a state has its arguments in these places, and so many results.
+    /// The program that calls it for each state, with the arguments in these ranges of a state, and `entries` results.
     pub fn program(self, name: String, places: [Range<usize>; 3], entries: usize) -> Program<T> {
         let lengths = places.map(|place| place.len());
         let run: Run<T> = Box::new(move |lists, results| {
@@ -146,7 +145,7 @@ impl<T: Copy + Send + Sync + 'static> Foreigners<T> {
     }
 }
 
-/// Goes through lists of states with so many numbers each, and their results.
+/// Computes lists of states with given numbers of entries, in shares.
 fn in_shares<T: Send + Sync>(
     lengths: [usize; 3],
     [q, qd, x]: Lists<'_, T>,

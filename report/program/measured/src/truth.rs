@@ -1,10 +1,9 @@
-//! The states of a scene, and what a function should return at each of them.
+//! The states of a scene, and the exact results of a function.
 //!
-//! In: two files of `f64` in little-endian order. `states` holds q, q̇, q̈ and τ of each state, whose
-//! `lengths` are written beside it; the file of a function three numbers for each entry of each result:
-//! the exact value as a sum of two, and the magnitude that an error is measured by. A folder `f32`
-//! has the same for single precision, where that does not see the same states. Out: states, and the
-//! errors of results.
+//! In: two files of `f64` in little-endian order. `states` has q, q̇, q̈ and τ of each state; their `lengths` are in a
+//! file beside it. The file of a function has three numbers for each entry of each result: the exact value as a sum of
+//! two, and the magnitude that errors are relative to. The folder `f32` has the same for single precision, if the states
+//! differ there. Out: states, and the errors of results.
 
 use std::ops::Range;
 use std::path::Path;
@@ -17,7 +16,7 @@ pub struct Truths {
 }
 
 impl Truths {
-    /// Reads what lies in a folder of a function.
+    /// Reads the folder of a scene for a function.
     pub fn read(folder: &Path, function: &str) -> io::Result<Self> {
         let single = folder.join("f32");
         let single = single.exists().then(|| Truth::read(&single, function));
@@ -27,7 +26,7 @@ impl Truths {
         })
     }
 
-    /// What a type of number sees.
+    /// States and exact results for a type of number.
     pub fn of(&self, scalar: &str) -> &Truth {
         let single = self.single.as_ref().filter(|_| scalar == "f32");
         single.unwrap_or(&self.double)
@@ -36,21 +35,21 @@ impl Truths {
 
 /// States and exact results of one function.
 pub struct Truth {
-    /// How many states there are.
+    /// Number of states.
     pub states: usize,
-    /// How many coordinates the robot has.
+    /// Number of coordinates of the robot.
     pub coordinates: usize,
-    /// How many velocities it has, and accelerations and torques.
+    /// Number of velocities, accelerations and torques.
     pub velocities: usize,
     arguments: Vec<f64>,
     exact: Vec<[f64; 3]>,
 }
 
-/// How far results are off over all states, in relation to the magnitudes.
+/// The errors of results over all states, relative to the magnitudes.
 pub struct Errors {
-    /// Of half of the states the worst entry is no worse.
+    /// Median of the worst entry of a state.
     pub median: f64,
-    /// Of 99 in 100 states it is no worse.
+    /// 99th percentile of the worst entry of a state.
     pub rare: f64,
     /// The worst entry of all states.
     pub worst: f64,
@@ -78,7 +77,7 @@ impl Truth {
         })
     }
 
-    /// How many numbers a result has.
+    /// Number of numbers of a result.
     pub fn entries(&self) -> usize {
         self.exact.len() / self.states
     }
@@ -88,12 +87,12 @@ impl Truth {
         &self.arguments
     }
 
-    /// How many numbers a state has.
+    /// Number of numbers of a state.
     pub fn length(&self) -> usize {
         self.coordinates + 3 * self.velocities
     }
 
-    /// Where in a state the arguments of a function stand: q, q̇, and q̈ or τ.
+    /// The ranges of the arguments of a function in a state: q, q̇, and q̈ or τ.
     pub fn places(&self, function: &str) -> [Range<usize>; 3] {
         let list = |k: usize| {
             let start = self.coordinates + k * self.velocities;
@@ -103,8 +102,8 @@ impl Truth {
         [0..self.coordinates, list(0), list(1 + last)]
     }
 
-    /// The errors of what is computed state by state; entry k of a result stands for entry
-    /// `entries[k]` of the exact one, or for entry k where there is no such list.
+    /// The errors of results, state by state. Entry k of a result is entry `entries[k]` of the exact one, or entry k if
+    /// the list is empty.
     pub fn errors(&self, results: &dyn Fn(usize) -> Vec<f64>, entries: &[usize]) -> Errors {
         let length = self.entries();
         let worst = |(state, exact): (usize, &[[f64; 3]])| {

@@ -1,6 +1,6 @@
-//! Double precision with the sines of `libm`, the crate that stands in where there is no standard library.
+//! Double precision with the sines of `libm`, the crate for targets without a standard library.
 //!
-//! In: the operations of `f64`. Out: the same, but for sines and cosines. Inlined, it costs nothing.
+//! In: the operations of `f64`. Out: the same, except for sines and cosines. Everything is inlined.
 
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,7 +1,7 @@
-//! What stands in the cells of the tables.
+//! The cells of the tables.
 //!
-//! In: all that was measured, and which program of it is meant. Out: its price or its point, and the
-//! words for a time and an error; a dash where there is none.
+//! In: all measurements, and a program. Out: its operation count or its measurement, and the text of a time and an error;
+//! a dash if there is none.
 
 use homogen_codegen::Function;
 use homogen_codegen::schedule::Price;
@@ -11,7 +11,7 @@ use crate::measure::Point;
 use crate::program::Flags;
 use crate::scene::{Scalar, Scene};
 
-/// What a program costs.
+/// The operation count of a program.
 pub fn price(measured: &Measured<'_>, scene: &Scene, variant: &str, function: Function) -> Price {
     let mut prices = measured.prices.iter();
     let found =
@@ -19,7 +19,7 @@ pub fn price(measured: &Measured<'_>, scene: &Scene, variant: &str, function: Fu
     found.map(|(.., price)| *price).unwrap_or_default()
 }
 
-/// A program of ours.
+/// The measurement of a homogen program.
 pub fn find<'a>(
     measured: &Measured<'a>,
     scene: &Scene,
@@ -37,7 +37,7 @@ pub fn find<'a>(
     })
 }
 
-/// The fastest way in which a peer computes a function.
+/// The fastest implementation of a function by another program.
 pub fn fastest<'a>(
     measured: &Measured<'a>,
     scene: &Scene,
@@ -55,7 +55,7 @@ pub fn fastest<'a>(
     points.min_by(|a, b| a.time[1].total_cmp(&b.time[1]))
 }
 
-/// Its median \[ns\].
+/// The median of its time \[ns\].
 pub fn time(point: Option<&Point>) -> String {
     point.map_or_else(|| "–".to_owned(), |point| format!("{:.0}", point.time[1]))
 }
@@ -65,7 +65,7 @@ pub fn units(point: Option<&Point>) -> String {
     errors(point, |point| vec![point.worst])
 }
 
-/// Of the worst entry's errors the median, the 99th percentile and the worst, in the same units.
+/// Median, 99th percentile and maximum of the error of the worst entry, in the same units.
 pub fn spread(point: Option<&Point>) -> String {
     errors(point, |point| vec![point.median, point.rare, point.worst])
 }
@@ -82,7 +82,7 @@ fn errors(point: Option<&Point>, of: impl Fn(&Point) -> Vec<f64>) -> String {
     format!("{} u", errors.collect::<Vec<_>>().join(", "))
 }
 
-/// Two or three digits.
+/// An error with two or three digits.
 pub fn in_units(number: f64) -> String {
     match number {
         few if few < 99.5 => format!("{few:.1}"),

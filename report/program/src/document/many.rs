@@ -1,6 +1,6 @@
 //! The part of the report about many states.
 //!
-//! In: what was measured. Out: ratios in short, and a table for each robot.
+//! In: the measurements. Out: a summary of ratios, and a table for each robot.
 
 use std::fmt::Write;
 
@@ -9,7 +9,9 @@ use homogen_examples::machine;
 
 use super::cells::units;
 use crate::figures::count;
-use crate::many::{ALL, ALONE, FUNCTION, LIMIT, Many, OTHERS, OURS, STATES, Way, name_of};
+use crate::many::{
+    ALL, ALONE, FUNCTION, Implementation, LIMIT, Many, OTHERS, OURS, STATES, name_of,
+};
 use crate::measure::Point;
 use crate::program::Flags;
 use crate::scene::{Scalar, Scene};
@@ -17,7 +19,7 @@ use crate::states;
 
 const SCALARS: [Scalar; 2] = [Scalar::F64, Scalar::F32];
 
-/// How many evaluations a second frax's README tells of a GPU.
+/// Number of evaluations a second on a GPU, from frax's README.
 const OF_A_GPU: f64 = 1e8;
 
 /// The text of the part.
@@ -66,7 +68,7 @@ fn method(many: &Many<'_>) -> String {
          counted.\n\n",
     );
     let limit = |scalar, all| {
-        // The same for all robots, but for noise.
+        // The same for all robots, apart from noise.
         let scene = many.scenes.first()?;
         let point = many.find(scene, LIMIT.0, all, scalar, Flags::Native)?;
         Some(LIMIT.1 / point.time[1])
@@ -205,8 +207,8 @@ fn robot(many: &Many<'_>, scene: &Scene, price: &Price) -> String {
     text
 }
 
-/// A program in both types; nothing where it did not run.
-fn row(many: &Many<'_>, scene: &Scene, way: &Way, flags: Flags) -> String {
+/// The row of a program in both types; empty if it did not run.
+fn row(many: &Many<'_>, scene: &Scene, way: &Implementation, flags: Flags) -> String {
     let find = |name, all, scalar| many.find(scene, name, all, scalar, flags);
     let ran = |scalar| {
         [false, true]
@@ -233,7 +235,7 @@ fn row(many: &Many<'_>, scene: &Scene, way: &Way, flags: Flags) -> String {
     text
 }
 
-/// Five cells: on one thread the time, its ratio and the rate, on all the time and the rate of a thread.
+/// Five cells: time, ratio and rate on one thread; time, and rate per thread, on all threads.
 fn times(one: Option<f64>, alone: Option<f64>, all: Option<f64>) -> String {
     let digits = |time: f64| usize::from(time < 99.95);
     let time = |time: Option<f64>| time.map(|time| format!("{time:.0$}", digits(time)));
@@ -255,7 +257,7 @@ fn times(one: Option<f64>, alone: Option<f64>, all: Option<f64>) -> String {
     cells.concat()
 }
 
-/// The least time of a batch of ours.
+/// The least time of the batches of homogen.
 fn fastest(many: &Many<'_>, scene: &Scene, all: bool, scalar: Scalar, flags: Flags) -> Option<f64> {
     let is_batch = |point: &&Point| {
         let ours = OURS.iter().any(|way| way.name == name_of(point));
@@ -270,7 +272,7 @@ fn fastest(many: &Many<'_>, scene: &Scene, all: bool, scalar: Scalar, flags: Fla
     least(points.map(|point| point.time[1]))
 }
 
-/// What a state takes at least \[ns\].
+/// The lower bound of the time of a state by the limit of the processor \[ns\].
 pub fn limit(
     many: &Many<'_>,
     scene: &Scene,

@@ -1,14 +1,14 @@
 //! The figure about many states.
 //!
-//! In: what was measured. Out: for each robot a panel of one thread and one of all, as the other figures: colours tell
-//! what computes, symbols the type of number, and whether a symbol is full what it was compiled for.
+//! In: the measurements. Out: for each robot a panel of one thread and one of all. Colours and symbols are those of the
+//! other figures.
 
 use homogen_plot::grid::Grid;
 use homogen_plot::{Axis, Color, Curve, Panel, Scale, Shape, Style};
 
 use super::{ERROR, panel, shape};
 use crate::document::many::limit;
-use crate::many::{ALL, LIMIT, Many, OTHERS, OURS, Way, name_of};
+use crate::many::{ALL, Implementation, LIMIT, Many, OTHERS, OURS, name_of};
 use crate::measure::Point;
 use crate::scene::Scalar;
 
@@ -42,7 +42,7 @@ pub fn many(many: &Many<'_>) -> Grid {
                 ))
             });
             let mut curves: Vec<Curve> = limits.collect();
-            // What is drawn last is on top: ours.
+            // Ours is drawn last, on top.
             let (ours, others): (Vec<&Point>, Vec<&Point>) =
                 points.iter().partition(|point| !point.key.is_of_a_peer());
             curves.extend(others.into_iter().chain(ours).map(dot));
@@ -71,9 +71,9 @@ fn dot(point: &Point) -> Curve {
 }
 
 fn legend(many: &Many<'_>) -> Vec<Curve> {
-    let ran = |way: &&Way| many.points.iter().any(|point| name_of(point) == way.name);
+    let ran = |way: &&Implementation| many.points.iter().any(|point| name_of(point) == way.name);
     let sample = |label: &str, color, style| curve(label, color, style, Vec::new());
-    let of = |way: &Way, shape| sample(way.title, way.color, Style::Points(shape));
+    let of = |way: &Implementation, shape| sample(way.title, way.color, Style::Points(shape));
     let circle = |filled| Shape::Circle { filled };
     let square = Shape::Square { filled: true };
     let mut legend: Vec<Curve> = (OURS.iter().filter(ran))
@@ -81,7 +81,7 @@ fn legend(many: &Many<'_>) -> Vec<Curve> {
         .collect();
     let mut colors = Vec::new();
     for way in OTHERS.iter().filter(ran) {
-        // CasADi's C is one to the eye.
+        // The variants of CasADi's C have one colour.
         if !colors.contains(&way.color) {
             colors.push(way.color);
             legend.push(of(way, square));

@@ -1,6 +1,6 @@
 //! Dynamics of hard robots in each formulation.
 //!
-//! In: nothing. Out: a row for a function of a robot in hard states, a column for a formulation and a type.
+//! A row is a function of a robot in difficult states, a column a formulation and a type.
 
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
 use homogen_codegen::{Function, Real};
@@ -73,7 +73,7 @@ fn formulations() -> Vec<(&'static str, Formulation, Real)> {
     ]
 }
 
-/// How many states each error is the worst of.
+/// Number of states; each error is the worst of these.
 const STATES: usize = 200;
 
 /// Measures all of them.

@@ -16,7 +16,7 @@ const CASES: [Hard; 12] = [
     Hard::new("payload of 1 t", "payload/1e3"),
     Hard::new("angles to 10⁵ rad", "panda_class/0").at(MANY_TURNS),
     Hard::new("rates to 10⁴ rad/s", "panda_class/0").moving(FAST),
-    Hard::new("free, 1000 km away", "quadruped/0").free(1e6),
+    Hard::new("free, 1000 km away", "quadruped/0").floating(1e6),
     Hard::new("8 rods, straight", "planar/8").at(STRAIGHT),
     Hard::new("tip of 1 t", "heavy_tip/1e3"),
     Hard::new("shrinking rods", "shrinking/8"),
@@ -24,10 +24,10 @@ const CASES: [Hard; 12] = [
     Hard::new("thin rods", "thin_rod/0"),
 ];
 
-/// How many states each error is the worst of.
+/// Number of states; each error is the worst of these.
 const STATES: usize = 40;
 
-/// The maps, and what the type of each is called.
+/// The types of numbers, one for each map, with their names.
 pub const TYPES: [&str; 2] = ["f64", "f32"];
 
 /// Measures all of them, in each of the [`TYPES`].

@@ -1,7 +1,7 @@
-//! How far the two faces of a cut are apart, and how they move relative to each other.
+//! The relative displacement and acceleration of the two faces of a cut.
 //!
-//! In: poses and motions of both. Out: the screw that is missing, and the relative acceleration, as
-//! six components in the order of the rows of A. It knows no chain and solves nothing.
+//! In: poses and motions of both. Out: their relative displacement as a screw, and their relative
+//! acceleration, as six components in the order of the rows of A.
 
 use crate::matrix::vector::scale;
 use crate::matrix::{Acceleration, Displacement, Pose, Screw};
@@ -14,8 +14,8 @@ pub(super) fn missing_screw<T: Real>(m_right_left: Pose<T>) -> [T; 6] {
     components(&Screw::new(scale(phi, l.u()), scale(phi, l.b())))
 }
 
-/// H of left relative to right at W = 0, from both relative to the base: Ẇ of the difference, with
-/// the part that is only due to the motion of `right` taken away (13).
+/// H of left relative to right at W = 0, from both relative to the base: Ẇ of the difference, without the part
+/// due to the motion of `right` (13).
 pub(super) fn relative_acceleration<T: Real>(
     left: &Motion<T>,
     right: &Motion<T>,

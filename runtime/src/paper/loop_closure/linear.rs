@@ -1,27 +1,26 @@
-//! A x = y for the joints sought, with the driving joints given.
+//! A x = y for the unknown joints, with the driving joints given.
 //!
-//! In: the matrix A, a length that belongs to the mechanism, and what is given. Out: rank and
-//! solution, so scaled that neither depends on the unit of length: lengths are in parts of the size
-//! of the mechanism.
+//! In: the matrix A, the size of the robot, and the given rates. Out: rank and solution. Lengths are divided
+//! by the size of the robot, so that neither depends on the unit of length.
 
 use super::found::Rates;
 use crate::paper::singular_values::{self, dot};
 use crate::scalar::Real;
 use core::array::from_fn;
 
-/// A x = y with lengths in parts of the size of the mechanism.
+/// A x = y with lengths divided by the size of the robot.
 pub(super) struct Linear<T, const N: usize, const K: usize> {
     /// All columns of A.
     all: [[[T; N]; 6]; K],
-    /// The columns of the joints sought; zero in the others.
+    /// The columns of the unknown joints; the others are zero.
     sought: [[[T; N]; 6]; K],
-    /// How many these are.
+    /// Number of unknown joints.
     pub(super) number_sought: usize,
     size: T,
 }
 
 impl<T: Real, const N: usize, const K: usize> Linear<T, N, K> {
-    /// `matrix` and `size` in the same unit of length; `driving` holds the joints that are given.
+    /// `matrix` and `size` in the same unit of length; `driving` holds the given joints.
     pub(super) fn new(matrix: [[[T; N]; 6]; K], size: T, driving: &[Option<T>; N]) -> Self {
         let all = matrix.map(|[ux, uy, uz, bx, by, bz]| {
             let [bx, by, bz] = [bx, by, bz].map(|row| row.map(|x| x / size));
@@ -39,7 +38,7 @@ impl<T: Real, const N: usize, const K: usize> Linear<T, N, K> {
         }
     }
 
-    /// Rank and least-squares solution of the columns sought, for a right-hand side in true lengths.
+    /// Rank and least-squares solution of the unknown columns, for a right-hand side with lengths in metres.
     pub(super) fn solve(&self, right: [[T; 6]; K]) -> (usize, [T; N]) {
         let (mut a, mut y) = (
             self.sought,
@@ -48,13 +47,13 @@ impl<T: Real, const N: usize, const K: usize> Linear<T, N, K> {
         singular_values::solve(a.as_flattened_mut(), y.as_flattened_mut())
     }
 
-    /// The joints sought, such that A q̇ = `right` together with the `driving` ones.
+    /// The rates of all joints: the unknown ones so that A q̇ = `right` together with the `driving` ones.
     pub(super) fn rates(&self, right: [[T; 6]; K], driving: &[Option<T>; N]) -> Rates<T, N> {
         let zero = T::constant(0.0);
-        let driven: [T; N] = from_fn(|i| driving[i].unwrap_or(zero));
+        let given: [T; N] = from_fn(|i| driving[i].unwrap_or(zero));
         let right = right.map(|y| with_lengths_in_parts_of(self.size, y));
         let mut y: [[T; 6]; K] =
-            from_fn(|k| from_fn(|row| right[k][row] - dot(&self.all[k][row], &driven)));
+            from_fn(|k| from_fn(|row| right[k][row] - dot(&self.all[k][row], &given)));
         let mut a = self.sought;
         let (rank, x) = singular_values::solve(a.as_flattened_mut(), y.as_flattened_mut());
         let values = from_fn(|i| driving[i].unwrap_or(x[i]));
@@ -71,7 +70,7 @@ impl<T: Real, const N: usize, const K: usize> Linear<T, N, K> {
     }
 }
 
-/// The lower three divided by a length.
+/// The six components with the lower three divided by a length.
 pub(super) fn with_lengths_in_parts_of<T: Real>(
     size: T,
     [ux, uy, uz, bx, by, bz]: [T; 6],

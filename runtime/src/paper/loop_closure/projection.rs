@@ -1,58 +1,57 @@
-//! The state nearest to a given one that closes the loops of a generated robot.
+//! Projection of the state of a generated robot onto its closed loops.
 //!
-//! In: a robot with `constraint` and `constraint_jacobian`, and coordinates or rates. Out: coordinates that
-//! close its loops, by steps of least norm (Gauss and Newton, damped as by Levenberg and Marquardt), or as
-//! far as there are any; rates that keep them closed; and how far the closure is from a singular one. It
-//! allocates nothing, never fails and never returns what is not a number without saying so.
+//! In: a robot with `constraint` and `constraint_jacobian`, and coordinates or rates. Out: coordinates nearby
+//! that close its loops, by Gauss–Newton steps of least norm with Levenberg–Marquardt damping; rates that
+//! keep them closed; singular values of the closure. No allocation; the [`Outcome`] states failure and NaN.
 
 use crate::paper::singular_values::values;
 use crate::robot::{Constraint, ConstraintJacobian};
 use crate::scalar::Real;
 use core::array::from_fn;
 
-/// At most so many steps are taken; five are usual.
+/// The largest number of steps; five are usual.
 const STEPS: usize = 500;
 
-/// No step turns a joint by more \[rad\], or shifts it by more \[m\].
+/// The largest step of a coordinate \[rad or m\].
 const LONGEST: f64 = 0.5;
 
-/// How far the loops of a robot are closed.
+/// The result of a projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<T, const Q: usize> {
-    /// The coordinates that were found.
+    /// The coordinates.
     pub q: [T; Q],
     /// The largest magnitude of a residual there [m, 1].
     pub residual: T,
-    /// How many steps were taken.
+    /// Number of steps.
     pub steps: usize,
-    /// What became of it.
+    /// The end of the projection.
     pub outcome: Outcome,
 }
 
-/// What became of a projection.
+/// The end of a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// All residuals are within the tolerance.
     Closed,
-    /// No step down the slope makes the residuals smaller, however short: nothing near closes the loops.
+    /// A local minimum of the residuals: no coordinates nearby close the loops.
     OutOfReach,
-    /// Steps came to an end before: at a number that is none, or after 500 of them.
+    /// Stopped early: at NaN or infinity, or after 500 steps.
     Stalled,
 }
 
-/// How far a closure is from a singular one.
+/// The singular values of a closure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Regularity<T, const C: usize> {
-    /// How many of the residuals are independent: singular values above 64 ε times the largest.
+    /// Number of independent residuals: of singular values above 64 ε times the largest.
     pub rank: usize,
-    /// The singular values of J, the largest first: where one beyond those of neighbouring postures is near
-    /// zero, the mechanism is at a dead centre or can branch. A residual that always depends on others leaves
-    /// a zero everywhere.
+    /// The singular values of J, the largest first. If more of them are near zero than at neighbouring
+    /// configurations, the robot is at a dead centre or at a branch. A residual that always depends on others
+    /// adds a zero everywhere.
     pub singular_values: [T; C],
 }
 
 impl<T: Copy, const C: usize> Regularity<T, C> {
-    /// The least singular value of those that the rank counts; none where it counts none.
+    /// The smallest singular value that the rank counts; `None` at rank 0.
     #[must_use]
     pub fn least(&self) -> Option<T> {
         let last = self.rank.checked_sub(1)?;
@@ -60,7 +59,7 @@ impl<T: Copy, const C: usize> Regularity<T, C> {
     }
 }
 
-/// Coordinates near `q` that close the loops to within `tolerance` [m, 1], of a robot whose velocities are
+/// Coordinates near `q` that close the loops to within `tolerance` [m, 1], for a robot whose velocities are
 /// the rates of its coordinates.
 #[must_use]
 pub fn project<T: Real, const N: usize, const C: usize, R>(
@@ -74,7 +73,7 @@ where
     project_by(robot, q, tolerance, |q, v| from_fn(|k| q[k] + v[k]))
 }
 
-/// The same of any robot; `integrate` moves coordinates by velocities that last for a second.
+/// The same for any robot; `integrate` returns the coordinates after a step q̇ Δt.
 #[must_use]
 pub fn project_by<T: Real, const Q: usize, const N: usize, const C: usize, R>(
     robot: &R,
@@ -108,7 +107,7 @@ where
         let next = integrate(&q, &step);
         let left = robot.constraint(&next);
         let less = dot(&left, &left);
-        // Once closed, steps go on only while each is worth it.
+        // Once closed, steps continue while each at least halves the residuals.
         let needed = if closed {
             T::constant(0.25)
         } else {
@@ -135,8 +134,7 @@ where
     }
 }
 
-/// The rates nearest to `qd` that keep loops closed, by the Jacobian of their residuals: J q̇ = 0, as far as
-/// its rank allows.
+/// The rates nearest to `qd` that keep the loops closed: J q̇ = 0, with J the Jacobian of the residuals.
 #[must_use]
 pub fn project_rates<T: Real, const N: usize, const C: usize>(
     jacobian: &[[T; N]; C],
@@ -145,7 +143,7 @@ pub fn project_rates<T: Real, const N: usize, const C: usize>(
     let zero = T::constant(0.0);
     let size = jacobian.iter().fold(zero, |sum, row| sum + dot(row, row));
     let mut qd = *qd;
-    // The second time takes away what rounding and damping left of the first.
+    // The second iteration removes the error of rounding and damping in the first.
     for _ in 0..2 {
         let rates: [T; C] = from_fn(|i| dot(&jacobian[i], &qd));
         let step = least(jacobian, &rates, T::EPSILON * size);
@@ -166,7 +164,7 @@ pub fn regularity<T: Real, const N: usize, const C: usize>(
     }
 }
 
-/// −Jᵗ (J Jᵗ + μ)⁻¹ r; nothing where that is nothing.
+/// −Jᵗ (J Jᵗ + μ)⁻¹ r, the step of least norm; zero if a pivot is not positive.
 fn least<T: Real, const N: usize, const C: usize>(
     jacobian: &[[T; N]; C],
     residual: &[T; C],
@@ -179,7 +177,7 @@ fn least<T: Real, const N: usize, const C: usize>(
         row[k] = row[k] + damping;
     }
     for k in 0..C {
-        // Rounding may leave less of a pivot than was added to it.
+        // A pivot below the damping is rounding error.
         let pivot = a[k][k].max(damping);
         if pivot <= zero {
             return [zero; N];
@@ -202,7 +200,7 @@ fn least<T: Real, const N: usize, const C: usize>(
     })
 }
 
-/// A step, shortened where it is too long.
+/// A step, scaled to at most [`LONGEST`].
 fn limited<T: Real, const N: usize>(step: [T; N]) -> [T; N] {
     let (longest, limit) = (largest(&step), T::constant(LONGEST));
     if longest > limit {

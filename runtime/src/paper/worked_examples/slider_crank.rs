@@ -1,9 +1,9 @@
 //! The slider-crank: three revolute joints and a prismatic one in a closed loop (Part II, worked
 //! examples).
 //!
-//! In: the lengths of crank and rod, and the crank's angle and rates. Out: the mechanism as a
-//! [`ClosedChain`], the matrix A, and positions, rates and second rates of all joints in closed form.
-//! The closed form takes the branch with the slider in front of the crank pin.
+//! In: the lengths of crank and rod, and the crank's angle and rates. Out: the robot as a
+//! [`ClosedChain`], the matrix A, and positions, rates and second rates of all joints in closed form, on the
+//! branch with the slider in front of the crank pin.
 
 use crate::matrix::{Inertia, Pose, Screw};
 use crate::paper::loop_closure::ClosedChain;
@@ -34,12 +34,11 @@ pub struct State<T> {
 }
 
 impl SliderCrank {
-    /// The loop: crank, rod, slider, and the base met again behind the prismatic joint. The bodies
-    /// have no mass.
+    /// The loop: crank, rod, slider, and the base again behind the prismatic joint. The bodies have no mass.
     #[must_use]
     pub fn closed_chain(&self) -> ClosedChain<4, 0, 1> {
         let about = Screw::revolute([0.0, 0.0, 1.0], [0.0; 3]);
-        // Seen from the slider it is the base that moves, backwards.
+        // Relative to the slider the base moves backwards.
         let along = Screw::prismatic([-1.0, 0.0, 0.0]);
         let joint = |name, parent, x, screw| {
             let placement = Pose::from_translation([x, 0.0, 0.0]);
@@ -60,8 +59,7 @@ impl SliderCrank {
     /// The state at the crank's angle `alpha` \[rad\] and its rates.
     ///
     /// With β the angle of the rod from x: l₁ sin α + l₂ sin β = 0 and x = l₁ cos α + l₂ cos β, cos β > 0,
-    /// and their derivatives. Not a number where the rod is too short to let the crank get to α;
-    /// infinite rates where cos β = 0.
+    /// and their derivatives. NaN if the rod is too short for the crank angle α; infinite rates at cos β = 0.
     #[must_use]
     pub fn state<T: Real>(&self, alpha: T, alpha_d: T, alpha_dd: T) -> State<T> {
         let (one, l_1, l_2) = (
@@ -71,7 +69,7 @@ impl SliderCrank {
         );
         let (sin_alpha, cos_alpha) = alpha.sin_cos();
         let sin_beta = -(l_1 * sin_alpha / l_2);
-        // 1 − sin² as a product keeps its digits where the rod stands upright.
+        // 1 − sin² as a product is accurate where the rod is nearly upright.
         let cos_beta = ((one - sin_beta) * (one + sin_beta)).sqrt();
         let beta = sin_beta.atan2(cos_beta);
         let x = l_1 * cos_alpha + l_2 * cos_beta;
@@ -95,8 +93,8 @@ impl SliderCrank {
     /// Only u_z, b_x and b_y are not zero: (1, 0, 0), (1, l₁ sin α, −l₁ cos α), (1, 0, −x) and
     /// (0, −1, 0). Its rank is 3 and the mobility 1, except with l₁ = l₂ in α = ±90°, where the axes of
     /// crank and pin coincide and the rank is 2.
-    /// The minor of rod, pin and slide is −l₂ cos β: zero where a driven crank gets stuck. That of
-    /// crank, rod and pin is −l₁ x sin α: zero in the dead centres of a driven slider.
+    /// The minor of rod, pin and slide is −l₂ cos β: zero where a driving crank is stuck. That of
+    /// crank, rod and pin is −l₁ x sin α: zero in the dead centres of a driving slider.
     #[must_use]
     pub fn matrix<T: Real>(&self, q: &[T; 4]) -> [[T; 4]; 6] {
         let (zero, one, l_1) = (T::constant(0.0), T::constant(1.0), T::constant(self.crank));

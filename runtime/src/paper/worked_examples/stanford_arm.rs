@@ -1,13 +1,11 @@
 //! The Stanford arm: R R P R R R (Part II, worked examples).
 //!
 //! In: q₁, q₂, q₄, q₅, q₆ in rad, q₃ in m, and their rates. Out: the arm as a [`Chain`], and closed
-//! forms of M, of all L₍₀₎, and of W and H̃ of its third body. It gives no closed form of the
-//! dynamics: those are sums of the inertias J₍₀₎ and belong to a program.
+//! forms of M, of all L₍₀₎, and of W and H̃ of its third body. The dynamics have no short closed form.
 //!
-//! Two misprints of the preprint are not repeated. The first entry of L₂,₃₍₀₎ is C₁S₂, printed as
-//! C₁S₁: the third joint slides along z₂ = (C₁S₂, S₁S₂, C₂). In the listing of the inverse dynamics
-//! the inertia of body i goes to frame 0 with M₀,ᵢ, printed as M₀,ᵢ₋₁: see
-//! [`crate::open_chain::inertias`].
+//! Two misprints of the preprint are corrected. The first entry of L₂,₃₍₀₎ is C₁S₂, printed as C₁S₁: the
+//! third joint translates along z₂ = (C₁S₂, S₁S₂, C₂). In the listing of the inverse dynamics the inertia
+//! of body i is transformed to frame 0 by M₀,ᵢ, printed as M₀,ᵢ₋₁: see [`crate::open_chain::inertias`].
 
 use crate::matrix::vector::{add, cross, scale};
 use crate::matrix::{Acceleration, Inertia, Pose, Screw, Velocity};

@@ -1,23 +1,23 @@
-//! What joints have to bring up, at run time: torques, the inertia matrix, and what torques are linear in.
+//! Inverse dynamics, gravity, bias, mass matrix and regressor, at run time.
 //!
-//! In: a [`Chain`] and its motion. Out: torques by Newton and Euler, gravity, bias and M by the virtual work of
-//! Lagrange (Part II). It solves nothing.
+//! In: a [`Chain`] and its motion. Out: torques by Newton and Euler; gravity, bias and M by Lagrange's virtual work
+//! (Part II).
 
 use super::kinematics::body_jacobian;
 use super::sum;
 use crate::matrix::Action;
 use crate::reference::dense::{gravity_matrix, pseudo_scalar_product};
-use crate::reference::motion::{Freedom, Motion, Positions};
+use crate::reference::motion::{DegreeOfFreedom, Motion, Positions};
 use crate::robot::chain::{Chain, Frame};
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
 /// The torques [N m] and forces \[N\] of the joints that produce q̈ (Part II, Newton–Euler).
 ///
-/// What drives take comes on top: armature q̈ + damping q̇ + friction sign q̇.
+/// Armature and friction add armature q̈ + damping q̇ + friction sign q̇.
 ///
-/// The action through joint i is the sum of Φ = skew[(H − H_g) J] over the bodies it carries, its
-/// torque the pseudo scalar product L ⊗ Φ.
+/// The wrench through joint i is the sum of Φ = skew[(H − H_g) J] over the bodies it carries; its
+/// torque is the pseudo scalar product L ⊗ Φ.
 #[must_use]
 pub fn inverse_dynamics<
     T: RealField + Copy,
@@ -33,7 +33,7 @@ pub fn inverse_dynamics<
 ) -> [T; N] {
     let motion = Motion::at(chain, q, qd, qdd);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
-    // Φ of each body, then the sum carried by each joint: children come after their parents.
+    // Φ of each body, then the sum over the bodies that each joint carries; children come after their parents.
     let mut phi: [Matrix4<T>; B] = from_fn(|i| {
         let (h, j) = (motion.h[i] - h_g, positions.j[i]);
         h * j - j * h.transpose()
@@ -45,20 +45,19 @@ pub fn inverse_dynamics<
         }
     }
     let mut torques = [T::zero(); N];
-    for freedom in positions.freedoms() {
-        if let Some(torque) = torques.get_mut(freedom.velocity) {
-            *torque += pseudo_scalar_product(&freedom.l, &phi[freedom.body]);
-            *torque += freedom.driven(qd, qdd);
+    for dof in positions.degrees_of_freedom() {
+        if let Some(torque) = torques.get_mut(dof.velocity) {
+            *torque += pseudo_scalar_product(&dof.l, &phi[dof.body]);
+            *torque += dof.drive_torque(qd, qdd);
         }
     }
     torques
 }
 
-/// Jᵗ Φ: what an action on a frame, in its axes and with the couple about its origin, is for the joints
+/// Jᵗ Φ: the joint torques and forces of a wrench on a frame, in its axes and with the torque about its origin
 /// [N m, N].
 ///
-/// A motion under the actions Φ of the surroundings takes the torques of [`inverse_dynamics`] less the sum
-/// of these.
+/// With external wrenches Φ, a motion needs the torques of [`inverse_dynamics`] minus the sum of these.
 #[must_use]
 pub fn torques_of_action<
     T: RealField + Copy,
@@ -77,9 +76,9 @@ pub fn torques_of_action<
     screws.map(|screw| dot(screw.u(), action.c()) + dot(screw.b(), action.f()))
 }
 
-/// Inverse dynamics at rest: what holds the robot against gravity [N m, N].
+/// Inverse dynamics at rest: the torques and forces that hold the robot against gravity [N m, N].
 ///
-/// As virtual work: −Σ Tr(H_g Jₕ Lₘᵗ) over the bodies h that joint m carries (Part II, Lagrange).
+/// By virtual work: −Σ Tr(H_g Jₕ Lₘᵗ) over the bodies h that joint m carries (Part II, Lagrange).
 #[must_use]
 pub fn gravity<
     T: RealField + Copy,
@@ -107,14 +106,14 @@ pub fn bias<T: RealField + Copy, const N: usize, const F: usize, const Q: usize,
     let motion = Motion::at(chain, q, qd, &rest);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
     let mut torques = [T::zero(); N];
-    for freedom in positions.freedoms() {
-        let Freedom {
+    for dof in positions.degrees_of_freedom() {
+        let DegreeOfFreedom {
             body, velocity, l, ..
-        } = freedom;
+        } = dof;
         let carried = (0..B).filter(|h| chain.carries(body, Some(*h)));
         let work = carried.map(|h| (motion.h[h] - h_g) * positions.j[h] * l.transpose());
         if let Some(torque) = torques.get_mut(velocity) {
-            *torque += sum(work.map(|work| work.trace())) + freedom.driven(qd, &rest);
+            *torque += sum(work.map(|work| work.trace())) + dof.drive_torque(qd, &rest);
         }
     }
     torques
@@ -136,8 +135,8 @@ pub fn mass_matrix<
     let positions = Positions::at(chain, q);
     let carries = |joint: usize, body: usize| chain.carries(joint, Some(body));
     let mut rows = [[T::zero(); N]; N];
-    for one in positions.freedoms() {
-        for other in positions.freedoms() {
+    for one in positions.degrees_of_freedom() {
+        for other in positions.degrees_of_freedom() {
             let both = (0..B).filter(|h| carries(one.body, *h) && carries(other.body, *h));
             let work = both.map(|h| (one.l * positions.j[h] * other.l.transpose()).trace());
             let row = rows.get_mut(one.velocity);
@@ -153,14 +152,16 @@ pub fn mass_matrix<
     rows
 }
 
-/// Y of τ = Y π [m²/s², m/s², 1/s² and a unit of length less for forces]: π lists for each body m, q_x, q_y, q_z, J_xx,
-/// J_xy, J_xz, J_yy, J_yz, J_zz in its frame; and behind them, where there is room for it, for each velocity of each joint
-/// armature, damping and friction, whose columns are q̈, q̇ and its sign.
+/// Y of τ = Y π [m²/s², m/s², 1/s² and a unit of length less for forces].
 ///
-/// A column is the torques of Φ = skew[(H − H_g) J] of a J that is 1 in one place and its mirror image (25).
+/// π lists for each body m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz in its frame. If `P` is large enough,
+/// armature, damping and friction of each velocity of each joint follow, with the columns q̈, q̇ and sign q̇.
+///
+/// A column is the torques of Φ = skew[(H − H_g) J] with J = 1 in one entry and its mirror image (25).
 ///
 /// # Panics
-/// Where P is neither 10 B nor that and three for each velocity of a joint.
+///
+/// If `P` is neither 10 B nor 10 B plus three for each velocity of a joint.
 #[must_use]
 pub fn regressor<
     T: RealField + Copy,
@@ -190,16 +191,16 @@ pub fn regressor<
     let motion = Motion::at(chain, q, qd, qdd);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
     let of_bodies = PLACES.len() * B;
-    let drives = 3 * positions.freedoms().count();
+    let of_drives = 3 * positions.degrees_of_freedom().count();
     assert!(
-        P == of_bodies || P == of_bodies + drives,
+        P == of_bodies || P == of_bodies + of_drives,
         "a body has ten parameters, and a velocity of a joint three"
     );
     let mut rows = [[T::zero(); P]; N];
     if P > of_bodies {
-        for (k, freedom) in positions.freedoms().enumerate() {
-            let of_drives = freedom.of_drives(qd, qdd);
-            rows[freedom.velocity][of_bodies + 3 * k..][..3].copy_from_slice(&of_drives);
+        for (k, dof) in positions.degrees_of_freedom().enumerate() {
+            let unit_torques = dof.unit_drive_torques(qd, qdd);
+            rows[dof.velocity][of_bodies + 3 * k..][..3].copy_from_slice(&unit_torques);
         }
     }
     for (parameter, k) in (0..of_bodies).map(|parameter| (parameter, parameter % PLACES.len())) {
@@ -211,11 +212,11 @@ pub fn regressor<
         let m = positions.m[body];
         let hj = (motion.h[body] - h_g) * m * unit * m.transpose();
         let phi = hj - hj.transpose();
-        for freedom in positions.freedoms() {
-            if let Some(row) = rows.get_mut(freedom.velocity)
-                && chain.carries(freedom.body, Some(body))
+        for dof in positions.degrees_of_freedom() {
+            if let Some(row) = rows.get_mut(dof.velocity)
+                && chain.carries(dof.body, Some(body))
             {
-                row[parameter] += pseudo_scalar_product(&freedom.l, &phi);
+                row[parameter] += pseudo_scalar_product(&dof.l, &phi);
             }
         }
     }

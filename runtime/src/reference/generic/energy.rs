@@ -28,11 +28,11 @@ pub fn kinetic_energy<
         let w = motion.w[i];
         half * (w * motion.positions.j[i] * w.transpose()).trace()
     }));
-    let drives = motion.positions.freedoms().map(|freedom| {
-        let rate = qd.get(freedom.velocity).copied().unwrap_or(T::zero());
-        half * freedom.armature() * rate * rate
+    let armatures = motion.positions.degrees_of_freedom().map(|dof| {
+        let rate = qd.get(dof.velocity).copied().unwrap_or(T::zero());
+        half * dof.armature() * rate * rate
     });
-    bodies + sum(drives)
+    bodies + sum(armatures)
 }
 
 /// The potential energy Σ −Tr(H_g J) \[J\], zero at the origin of frame 0 (§ 4.5).

@@ -1,19 +1,19 @@
-//! How joints move under torques, at run time.
+//! Forward dynamics, the inverse of the mass matrix, and derivatives of the accelerations, at run time.
 //!
 //! In: a [`Chain`], its positions and velocities, and torques. Out: accelerations, M⁻¹ and derivatives, all by the
-//! Cholesky factors of M; NaN where there are none.
+//! Cholesky factors of M; NaN if M is not positive definite.
 
 use super::dynamics::{bias, mass_matrix};
 use crate::reference::derivatives::inverse_dynamics_derivatives;
 use crate::robot::chain::Chain;
-use crate::robot::derivatives::ForwardDynamicsDerivatives;
+use crate::robot::derivatives::AccelerationDerivatives;
 use core::array::from_fn;
 use nalgebra::{Cholesky, Const, RealField, SMatrix, SVector};
 
 /// The joint accelerations [rad/s², m/s²] that the torques \[N m\] and forces \[N\] `tau` produce:
 /// M q̈ = τ − bias, solved by Cholesky.
 ///
-/// NaN where M is not positive definite.
+/// NaN if M is not positive definite.
 #[must_use]
 pub fn forward_dynamics<
     T: RealField + Copy,
@@ -28,14 +28,14 @@ pub fn forward_dynamics<
     tau: &[T; N],
 ) -> [T; N] {
     let bias = bias(chain, q, qd);
-    let lacking: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
-    let found = mass_matrix_factors(chain, q).map(|factors| factors.solve(&lacking));
+    let net_torque: SVector<T, N> = SVector::from_fn(|i, _| tau[i] - bias[i]);
+    let found = mass_matrix_factors(chain, q).map(|factors| factors.solve(&net_torque));
     from_fn(|i| found.map_or(nan(), |found| found[i]))
 }
 
 /// The inverse of the joint-space inertia matrix, by Cholesky.
 ///
-/// NaN where M is not positive definite.
+/// NaN if M is not positive definite.
 #[must_use]
 pub fn mass_matrix_inverse<
     T: RealField + Copy,
@@ -51,10 +51,10 @@ pub fn mass_matrix_inverse<
     from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
 }
 
-/// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of the accelerations that the torques \[N m\] and forces \[N\] `tau` produce: of
-/// M q̈ + … = τ with q̈ as it is, ∂q̈ = M⁻¹ (∂τ − what inverse dynamics changes by), by Cholesky.
+/// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of the accelerations that the torques \[N m\] and forces \[N\] `tau` produce:
+/// ∂q̈ = M⁻¹ (∂τ − ∂ID), with ∂ID the derivatives of inverse dynamics at constant q̈, by Cholesky.
 ///
-/// NaN where M is not positive definite.
+/// NaN if M is not positive definite.
 #[must_use]
 pub fn forward_dynamics_derivatives<
     T: RealField + Copy,
@@ -67,7 +67,7 @@ pub fn forward_dynamics_derivatives<
     q: &[T; Q],
     qd: &[T; N],
     tau: &[T; N],
-) -> ForwardDynamicsDerivatives<N, T> {
+) -> AccelerationDerivatives<N, T> {
     let qdd = forward_dynamics(chain, q, qd, tau);
     let needed = inverse_dynamics_derivatives(chain, q, qd, &qdd);
     let factors = mass_matrix_factors(chain, q);
@@ -76,14 +76,14 @@ pub fn forward_dynamics_derivatives<
         let found = factors.as_ref().map(|factors| factors.solve(&needed));
         from_fn(|i| from_fn(|m| found.map_or(nan(), |found| found[(i, m)])))
     };
-    ForwardDynamicsDerivatives {
+    AccelerationDerivatives {
         dq: answer(needed.dq),
         dqd: answer(needed.dqd),
         dtau: mass_matrix_inverse(chain, q),
     }
 }
 
-/// M by Cholesky; `None` where it is not positive definite.
+/// The Cholesky factors of M; `None` if it is not positive definite.
 fn mass_matrix_factors<
     T: RealField + Copy,
     const N: usize,

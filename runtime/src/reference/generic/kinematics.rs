@@ -1,17 +1,17 @@
 //! Poses, Jacobians and their rates, velocities and accelerations, at run time.
 //!
-//! In: a [`Chain`], one of its frames, and a state. Out: matrices in frame 0 or seen from the frame: M by products,
-//! L of each joint carried along, W and H as they are composed (Part II, open chains).
+//! In: a [`Chain`], one of its frames, and a state. Out: matrices in frame 0 or in the given frame: M by products,
+//! L of each joint in frame 0, W and H by composition (Part II, open chains).
 
 use crate::matrix::{Acceleration, Pose, Screw, Velocity};
 use crate::reference::dense::{axial, block, column, inverse};
-use crate::reference::motion::{Freedom, Motion, Positions};
+use crate::reference::motion::{DegreeOfFreedom, Motion, Positions};
 use crate::robot::chain::{Chain, Frame};
 use nalgebra::{Matrix4, RealField};
 
 /// M₀,frame.
 ///
-/// SPACELIB: what its programs for serial robots compute as direct kinematics.
+/// SPACELIB: the direct kinematics of its programs for serial robots.
 #[must_use]
 pub fn forward_kinematics<
     T: RealField + Copy,
@@ -28,8 +28,8 @@ pub fn forward_kinematics<
     Pose::new(block(&m), column(&m))
 }
 
-/// L₁ … L_N in frame 0, pole at its origin; zero for velocities that do not move the frame, and a sum
-/// for those that several joints have.
+/// L₁ … L_N in frame 0, reference point at its origin. Zero for velocities that do not move the frame; the sum over
+/// the joints for a velocity that mimic joints share.
 #[must_use]
 pub fn spatial_jacobian<
     T: RealField + Copy,
@@ -45,7 +45,7 @@ pub fn spatial_jacobian<
     jacobian(chain, frame, q, |_| Matrix4::identity())
 }
 
-/// L₁ … L_N in `frame`, pole at its origin.
+/// L₁ … L_N in `frame`, reference point at its origin.
 #[must_use]
 pub fn body_jacobian<
     T: RealField + Copy,
@@ -61,7 +61,7 @@ pub fn body_jacobian<
     jacobian(chain, frame, q, |m_0_frame| inverse(m_0_frame))
 }
 
-/// L₁ … L_N with the axes of frame 0, pole at the origin of `frame`.
+/// L₁ … L_N with the axes of frame 0, reference point at the origin of `frame`.
 #[must_use]
 pub fn geometric_jacobian<
     T: RealField + Copy,
@@ -75,7 +75,7 @@ pub fn geometric_jacobian<
     q: &[T; Q],
 ) -> [Screw<T>; N] {
     jacobian(chain, frame, q, |m_0_frame| {
-        // The frame with the axes of (0) and its origin in that of `frame`, seen from there.
+        // To a frame with the axes of (0) and its origin at that of `frame`.
         Matrix4::new_translation(&-m_0_frame.fixed_view::<3, 1>(0, 3))
     })
 }
@@ -116,7 +116,7 @@ pub fn body_jacobian_rate<
     jacobian_rate(chain, frame, q, qd, |m_0_frame, w| (inverse(m_0_frame), *w))
 }
 
-/// L̇₁ … L̇_N with the axes of frame 0, pole at the moving origin of `frame` [1/s, m/s].
+/// L̇₁ … L̇_N with the axes of frame 0, reference point at the moving origin of `frame` [1/s, m/s].
 #[must_use]
 pub fn geometric_jacobian_rate<
     T: RealField + Copy,
@@ -132,7 +132,7 @@ pub fn geometric_jacobian_rate<
 ) -> [Screw<T>; N] {
     jacobian_rate(chain, frame, q, qd, |m_0_frame, w| {
         let tip = m_0_frame.column(3);
-        // Ṗ = W P of the pole, whose axes do not turn.
+        // Ṗ = W P of the reference point; the axes do not rotate.
         let mut w_pole = Matrix4::zeros();
         w_pole.set_column(3, &(w * tip));
         let back = Matrix4::new_translation(&-m_0_frame.fixed_view::<3, 1>(0, 3));
@@ -205,10 +205,10 @@ fn jacobian<T: RealField + Copy, const N: usize, const F: usize, const Q: usize,
     let positions = Positions::at(chain, q);
     let m = m_from_0(&positions.pose_of(frame));
     let mut columns = [Matrix4::zeros(); N];
-    for freedom in positions.freedoms() {
-        let Freedom {
+    for dof in positions.degrees_of_freedom() {
+        let DegreeOfFreedom {
             body, velocity, l, ..
-        } = freedom;
+        } = dof;
         if let Some(column) = columns.get_mut(velocity)
             && chain.carries(body, frame.body)
         {
@@ -218,8 +218,8 @@ fn jacobian<T: RealField + Copy, const N: usize, const F: usize, const Q: usize,
     columns.map(|l| Screw::new(axial(&l), column(&l)))
 }
 
-/// The rates of the columns M L₍₀₎ M⁻¹: of L₍₀₎ the rate is W L − L W, and of the frame in which they are seen,
-/// M and its own W in frame 0 are made by `seen_by` of M₀,frame and W₀,frame.
+/// The rates of the columns M L₍₀₎ M⁻¹. The rate of L₍₀₎ is W L − L W; `seen_by` makes M, and the W in frame 0 of the
+/// frame of the columns, from M₀,frame and W₀,frame.
 fn jacobian_rate<
     T: RealField + Copy,
     const N: usize,
@@ -237,10 +237,10 @@ fn jacobian_rate<
     let positions = &motion.positions;
     let (m, w_seen) = seen_by(&positions.pose_of(frame), &motion.velocity_of(frame.body));
     let mut columns = [Matrix4::zeros(); N];
-    for freedom in positions.freedoms() {
-        let Freedom {
+    for dof in positions.degrees_of_freedom() {
+        let DegreeOfFreedom {
             body, velocity, l, ..
-        } = freedom;
+        } = dof;
         if let Some(column) = columns.get_mut(velocity)
             && chain.carries(body, frame.body)
         {

@@ -1,4 +1,4 @@
-//! The centre of mass and the momentum of all that joints move, at run time.
+//! The centre of mass and the momentum of the bodies that joints move, at run time.
 //!
 //! In: a [`Chain`] and its state. Out: columns and skew parts of Σ J, Σ W J and Σ H J, in frame 0 or about the centre of
 //! mass.
@@ -10,7 +10,7 @@ use crate::robot::chain::Chain;
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
-/// The centre of mass of what joints move \[m\], in frame 0: the last column of Σ J is ∫P dm (16).
+/// The centre of mass of the bodies that joints move \[m\], in frame 0: the last column of Σ J is ∫P dm (16).
 ///
 /// NaN without mass.
 #[must_use]
@@ -28,7 +28,7 @@ pub fn center_of_mass<
     Point(column(&j).map(|moment| moment / j[(3, 3)]))
 }
 
-/// Its velocity [m/s], in the axes of frame 0: the last column of Σ W J is ∫Ṗ dm.
+/// The velocity of the centre of mass [m/s], in the axes of frame 0: the last column of Σ W J is ∫Ṗ dm.
 #[must_use]
 pub fn center_of_mass_velocity<
     T: RealField + Copy,
@@ -46,7 +46,7 @@ pub fn center_of_mass_velocity<
     column(&moments(&motion)).map(|momentum| momentum / mass)
 }
 
-/// Its velocity at a unit rate of each joint, in the axes of frame 0.
+/// The Jacobian of the centre of mass: its velocity at a unit rate of each joint, in the axes of frame 0.
 #[must_use]
 pub fn center_of_mass_jacobian<
     T: RealField + Copy,
@@ -61,7 +61,7 @@ pub fn center_of_mass_jacobian<
     from_fn(|i| center_of_mass_velocity(chain, q, &unit(i)))
 }
 
-/// Γ₍₀₎ = skew[Σ W J] of what joints move [kg m²/s, kg m/s], pole at the origin of frame 0 (20).
+/// Γ₍₀₎ = skew[Σ W J] of the bodies that joints move [kg m²/s, kg m/s], reference point at the origin of frame 0 (20).
 #[must_use]
 pub fn momentum<
     T: RealField + Copy,
@@ -79,7 +79,7 @@ pub fn momentum<
     Momentum::new(axial(&gamma), column(&gamma))
 }
 
-/// Γ of what joints move about their centre of mass [kg m²/s, kg m/s], in the axes of frame 0.
+/// Γ of the bodies that joints move, about their centre of mass [kg m²/s, kg m/s], in the axes of frame 0.
 #[must_use]
 pub fn centroidal_momentum<
     T: RealField + Copy,
@@ -154,7 +154,7 @@ fn moments<T: RealField + Copy, const B: usize>(motion: &Motion<T, B>) -> Matrix
     each.fold(Matrix4::zeros(), |sum, (w, j)| sum + w * j)
 }
 
-/// skew[X] of X = Σ W J or Σ H J with the centre of mass as pole (17).
+/// skew[X] of X = Σ W J or Σ H J about the centre of mass (17).
 fn about_center<T: RealField + Copy, const B: usize>(
     positions: &Positions<T, B>,
     x: &Matrix4<T>,

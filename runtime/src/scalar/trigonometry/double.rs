@@ -29,7 +29,7 @@ pub fn sin_cos(angle: f64) -> (f64, f64) {
 #[inline]
 #[must_use]
 pub fn sin_cos_moderate(angle: f64) -> (f64, f64) {
-    // The sum has no room for a fraction: it is rounded to an integer, which its low bits hold.
+    // Adding ROUND rounds to an integer, which is in the low bits of the sum.
     let shifted = fused(angle, FRAC_2_PI, ROUND);
     let quadrants = shifted - ROUND;
     // Cody and Waite: the products with the first two parts are exact, fused or not, and so are
@@ -44,7 +44,7 @@ pub fn sin_cos_moderate(angle: f64) -> (f64, f64) {
 /// 1.5·2⁵²: a number of this size has units in its last place.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// π/2: two parts of 36 bits, so that 2¹⁷ times either is exact, and what is left.
+/// π/2: two parts of 36 bits, so that 2¹⁷ times either is exact, and the rest.
 const FRAC_PI_2: [f64; 3] = [
     1.570_796_326_792_333_3,
     2.563_344_151_583_955_8e-12,
@@ -71,8 +71,8 @@ const COSINE: [f64; 6] = [
     -1.135_861_698_681_578_8e-11,
 ];
 
-/// Sine and cosine of `r + low + quadrant·π/2`, where `low` is a rounding error of `r` and of
-/// `quadrant` the two lowest bits count.
+/// Sine and cosine of `r + low + quadrant·π/2`. `low` is a rounding error of `r`; the two lowest bits of
+/// `quadrant` are used.
 #[inline]
 fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
     let z = r * r;
@@ -83,13 +83,13 @@ fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
     let cubic = z * r;
     let sine = r - fused(-cubic, series(&SINE, z, z_squared), fused(half, low, -low));
 
-    // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + what rounding lost).
+    // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + the rounding error of 1 − r²/2).
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
     let small = fused(-r, low, lost);
     let cosine = leading + fused(z_squared, series(&COSINE, z, z_squared), small);
 
-    // In odd quadrants the two are exchanged: bits are chosen, no branch.
+    // In odd quadrants the two are exchanged, by masks instead of a branch.
     let odd = (quadrant & 1).wrapping_neg();
     let exchanged = (sine.to_bits() ^ cosine.to_bits()) & odd;
     let sine_sign = (quadrant << 62) & SIGN;
@@ -100,7 +100,7 @@ fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
     )
 }
 
-/// c₀ + c₁z + … + c₅z⁵, in pairs that do not wait for each other.
+/// c₀ + c₁z + … + c₅z⁵, in pairs that are independent of each other.
 #[inline]
 fn series(coefficients: &[f64; 6], z: f64, z_squared: f64) -> f64 {
     let [c_0, c_1, c_2, c_3, c_4, c_5] = *coefficients;

@@ -29,7 +29,7 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
 #[inline]
 #[must_use]
 pub fn sin_cos_moderate(angle: f32) -> (f32, f32) {
-    // The sum has no room for a fraction: it is rounded to an integer, which its low bits hold.
+    // Adding ROUND rounds to an integer, which is in the low bits of the sum.
     let shifted = fused(angle, FRAC_2_PI, ROUND);
     let quadrants = shifted - ROUND;
     // −quadrants but for its zero, which is +0: times the negative part it keeps an angle of −0.
@@ -46,7 +46,7 @@ pub fn sin_cos_moderate(angle: f32) -> (f32, f32) {
 /// 1.5·2²³: a number of this size has units in its last place.
 const ROUND: f32 = 12_582_912.0;
 
-/// π/2: two parts of 13 bits, so that 2¹¹ times either is exact, and what is left.
+/// π/2: two parts of 13 bits, so that 2¹¹ times either is exact, and the rest.
 const FRAC_PI_2: [f32; 3] = [1.570_800_8, -4.454_516e-6, 6.077_100_6e-11];
 
 /// Coefficients of r³, r⁵, r⁷: relative error of the sine 2⁻²⁷·⁹ for |r| ≤ π/4.
@@ -55,8 +55,8 @@ const SINE: [f32; 3] = [-1.666_665_5e-1, 8.332_187e-3, -1.951_789_6e-4];
 /// Coefficients of r⁴, r⁶, r⁸: relative error of the cosine 2⁻³³·⁰ for |r| ≤ π/4.
 const COSINE: [f32; 3] = [4.166_664_6e-2, -1.388_731e-3, 2.443_232_7e-5];
 
-/// Sine and cosine of `r + low + quadrant·π/2`, where `low` is a rounding error of `r` and of
-/// `quadrant` the two lowest bits count.
+/// Sine and cosine of `r + low + quadrant·π/2`. `low` is a rounding error of `r`; the two lowest bits of
+/// `quadrant` are used.
 #[inline]
 fn in_quadrant(r: f32, low: f32, quadrant: u32) -> (f32, f32) {
     let z = r * r;
@@ -69,14 +69,14 @@ fn in_quadrant(r: f32, low: f32, quadrant: u32) -> (f32, f32) {
     let cubic = z * r;
     let sine = r - fused(-cubic, series, fused(half, low, -low));
 
-    // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + what rounding lost).
+    // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + the rounding error of 1 − r²/2).
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
     let near = fused(z, COSINE[1], COSINE[0]);
     let series = fused(z_squared, COSINE[2], near);
     let cosine = leading + fused(z_squared, series, fused(-r, low, lost));
 
-    // In odd quadrants the two are exchanged: bits are chosen, no branch.
+    // In odd quadrants the two are exchanged, by masks instead of a branch.
     let odd = (quadrant & 1).wrapping_neg();
     let exchanged = (sine.to_bits() ^ cosine.to_bits()) & odd;
     let sine_sign = (quadrant << 30) & SIGN;

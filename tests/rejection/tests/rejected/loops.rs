@@ -63,7 +63,7 @@ fn main() {
     let _: [f64; 3] = Bodies.constraint(&[0.0]);
     let _: [f64; 1] = Bodies.actuated_inverse_dynamics(&[0.0], &[0.0], &[0.0]);
     let _: [[f64; 1]; 3] = Equations.constraint_jacobian(&[0.0]);
-    let _: homogen::ConstrainedForwardDynamics<1, 3> =
+    let _: homogen::ConstrainedAccelerations<1, 3> =
         Asked.constrained_forward_dynamics(&[0.0], &[0.0], &[0.0]);
     let _ = Unasked.gravity(&[0.0]);
 }

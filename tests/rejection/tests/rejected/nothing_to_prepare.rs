@@ -1,4 +1,4 @@
-//! What depends on fields alone cannot be computed once where there are none.
+//! `prepare` needs fields.
 
 use homogen::Robot;
 

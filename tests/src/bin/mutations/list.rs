@@ -1,16 +1,15 @@
-//! What is broken, and which test must notice.
+//! Wrong edits, and the test that must notice each.
 //!
-//! Each mutation replaces a text that its file has exactly once; a test of this file holds the list
-//! to that.
+//! A mutation replaces a text that occurs exactly once in its file; a test of this file checks that.
 
 mod names;
 mod paper;
 
 use std::fmt;
 
-/// One thing broken.
+/// A wrong edit.
 pub struct Mutation {
-    /// What it is.
+    /// A description of the edit.
     pub name: &'static str,
     /// The file, from the root of the repository.
     pub file: &'static str,
@@ -20,12 +19,12 @@ pub struct Mutation {
     pub noticed_by: Test,
 }
 
-/// A test by its name.
+/// A test of a package.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Test {
-    /// The package that it is in.
+    /// Its package.
     pub package: &'static str,
-    /// Which target of the package, as arguments of cargo.
+    /// Its target in the package, as arguments of cargo.
     pub target: &'static [&'static str],
     /// Its path.
     pub name: &'static str,
@@ -34,44 +33,44 @@ pub struct Test {
 const ENGINE: &[&str] = &["--lib"];
 const GEOMETRY: &[&str] = &["--test", "hard_cases_geometry"];
 
-/// All of them.
+/// All mutations.
 pub fn all() -> impl Iterator<Item = &'static Mutation> {
     let others = names::NAMES.iter().chain(paper::EQUATIONS);
     MUTATIONS.iter().chain(others)
 }
 
-/// Those of the engine and of geometry, grouped by the crate that is built again.
+/// Mutations of the engine and of the runtime's geometry, grouped by the crate that is built again.
 const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
-        from: "u * second + base.cross(turning)",
-        to: "u * second - base.cross(turning)",
+        from: "u * second + base.cross(angular)",
+        to: "u * second - base.cross(angular)",
         noticed_by: engine(OBLIQUE),
     },
     Mutation {
-        name: "Newton-Euler: of a joint with several velocities, ω × v left out",
+        name: "Newton-Euler: ω × v left out, on a joint with several velocities",
         file: "codegen/src/model/newton_euler.rs",
-        from: "let coriolis = turning.cross(outer.relative) + before.cross(sliding);",
-        to: "let coriolis = before.cross(sliding);",
+        from: "let coriolis = angular.cross(outer.relative) + before.cross(linear);",
+        to: "let coriolis = before.cross(linear);",
         noticed_by: engine(KINDS),
     },
     Mutation {
-        name: "followers: the torque of one without its factor",
+        name: "mimic joints: a torque without its factor",
         file: "codegen/src/model/velocities.rs",
         from: "let term = state.times_factor(k, term);",
         to: "",
         noticed_by: engine(KINDS),
     },
     Mutation {
-        name: "followers: factors of the mass matrix without what is filled in",
+        name: "mimic joints: the fill-in of the mass matrix's factors left out",
         file: "codegen/src/model/velocities.rs",
         from: "before[parent].extend(row);",
         to: "",
         noticed_by: engine(FOLLOWERS),
     },
     Mutation {
-        name: "quaternions: the turn the other way",
+        name: "quaternions: the inverse rotation",
         file: "codegen/src/joint/posture.rs",
         from: "let (wx, wy, wz) = (twice_x * w, twice_y * w, twice_z * w);",
         to: "let (wx, wy, wz) = (-twice_x * w, -twice_y * w, -twice_z * w);",
@@ -99,7 +98,7 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine(OBLIQUE),
     },
     Mutation {
-        name: "regrouping: what passes the joint is kept as well",
+        name: "regrouping: the regrouped inertia added to its body, not subtracted",
         file: "codegen/src/layout/regroup.rs",
         from: "body.inertia - passes",
         to: "body.inertia + passes",
@@ -118,7 +117,7 @@ const MUTATIONS: [Mutation; 46] = [
         from: "for _ in 0..=refinements {\n        let needed",
         to: "for _ in 0..refinements.max(1) {\n        let needed",
         noticed_by: engine(
-            "plan::forward::tests::a_refinement_brings_back_the_digits_that_the_mass_matrix_lost",
+            "plan::forward::tests::a_refinement_restores_the_digits_that_the_mass_matrix_lost",
         ),
     },
     Mutation {
@@ -138,14 +137,14 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "layout: an offset of the angle not taken off the placement",
+        name: "layout: an offset of the angle added to the placement, not subtracted",
         file: "codegen/src/layout/frames.rs",
         from: "rotation * Rotation::about_z((-sine, cosine))",
         to: "rotation * Rotation::about_z((sine, cosine))",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "layout: the axis of a joint against itself",
+        name: "layout: the axis of a joint reversed",
         file: "codegen/src/matrix/pose.rs",
         from: "let last = if size(k) > 0.0 { last } else { -last };",
         to: "let last = if size(k) > 0.0 { -last } else { last };",
@@ -159,49 +158,49 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "jacobian of the body: from the wrong side of the end",
+        name: "body Jacobian: the pose of the end effector not inverted",
         file: "codegen/src/model/jacobian.rs",
         from: "let mut pose = path.end.inverse();",
         to: "let mut pose = path.end;",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "pose: the third column against the other two",
+        name: "pose: the third column with the other sign",
         file: "codegen/src/model/pose.rs",
         from: "columns[(k + 1) % 3].cross(columns[(k + 2) % 3])",
         to: "columns[(k + 2) % 3].cross(columns[(k + 1) % 3])",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "regrouping: mass beside the axis passed on",
+        name: "regrouping: mass beside the axis moved inboard",
         file: "codegen/src/joint/motion.rs",
         from: "Symmetric([zero, zero, zz, zero, zero, zero])",
         to: "Symmetric([zz, zero, zero, zero, zero, zero])",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "merging: a held joint not moved to where it is held",
+        name: "merging: a locked joint without its displacement",
         file: "codegen/src/chain/merge/seat.rs",
         from: "pose: pose * held_at(graph, joint.kind, axes, reader.number(&held)),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "merging: a fixed link's inertia where its body's is",
+        name: "merging: the inertia of a fixed link not moved to its parent's frame",
         file: "codegen/src/chain/merge/seat.rs",
-        from: "bodies[body].inertia + inertia.change_frame(seat.pose)",
+        from: "bodies[body].inertia + inertia.change_frame(attachment.pose)",
         to: "bodies[body].inertia + inertia",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "gravity: the moment turned round",
+        name: "gravity: the moment with the other sign",
         file: "codegen/src/model/gravity.rs",
         from: "moments[k].cross(a)",
         to: "a.cross(moments[k])",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "jacobian: the pole on the other side",
+        name: "jacobian: the reference point on the other side",
         file: "codegen/src/model/carry.rs",
         from: "pose.translation = -between;",
         to: "pose.translation = between;",
@@ -210,8 +209,8 @@ const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "mass matrix: an entry left out of the lower half",
         file: "codegen/src/model/composite.rs",
-        from: "entries.set_both((at, column), seen);",
-        to: "entries[(at, column)] = seen;",
+        from: "entries.set_both((at, column), entry);",
+        to: "entries[(at, column)] = entry;",
         noticed_by: engine(CHECKED),
     },
     Mutation {
@@ -255,25 +254,25 @@ const MUTATIONS: [Mutation; 46] = [
         from: "let factor = self.difference(k, l);",
         to: "let factor = self.difference(l, k);",
         noticed_by: engine(
-            "expression::graph::tests::multiples_of_one_thing_are_gathered_whatever_else_uses_them",
+            "expression::graph::tests::multiples_of_one_expression_are_collected_whatever_else_uses_them",
         ),
     },
     Mutation {
-        name: "fusing: a product taken from the wrong side",
+        name: "fusing: a product subtracted on the wrong side",
         file: "codegen/src/schedule/fuse.rs",
         from: "[Form::Minus, Form::From]",
         to: "[Form::From, Form::Minus]",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "signs: a sum of two opposites not turned",
+        name: "signs: a sum of two negated terms not negated",
         file: "codegen/src/schedule/signs.rs",
         from: "if a == b => Some(a)",
         to: "if a == b => Some(!a)",
         noticed_by: engine(CHECKED),
     },
     Mutation {
-        name: "schedule: a difference the wrong way round",
+        name: "schedule: the operands of a difference exchanged",
         file: "codegen/src/schedule/order.rs",
         from: "(true, _) => Operation::Sub(b, a)",
         to: "(true, _) => Operation::Sub(a, b)",
@@ -291,23 +290,21 @@ const MUTATIONS: [Mutation; 46] = [
         file: "codegen/src/schedule/order.rs",
         from: "Node::Taken(a, _) => return self.positive(a)",
         to: "Node::Taken(a, _) => return self.at(a)",
-        noticed_by: engine("model::alike::tests::nothing_else_changes"),
+        noticed_by: engine("model::alike::tests::other_columns_are_unchanged"),
     },
     Mutation {
-        name: "columns: a round that reads another",
+        name: "columns: an iteration that reads another",
         file: "codegen/src/schedule/repeats.rs",
         from: "own(one).map(|step| step + behind) == own(other)",
         to: "own(one).is_some() == own(other).is_some()",
-        noticed_by: engine("schedule::repeats::tests::a_round_that_reads_another_is_none"),
+        noticed_by: engine("schedule::repeats::tests::an_iteration_that_reads_another_is_rejected"),
     },
     Mutation {
-        name: "columns: a result found in the row of another",
+        name: "columns: a result read from the row of another",
         file: "codegen/src/schedule/routine/rounds.rs",
         from: "let row = row.unwrap_or_default();",
         to: "let row = row.map_or(0, |row| row ^ 1);",
-        noticed_by: engine(
-            "schedule::routine::rounds::tests::rounds_compute_what_all_steps_do_one_after_the_other",
-        ),
+        noticed_by: engine("schedule::routine::rounds::tests::loops_compute_the_same_as_all_steps"),
     },
     Mutation {
         name: "sine: the last digits of a coefficient",
@@ -317,11 +314,11 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "trigonometry"],
-            name: "double_precision_at_random",
+            name: "double_precision_is_within_its_limit_at_random_angles",
         },
     },
     Mutation {
-        name: "C: a difference by its factors in the wrong order",
+        name: "C: the operands of a fused difference exchanged",
         file: "codegen/src/print/c/body.rs",
         from: r#"None) => format!("{c} - {a} * {b}")"#,
         to: r#"None) => format!("{a} * {b} - {c}")"#,
@@ -353,29 +350,27 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: geometry("logarithm::log_tiny"),
     },
     Mutation {
-        name: "logarithm: near π as near 0",
+        name: "logarithm: the formula near 0 used near π",
         file: "runtime/src/matrix/rotation.rs",
         from: "if trace >= xx && trace >= yy && trace >= zz {",
         to: "if trace >= -one {",
         noticed_by: geometry("logarithm::log_near_pi"),
     },
     Mutation {
-        name: "loops: residuals that digits leave are kept",
+        name: "loops: residuals that are rounding errors are kept",
         file: "codegen/src/expand/closure.rs",
         from: "const LEAST: f64 = 1.0 / 1024.0;",
         to: "const LEAST: f64 = 0.0;",
         noticed_by: engine(
-            "expand::closure::tests::singular::a_four_bar_that_is_mounted_askew_keeps_the_residuals_of_its_plane",
+            "expand::closure::tests::singular::a_four_bar_mounted_askew_keeps_the_residuals_of_its_plane",
         ),
     },
     Mutation {
-        name: "loops: a residual beside the motion of the base",
+        name: "loops: a residual not compared with the motion of its body",
         file: "codegen/src/expand/closure/measured.rs",
         from: "rate.abs() / motion.max(LEAST_MOTION * size)",
         to: "rate.abs()",
-        noticed_by: engine(
-            "expand::closure::tests::singular::small_mechanisms_keep_their_residuals",
-        ),
+        noticed_by: engine("expand::closure::tests::singular::small_loops_keep_their_residuals"),
     },
     Mutation {
         name: "loops: γ with the other sign",
@@ -385,17 +380,18 @@ const MUTATIONS: [Mutation; 46] = [
         noticed_by: Test {
             package: "homogen-tests",
             target: &["--test", "mechanisms"],
-            name: "mechanisms_of_all_digits_move_as_they_are_drawn",
+            name: "robots_written_with_all_digits_move_as_drawn",
         },
     },
 ];
 
-/// What makes expansion itself fail, whatever else would notice.
-const CHECKED: &str = "check::tests::every_function_of_many_robots_is_what_the_description_says";
+/// The test by which the check of an expansion fails, whichever other tests would notice too.
+const CHECKED: &str = "check::tests::every_function_of_many_robots_agrees_with_the_description";
 
-const KINDS: &str = "chain::tests::joints::every_kind_has_every_function";
+const KINDS: &str = "chain::tests::joints::every_type_has_every_function";
 
-const FOLLOWERS: &str = "chain::tests::joints::branches_that_only_a_follower_connects_are_coupled";
+const FOLLOWERS: &str =
+    "chain::tests::joints::branches_connected_only_by_a_mimic_joint_are_coupled";
 
 const OBLIQUE: &str = "layout::tests::a_tree_of_oblique_axes_has_the_same_torques_in_every_layout";
 
@@ -424,10 +420,10 @@ const fn geometry(name: &'static str) -> Test {
 }
 
 impl Mutation {
-    /// The text of the file, broken.
+    /// The text of the file after the edit.
     ///
     /// # Errors
-    /// Where it has not exactly one place to break.
+    /// If the text to replace does not occur exactly once.
     pub fn apply(&self, text: &str) -> Result<String, String> {
         match text.matches(self.from).count() {
             1 => Ok(text.replace(self.from, self.to)),
@@ -452,9 +448,9 @@ mod tests {
     use super::all;
     use std::path::Path;
 
-    /// So that the list cannot fall behind the sources.
+    /// The list cannot fall behind the sources.
     #[test]
-    fn every_mutation_has_its_place() {
+    fn every_mutation_applies_to_its_file() {
         for mutation in all() {
             let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
             let text = std::fs::read_to_string(root.join(mutation.file)).expect("a source");

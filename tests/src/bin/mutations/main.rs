@@ -1,10 +1,10 @@
-//! Breaks a formulation on purpose, one at a time, and demands that a named test fails.
+//! Mutation tests: makes wrong edits, one at a time, and requires that a named test fails.
 //!
 //! `cargo run -p homogen-tests --bin mutations [part of a mutation's name]`
 //!
-//! In: the tracked files of this repository, and the mutations of [`all`]. Out: a table of what was broken and which
-//! test noticed; a failure where one did not. It works on a copy in the temporary folder, whose build
-//! is kept for the next time, and never changes the repository.
+//! In: the tracked files of this repository, and the mutations of [`all`]. Out: a table of the edits and the tests
+//! that noticed them; exit status of failure if one was not noticed. Edits are made in a copy in the temporary folder,
+//! never in the repository; the copy's build is kept for the next run.
 
 mod list;
 
@@ -38,7 +38,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// How many mutations no test noticed.
+/// Runs the mutations. Returns the number of those that no test noticed.
 fn demonstrate(mutations: &[&Mutation]) -> Result<usize, String> {
     let copy = Copy::of(&root())?;
     println!("in {}", copy.files.display());
@@ -58,7 +58,7 @@ fn demonstrate(mutations: &[&Mutation]) -> Result<usize, String> {
     let mut unnoticed = 0;
     for mutation in mutations {
         let file = copy.files.join(mutation.file);
-        let text = fs::read_to_string(&file).map_err(|error| told(&file, &error))?;
+        let text = fs::read_to_string(&file).map_err(|error| with_path(&file, &error))?;
         let broken = mutation.apply(&text)?;
         write(&file, &broken)?;
         let verdict = copy.run(mutation.noticed_by);
@@ -76,7 +76,7 @@ fn demonstrate(mutations: &[&Mutation]) -> Result<usize, String> {
     Ok(unnoticed)
 }
 
-/// What became of a test.
+/// The outcome of a test.
 #[derive(Debug, PartialEq)]
 enum Verdict {
     Passed,
@@ -91,8 +91,8 @@ struct Copy {
 }
 
 impl Copy {
-    /// Makes the copy equal to the tracked files. A file that is the same already keeps its time, and
-    /// every other one gets a new time, by which cargo knows what to build again.
+    /// Updates the copy to the tracked files. Unchanged files keep their times and changed ones get new times, by which
+    /// cargo knows what to build again.
     fn of(root: &Path) -> Result<Self, String> {
         let folder = env::temp_dir().join("homogen-mutations");
         let copy = Self {
@@ -100,15 +100,15 @@ impl Copy {
             target: folder.join("target"),
         };
         let tracked: BTreeSet<PathBuf> = tracked(root)?.into_iter().collect();
-        for file in files_below(&copy.files).map_err(|error| told(&copy.files, &error))? {
+        for file in files_below(&copy.files).map_err(|error| with_path(&copy.files, &error))? {
             let name = file.strip_prefix(&copy.files).unwrap_or(&file);
             if !tracked.contains(name) {
-                fs::remove_file(&file).map_err(|error| told(&file, &error))?;
+                fs::remove_file(&file).map_err(|error| with_path(&file, &error))?;
             }
         }
         for name in &tracked {
             let (from, to) = (root.join(name), copy.files.join(name));
-            copy_if_different(&from, &to).map_err(|error| told(&from, &error))?;
+            copy_if_different(&from, &to).map_err(|error| with_path(&from, &error))?;
         }
         Ok(copy)
     }
@@ -148,7 +148,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The files that git knows, from the root.
+/// The files that git tracks, relative to the root.
 fn tracked(root: &Path) -> Result<Vec<PathBuf>, String> {
     let mut git = Command::new("git");
     let output = git.args(["ls-files", "-z"]).current_dir(root).output();
@@ -160,7 +160,7 @@ fn tracked(root: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(names.split_terminator('\0').map(PathBuf::from).collect())
 }
 
-/// All files of a folder, which need not exist.
+/// All files below a folder; none if it does not exist.
 fn files_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     if folder.exists() {
@@ -188,10 +188,10 @@ fn copy_if_different(from: &Path, to: &Path) -> io::Result<()> {
 }
 
 fn write(file: &Path, text: &str) -> Result<(), String> {
-    fs::write(file, text).map_err(|error| told(file, &error))
+    fs::write(file, text).map_err(|error| with_path(file, &error))
 }
 
-fn told(file: &Path, error: &io::Error) -> String {
+fn with_path(file: &Path, error: &io::Error) -> String {
     format!("{}: {error}", file.display())
 }
 

@@ -1,8 +1,8 @@
-//! What loops close, as vectors in frame 0, and the motion that they leave, at 256 bits.
+//! Loop closures in frame 0, in 256 bits.
 //!
-//! In: a robot in matrices and how it moves. Out: residuals, their rates, their accelerations, and q̈ and λ.
-//! What moves with a frame has the rates W v and H v, of points and of axes; products of those are all
-//! that a loop closes. Which of them a kind has is written here once more.
+//! In: a robot in matrices and its motion. Out: residuals, their Jacobian, their accelerations at q̈ = 0, and the
+//! system of equations of q̈ and λ. Points and axes fixed to a frame have the rates W v and H v; a residual is a
+//! product of two such vectors. The residuals of each type of loop are stated here independently of the engine.
 
 use homogen_codegen::closure::Closure;
 
@@ -12,37 +12,37 @@ use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::{Loop, Robot};
 
-/// A point or an axis in frame 0 with its first and second rates.
+/// A point or an axis in frame 0 with its first and second derivatives.
 struct Moving([[Big; 3]; 3]);
 
-/// A product of two vectors that is zero where the loop is closed.
+/// A residual: a product of two vectors that is zero where the loop is closed.
 #[derive(Clone, Copy)]
 enum Row {
-    /// An axis of A times the way from A to B.
+    /// An axis of A times the vector from A to B.
     Along(usize),
-    /// An axis of A times an axis of B, which is something where they are not perpendicular.
+    /// An axis of A times an axis of B; a cosine to subtract if they are not perpendicular.
     Axes(usize, usize),
-    /// That way times itself.
-    Way,
+    /// The square of the vector from A to B.
+    Length,
 }
 
-use Row::{Along, Axes, Way};
+use Row::{Along, Axes, Length};
 
 fn rows(kind: Closure) -> Vec<Row> {
     let point = [Along(0), Along(1), Along(2)];
     let parallel = [Axes(0, 2), Axes(1, 2)];
-    let turned = [Axes(0, 1), Axes(1, 2), Axes(2, 0)];
+    let rotation = [Axes(0, 1), Axes(1, 2), Axes(2, 0)];
     match kind {
-        Closure::Fixed => [point, turned].concat(),
+        Closure::Fixed => [point, rotation].concat(),
         Closure::Revolute => [&point[..], &parallel].concat(),
-        Closure::Prismatic => [&point[..2], &turned].concat(),
+        Closure::Prismatic => [&point[..2], &rotation].concat(),
         Closure::Cylindrical => [&point[..2], &parallel].concat(),
         Closure::Universal => [&point[..], &[Axes(2, 2)]].concat(),
         Closure::Planar => [&point[2..], &parallel].concat(),
-        Closure::Translation => turned.to_vec(),
+        Closure::Translation => rotation.to_vec(),
         Closure::Spherical => point.to_vec(),
-        Closure::Rod { .. } => vec![Way],
-        other => panic!("{other:?} has no oracle"),
+        Closure::Rod { .. } => vec![Length],
+        other => panic!("{other:?} is not defined here"),
     }
 }
 
@@ -52,7 +52,7 @@ pub(super) fn residuals(robot: &Robot, positions: &Positions) -> Vec<Big> {
     each(robot, |closed, row| {
         let product = derivative(closed, row, 0, positions, &still);
         match (row, closed.closure.length()) {
-            (Way, Some(length)) => {
+            (Length, Some(length)) => {
                 let length = Big::new(length.value);
                 (product - &length * &length) / (&length * Big::new(2.0))
             }
@@ -62,7 +62,7 @@ pub(super) fn residuals(robot: &Robot, positions: &Positions) -> Vec<Big> {
     })
 }
 
-/// What each velocity changes each residual by, row by row.
+/// ∂(residual)/∂(velocity), row by row.
 pub(super) fn jacobian(robot: &Robot, positions: &Positions) -> Vec<Big> {
     let motions: Vec<Motion> = unit_motions(robot, positions).collect();
     let rows = each(robot, |closed, row| {
@@ -73,22 +73,22 @@ pub(super) fn jacobian(robot: &Robot, positions: &Positions) -> Vec<Big> {
     rows.concat()
 }
 
-/// The acceleration of each residual in a motion at q̈ = 0.
+/// The acceleration of each residual at q̈ = 0.
 pub(super) fn bias(robot: &Robot, positions: &Positions, coasting: &Motion) -> Vec<Big> {
     each(robot, |closed, row| {
         rate(closed, row, 2, positions, coasting)
     })
 }
 
-/// The whole system of equations, [M −Jᵗ; J 0], and what it is to be: of q̈ and λ, which is zero for a
-/// residual that nothing moves.
+/// The matrix [M −Jᵗ; J 0] and the right-hand side of the equations of q̈ and λ; λ = 0 for a residual that no velocity
+/// changes.
 pub(super) fn system(
     mass_matrix: &[Vec<Big>],
-    lacking: Vec<Big>,
+    forces: Vec<Big>,
     jacobian: &[Big],
     bias: &[Big],
 ) -> (Vec<Vec<Big>>, Vec<Vec<Big>>) {
-    let (count, rows) = (lacking.len(), bias.len());
+    let (count, rows) = (forces.len(), bias.len());
     let mut matrix = vec![vec![Big::zero(); count + rows]; count + rows];
     for (row, entries) in mass_matrix.iter().enumerate() {
         matrix[row][..count].clone_from_slice(entries);
@@ -106,7 +106,7 @@ pub(super) fn system(
             matrix[count + k][count + k] = Big::one();
         }
     }
-    let right = lacking.into_iter().chain(bias.iter().map(|bias| -bias));
+    let right = forces.into_iter().chain(bias.iter().map(|bias| -bias));
     (matrix, right.map(|entry| vec![entry]).collect())
 }
 
@@ -124,16 +124,16 @@ fn each<T>(robot: &Robot, of: impl Fn(&Loop, Row) -> T) -> Vec<T> {
     rows.map(|(closed, row)| of(closed, row)).collect()
 }
 
-/// A rate of a residual.
+/// A derivative of a residual.
 fn rate(closed: &Loop, row: Row, order: usize, positions: &Positions, motion: &Motion) -> Big {
     let product = derivative(closed, row, order, positions, motion);
     match (row, closed.closure.length()) {
-        (Way, Some(length)) => product / Big::new(2.0 * length.value),
+        (Length, Some(length)) => product / Big::new(2.0 * length.value),
         _ => product,
     }
 }
 
-/// A derivative of the product that a row is of, by the product rule.
+/// A derivative of a row's product, by the product rule.
 fn derivative(
     closed: &Loop,
     row: Row,
@@ -147,16 +147,16 @@ fn derivative(
         let rates = [Matrix::identity(), motion.w_of(*body), motion.h_of(*body)];
         Moving(rates.map(|rate| of_column(&(&rate * &m), column)))
     };
-    let way = || {
+    let between = || {
         let [Moving(from), Moving(to)] = [moving(0, 3), moving(1, 3)];
         Moving(std::array::from_fn(|n| {
             std::array::from_fn(|k| &to[n][k] - &from[n][k])
         }))
     };
     let (Moving(one), Moving(other)) = match row {
-        Along(k) => (moving(0, k), way()),
+        Along(k) => (moving(0, k), between()),
         Axes(i, j) => (moving(0, i), moving(1, j)),
-        Way => (way(), way()),
+        Length => (between(), between()),
     };
     let product = |i: usize, j: usize| {
         let pairs = one[i].iter().zip(&other[j]);

@@ -1,12 +1,11 @@
-//! Derivatives of torques by differences, at 256 bits, and the Coriolis matrix by its definition.
+//! Derivatives of torques by central differences in 256 bits, and the Coriolis matrix by its definition.
 //!
-//! In: a robot in matrices and its state. Out: matrices, row by row, a row a force. No formula for a derivative
-//! is known: of q all that a joint carries is moved along its screw, by so little that as many digits are lost
-//! to the step as to rounding, which leaves some 48; of q̇, in which torques are of the second degree but for the
-//! sign that Coulomb friction has, differences are exact.
+//! In: a robot in matrices and its state. Out: matrices, row by row, a row for each torque. By q: all that a joint
+//! carries is displaced along its screw by 2⁻⁸⁴, where truncation and rounding errors are equal and some 48 decimal
+//! digits remain. By q̇: differences are exact, since torques are quadratic in q̇ but for the sign in Coulomb friction.
 
-use super::motion::{Freedom, Motion, Positions};
-use super::torques::{carried, outside, pseudo_product, torques};
+use super::motion::{JointScrew, Motion, Positions};
+use super::torques::{carried, external, pseudo_product, torques};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::exponential;
@@ -15,7 +14,7 @@ use crate::oracle::robot::Robot;
 /// 2⁻⁸⁴.
 const STEP: f64 = 5.169_878_828_456_423e-26;
 
-/// ∂τ/∂q and ∂τ/∂q̇ under actions from outside.
+/// ∂τ/∂q and ∂τ/∂q̇ under external wrenches.
 pub(super) fn of_torques(
     robot: &Robot,
     positions: &Positions,
@@ -28,20 +27,20 @@ pub(super) fn of_torques(
     ]
 }
 
-/// ∂τ/∂q under actions from outside.
+/// ∂τ/∂q under external wrenches.
 pub(super) fn by_coordinate(
     robot: &Robot,
     positions: &Positions,
     [qd, qdd]: [&[Big]; 2],
     actions: &[f64],
 ) -> Vec<Big> {
-    by_columns(robot, positions, |freedom| {
+    by_columns(robot, positions, |screw| {
         let [more, less] = [STEP, -STEP].map(|step| {
-            let along = exponential(&freedom.l, &Big::new(step));
-            let moved = displaced(robot, positions, freedom.body, &along);
+            let along = exponential(&screw.l, &Big::new(step));
+            let moved = displaced(robot, positions, screw.body, &along);
             let torques = torques(robot, &moved, &Motion::at(robot, &moved, qd, qdd));
-            let both = torques.into_iter().zip(outside(robot, &moved, actions));
-            both.map(|(torque, outside)| torque - outside)
+            let both = torques.into_iter().zip(external(robot, &moved, actions));
+            both.map(|(torque, external)| torque - external)
                 .collect::<Vec<Big>>()
         });
         let pairs = more.into_iter().zip(less);
@@ -49,7 +48,7 @@ pub(super) fn by_coordinate(
     })
 }
 
-/// Where all is after a displacement of what a body carries.
+/// The positions after a displacement of all that a joint carries.
 fn displaced(robot: &Robot, positions: &Positions, joint: usize, by: &Matrix) -> Positions {
     let (back, transposed) = (by.inverse(), by.transposed());
     let is_carried = |body: usize| robot.upwards(Some(body)).any(|inner| inner == joint);
@@ -64,18 +63,18 @@ fn displaced(robot: &Robot, positions: &Positions, joint: usize, by: &Matrix) ->
         });
         bodies.collect()
     };
-    let freedoms = positions.freedoms.iter().map(|freedom| Freedom {
-        l: if is_carried(freedom.body) {
-            &(by * &freedom.l) * &back
+    let screws = positions.screws.iter().map(|screw| JointScrew {
+        l: if is_carried(screw.body) {
+            &(by * &screw.l) * &back
         } else {
-            freedom.l.clone()
+            screw.l.clone()
         },
-        ..*freedom
+        ..*screw
     });
     Positions {
         m: each(&positions.m, &|m| by * m),
         j: each(&positions.j, &|j| &(by * j) * &transposed),
-        freedoms: freedoms.collect(),
+        screws: screws.collect(),
     }
 }
 
@@ -87,10 +86,10 @@ fn by_rate(robot: &Robot, positions: &Positions, [qd, qdd]: [&[Big]; 2]) -> Vec<
             let mut qd = qd.to_vec();
             qd[m] = &qd[m] + Big::new(step);
             let mut motion = Motion::at(robot, positions, &qd, qdd);
-            motion.driven.fill(Big::zero());
-            for drive in &robot.drives {
-                let taken = &mut motion.driven[drive.velocity];
-                *taken = &*taken + drive.takes_smoothly(&qd, qdd);
+            motion.actuator_torques.fill(Big::zero());
+            for actuator in &robot.actuators {
+                let sum = &mut motion.actuator_torques[actuator.velocity];
+                *sum = &*sum + actuator.smooth_torque(&qd, qdd);
             }
             torques(robot, positions, &motion)
         });
@@ -102,7 +101,7 @@ fn by_rate(robot: &Robot, positions: &Positions, [qd, qdd]: [&[Big]; 2]) -> Vec<
     rows.collect()
 }
 
-/// C: what the joints feel of Σ (L̇ₘ + Lₘ W) q̇ₘ, which is H at q̈ = 0, for each q̇ₘ.
+/// C: column m has the torques of Σ (L̇ₘ + Lₘ W), the factor of q̇ₘ in H at q̈ = 0.
 pub(super) fn coriolis(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
     by_columns(robot, positions, |along| {
         let (l, w) = (&along.l, &motion.w[along.body]);
@@ -115,25 +114,25 @@ pub(super) fn coriolis(robot: &Robot, positions: &Positions, motion: &Motion) ->
             &moved - &moved.transposed()
         });
         let actions = carried(robot, actions.collect());
-        let mut felt = vec![Big::zero(); robot.velocities()];
-        for Freedom { body, velocity, l } in &positions.freedoms {
-            felt[*velocity] = &felt[*velocity] + pseudo_product(l, &actions[*body]);
+        let mut column = vec![Big::zero(); robot.velocities()];
+        for JointScrew { body, velocity, l } in &positions.screws {
+            column[*velocity] = &column[*velocity] + pseudo_product(l, &actions[*body]);
         }
-        felt
+        column
     })
 }
 
-/// A square matrix, row by row, by its columns, each the sum of those of all that a velocity moves.
+/// A square matrix, row by row, from its columns; the column of a velocity is the sum of those of its screws.
 fn by_columns(
     robot: &Robot,
     positions: &Positions,
-    column: impl Fn(&Freedom) -> Vec<Big>,
+    column: impl Fn(&JointScrew) -> Vec<Big>,
 ) -> Vec<Big> {
     let count = robot.velocities();
     let mut matrix = vec![Big::zero(); count * count];
-    for freedom in &positions.freedoms {
-        for (row, entry) in column(freedom).into_iter().enumerate() {
-            let sum = &mut matrix[row * count + freedom.velocity];
+    for screw in &positions.screws {
+        for (row, entry) in column(screw).into_iter().enumerate() {
+            let sum = &mut matrix[row * count + screw.velocity];
             *sum = &*sum + entry;
         }
     }

@@ -1,13 +1,13 @@
-//! Jacobians and their rates, as the screws of velocities seen from a frame.
+//! Jacobians and their rates.
 //!
-//! In: a robot in matrices, where it is and how it moves. Out: columns, entry by entry.
+//! In: a robot in matrices, its positions and motion. Out: columns, entry by entry.
 
-use super::motion::{Freedom, Motion, Positions};
+use super::motion::{JointScrew, Motion, Positions};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::Robot;
 
-/// The columns M L₍₀₎ M⁻¹; null for the velocities that do not move the frame.
+/// The columns M L₍₀₎ M⁻¹; zero for velocities that do not move the frame.
 pub(super) fn jacobian(
     robot: &Robot,
     positions: &Positions,
@@ -16,7 +16,7 @@ pub(super) fn jacobian(
 ) -> Vec<Big> {
     let moves = |joint: usize| robot.upwards(frame).any(|body| body == joint);
     let mut columns = vec![Matrix::zero(); robot.velocities()];
-    for Freedom { body, velocity, l } in &positions.freedoms {
+    for JointScrew { body, velocity, l } in &positions.screws {
         if moves(*body) {
             columns[*velocity] = &columns[*velocity] + &(&(m * l) * &m.inverse());
         }
@@ -25,8 +25,8 @@ pub(super) fn jacobian(
     entries.flatten().collect()
 }
 
-/// The rates of the columns M L₍₀₎ M⁻¹, of a frame that moves by M and W: M (V L − L V) M⁻¹ where V is the
-/// velocity of the body less W; null for the velocities that do not move the frame.
+/// The rates of the columns M L₍₀₎ M⁻¹ of a frame with pose M and velocity W: M (V L − L V) M⁻¹, where V is the
+/// velocity of the body less W; zero for velocities that do not move the frame.
 pub(super) fn jacobian_rate(
     robot: &Robot,
     positions: &Positions,
@@ -36,7 +36,7 @@ pub(super) fn jacobian_rate(
 ) -> Vec<Big> {
     let moves = |joint: usize| robot.upwards(frame).any(|body| body == joint);
     let mut columns = vec![Matrix::zero(); robot.velocities()];
-    for Freedom { body, velocity, l } in &positions.freedoms {
+    for JointScrew { body, velocity, l } in &positions.screws {
         if moves(*body) {
             let v = &motion.w[*body] - w;
             let rate = &(&v * l) - &(l * &v);

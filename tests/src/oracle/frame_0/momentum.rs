@@ -1,13 +1,13 @@
-//! The mass of what joints move: its centre, and moments about it.
+//! Total mass, centre of mass, and momentum.
 //!
-//! In: a robot in matrices, where it is and how it moves. Out: sums over the bodies that a joint moves.
+//! In: a robot in matrices, its positions and motion. Out: sums over the bodies that joints move.
 
 use super::motion::{Motion, Positions};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::Robot;
 
-/// The bodies that a joint moves: what none moves is not the robot's.
+/// The bodies that joints move; others are not part of the robot's mass.
 pub(super) fn moved(robot: &Robot) -> impl Iterator<Item = usize> {
     let mut moves: Vec<bool> = Vec::new();
     for body in &robot.bodies {
@@ -18,39 +18,39 @@ pub(super) fn moved(robot: &Robot) -> impl Iterator<Item = usize> {
     bodies.filter_map(|(body, moves)| moves.then_some(body))
 }
 
-/// What the bodies that joints move weigh together \[kg\].
+/// The mass of all bodies that joints move \[kg\].
 #[must_use]
 pub fn mass(robot: &Robot) -> f64 {
     let masses = moved(robot).map(|body| robot.bodies[body].inertia.0[3][3].to_f64());
     masses.sum()
 }
 
-/// Σ J of what joints move.
+/// Σ J over the bodies that joints move.
 fn inertia(robot: &Robot, positions: &Positions) -> Matrix {
     moved(robot).fold(Matrix::zero(), |sum, body| &sum + &positions.j[body])
 }
 
-/// Σ X J of what joints move, where X is W or H of each body.
+/// Σ X J over the bodies that joints move, where X is W or H of each body.
 pub(super) fn moments(robot: &Robot, positions: &Positions, of: &[Matrix]) -> Matrix {
     moved(robot).fold(Matrix::zero(), |sum, body| {
         &sum + &(&of[body] * &positions.j[body])
     })
 }
 
-/// Where the mass has its centre: Σ J has the first moments and the mass in the last column.
+/// The centre of mass: the last column of Σ J has the first moments and the mass.
 pub(super) fn mass_center(robot: &Robot, positions: &Positions) -> [Big; 3] {
     let inertia = inertia(robot, positions);
     inertia.column().map(|moment| moment / &inertia.0[3][3])
 }
 
-/// The velocity of the centre of mass by Σ W J.
+/// The velocity of the centre of mass, from Σ W J.
 pub(super) fn by_mass(robot: &Robot, positions: &Positions, moments: &Matrix) -> Vec<Big> {
     let mass = &inertia(robot, positions).0[3][3];
     let column = moments.column();
     column.map(|momentum| momentum / mass).to_vec()
 }
 
-/// skew\[X\] with the centre of mass as pole.
+/// skew\[X\] with the centre of mass as reference point.
 pub(super) fn about_mass_center(
     robot: &Robot,
     positions: &Positions,
@@ -62,7 +62,7 @@ pub(super) fn about_mass_center(
     [seen.vector(), seen.column()].concat()
 }
 
-/// The motions at a unit rate of each joint alone.
+/// The motions at unit velocity of each degree of freedom alone.
 pub(super) fn unit_motions<'r>(
     robot: &'r Robot,
     positions: &'r Positions,

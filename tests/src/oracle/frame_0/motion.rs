@@ -1,26 +1,26 @@
-//! Where bodies are and how they move, in frame 0.
+//! Poses, velocities and accelerations of all bodies, in frame 0.
 //!
-//! In: a robot in matrices, q, q̇ and q̈. Out: M, J and L, and of the rates W and H, of every body by dense products.
+//! In: a robot in matrices, q, q̇ and q̈. Out: M, J, L, W and H of every body by dense products.
 
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::Robot;
 
-/// What depends on q alone, in frame 0.
+/// All that depends on q alone, in frame 0.
 pub(super) struct Positions {
     /// M₀ᵢ.
     pub(super) m: Vec<Matrix>,
     /// Jᵢ₍₀₎.
     pub(super) j: Vec<Matrix>,
-    /// What each velocity moves: several bodies, where joints follow others.
-    pub(super) freedoms: Vec<Freedom>,
+    /// The screws of all joints; several for one velocity if joints mimic others.
+    pub(super) screws: Vec<JointScrew>,
 }
 
-/// What a velocity does to a body, and to all that it carries.
-pub(super) struct Freedom {
+/// A motion of a body, and of all that it carries, at unit velocity.
+pub(super) struct JointScrew {
     /// The body.
     pub(super) body: usize,
-    /// The place of the velocity.
+    /// The index of the velocity.
     pub(super) velocity: usize,
     /// L₍₀₎.
     pub(super) l: Matrix,
@@ -31,29 +31,29 @@ impl Positions {
         let mut positions = Self {
             m: Vec::new(),
             j: Vec::new(),
-            freedoms: Vec::new(),
+            screws: Vec::new(),
         };
         for (index, body) in robot.bodies.iter().enumerate() {
             let placed = &positions.of_frame(body.parent) * &body.placement;
             let m = &placed * &body.motion.displacement(q);
             let back = m.inverse();
-            let freedoms = body.motion.screws().into_iter();
-            let freedoms = freedoms.map(|(velocity, screw)| Freedom {
+            let screws = body.motion.screws().into_iter();
+            let screws = screws.map(|(velocity, screw)| JointScrew {
                 body: index,
                 velocity,
                 l: &(&m * &screw) * &back,
             });
-            positions.freedoms.extend(freedoms);
+            positions.screws.extend(screws);
             positions.j.push(&(&m * &body.inertia) * &m.transposed());
             positions.m.push(m);
         }
         positions
     }
 
-    /// What moves one body against the one it hangs on.
-    pub(super) fn of_body(&self, body: usize) -> impl Iterator<Item = &Freedom> {
-        let all = self.freedoms.iter();
-        all.filter(move |freedom| freedom.body == body)
+    /// The screws of a body's joint.
+    pub(super) fn of_body(&self, body: usize) -> impl Iterator<Item = &JointScrew> {
+        let all = self.screws.iter();
+        all.filter(move |screw| screw.body == body)
     }
 
     pub(super) fn of_frame(&self, body: Option<usize>) -> Matrix {
@@ -61,35 +61,35 @@ impl Positions {
     }
 }
 
-/// What depends on the rates as well, in frame 0.
+/// All that depends on q̇ and q̈ too, in frame 0.
 pub(super) struct Motion {
     /// W₀ᵢ.
     pub(super) w: Vec<Matrix>,
     /// H₀ᵢ.
     pub(super) h: Vec<Matrix>,
-    /// What drives take of the torque of each velocity.
-    pub(super) driven: Vec<Big>,
+    /// Torques of armature, damping and friction on each velocity.
+    pub(super) actuator_torques: Vec<Big>,
 }
 
 impl Motion {
-    /// W = Σ L q̇ and H = Σ L q̈ + W² of one joint, whose screws are constant in the frame of the moved
-    /// body; composed by (12) and (13).
+    /// Composes W = Σ L q̇ and H = Σ L q̈ + W² of each joint by (12) and (13). Screws of one joint are constant in the
+    /// frame of the moved body.
     pub(super) fn at(robot: &Robot, positions: &Positions, qd: &[Big], qdd: &[Big]) -> Self {
         let mut motion = Self {
             w: Vec::new(),
             h: Vec::new(),
-            driven: vec![Big::zero(); robot.velocities()],
+            actuator_torques: vec![Big::zero(); robot.velocities()],
         };
-        for drive in &robot.drives {
-            let taken = &mut motion.driven[drive.velocity];
-            *taken = &*taken + drive.takes(qd, qdd);
+        for actuator in &robot.actuators {
+            let sum = &mut motion.actuator_torques[actuator.velocity];
+            *sum = &*sum + actuator.torque(qd, qdd);
         }
         for (index, body) in robot.bodies.iter().enumerate() {
             let (mut w, mut h) = (motion.w_of(body.parent), motion.h_of(body.parent));
             let along = |rates: &[Big]| {
                 let each = positions.of_body(index);
-                each.fold(Matrix::zero(), |sum, freedom| {
-                    &sum + &freedom.l.times(&rates[freedom.velocity])
+                each.fold(Matrix::zero(), |sum, screw| {
+                    &sum + &screw.l.times(&rates[screw.velocity])
                 })
             };
             if body.motion.moves() {

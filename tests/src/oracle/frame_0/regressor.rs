@@ -1,15 +1,15 @@
-//! What torques are linear in.
+//! The regressor Y of τ = Y π.
 //!
-//! In: a robot in matrices and its motion. Out: Y of τ = Y π, row by row.
+//! In: a robot in matrices and its motion. Out: Y, row by row.
 
-use super::motion::{Freedom, Motion, Positions};
+use super::motion::{JointScrew, Motion, Positions};
 use super::torques::pseudo_product;
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::Robot;
 
-/// Y of τ = Y π, row by row: of each link that a joint moves ten columns, which are the torques of
-/// Φ = skew[(H − H_g) J] of a J that is 1 in one place and its mirror image.
+/// Y of τ = Y π, row by row. Each link that a joint moves has ten columns: the torques of Φ = skew[(H − H_g) J] for a J
+/// that is 1 at one entry and its mirror image.
 pub(super) fn regressor(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
     let first = [(3, 3), (0, 3), (1, 3), (2, 3)];
     let second = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
@@ -30,27 +30,27 @@ pub(super) fn regressor(robot: &Robot, positions: &Positions, motion: &Motion) -
     });
     let columns: Vec<(usize, Matrix)> = columns.collect();
     let row = |velocity: usize| {
-        let freedoms = positions
-            .freedoms
+        let screws = positions
+            .screws
             .iter()
             .filter(move |one| one.velocity == velocity);
-        let freedoms: Vec<&Freedom> = freedoms.collect();
+        let screws: Vec<&JointScrew> = screws.collect();
         let entries = columns.iter().map(|(body, action)| {
-            let feels = |one: &&&Freedom| {
+            let carries = |one: &&&JointScrew| {
                 robot
                     .upwards(Some(*body))
                     .any(|carrier| carrier == one.body)
             };
-            let felt = freedoms.iter().filter(feels);
-            felt.fold(Big::zero(), |sum, one| sum + pseudo_product(&one.l, action))
+            let carriers = screws.iter().filter(carries);
+            carriers.fold(Big::zero(), |sum, one| sum + pseudo_product(&one.l, action))
         });
         entries.collect::<Vec<Big>>()
     };
     (0..robot.velocities()).flat_map(row).collect()
 }
 
-/// Rows of a regressor, with three columns behind them for each velocity of a joint where drives are identified.
-pub(super) fn with_columns_of_drives(
+/// Rows of a regressor, with three more columns for each velocity of a joint if actuator parameters are identified.
+pub(super) fn with_columns_of_actuators(
     robot: &Robot,
     of_links: Vec<Big>,
     [qd, qdd]: [&[Big]; 2],
@@ -58,23 +58,23 @@ pub(super) fn with_columns_of_drives(
     if !robot.identifies_drives {
         return of_links;
     }
-    let columns = robot.drives.iter().flat_map(|drive| {
-        let columns = drive.columns(qd, qdd).into_iter();
-        columns.map(|column| (drive.velocity, column))
+    let columns = robot.actuators.iter().flat_map(|actuator| {
+        let columns = actuator.columns(qd, qdd).into_iter();
+        columns.map(|column| (actuator.velocity, column))
     });
     let columns: Vec<(usize, Big)> = columns.collect();
     let rows = of_links
         .chunks(of_links.len() / qd.len().max(1))
         .enumerate();
     let rows = rows.flat_map(|(row, of_links)| {
-        let of_drives = columns.iter().map(move |(velocity, column)| {
+        let of_actuators = columns.iter().map(move |(velocity, column)| {
             if *velocity == row {
                 column.clone()
             } else {
                 Big::zero()
             }
         });
-        of_links.iter().cloned().chain(of_drives)
+        of_links.iter().cloned().chain(of_actuators)
     });
     rows.collect()
 }

@@ -1,40 +1,40 @@
-//! Torques by Newton and Euler, and the mass matrix by Lagrange.
+//! Torques by Newton–Euler, and the mass matrix by Lagrange.
 //!
-//! In: a robot in matrices, where it is and how it moves, and what acts on it. Out: sums of L ⊗ Φ and of Tr(L J Lᵗ).
+//! In: a robot in matrices, its positions and motion, external wrenches. Out: sums of L ⊗ Φ and of Tr(L J Lᵗ).
 
-use super::motion::{Freedom, Motion, Positions};
+use super::motion::{JointScrew, Motion, Positions};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::Robot;
 
-/// τ = Σ L ⊗ Σ Φ: over what a velocity moves, of the bodies that that carries (Newton–Euler); and what
-/// drives take.
+/// τ = Σ L ⊗ Σ Φ over the screws of a velocity and the bodies that each carries (Newton–Euler), plus armature, damping
+/// and friction.
 pub(super) fn torques(robot: &Robot, positions: &Positions, motion: &Motion) -> Vec<Big> {
     let actions = carried(robot, actions(robot, positions, motion).collect());
-    let mut torques = motion.driven.clone();
-    for Freedom { body, velocity, l } in &positions.freedoms {
+    let mut torques = motion.actuator_torques.clone();
+    for JointScrew { body, velocity, l } in &positions.screws {
         let torque = pseudo_product(l, &actions[*body]);
         torques[*velocity] = &torques[*velocity] + torque;
     }
     torques
 }
 
-/// Σ L ⊗ Φ of the actions from outside, over what a velocity moves, where it carries what is acted on.
-pub(super) fn outside(robot: &Robot, positions: &Positions, actions: &[f64]) -> Vec<Big> {
+/// Σ L ⊗ Φ of external wrenches over the screws of a velocity that carry the link on which the wrench acts.
+pub(super) fn external(robot: &Robot, positions: &Positions, actions: &[f64]) -> Vec<Big> {
     let mut torques = vec![Big::zero(); robot.velocities()];
     let (bodies, in_frame_0) = &robot.external;
-    for (&acted, entries) in bodies.iter().zip(actions.chunks(6)) {
+    for (&link, entries) in bodies.iter().zip(actions.chunks(6)) {
         let [c, f] = [0, 3].map(|first| [0, 1, 2].map(|k| Big::new(entries[first + k])));
         let mut phi = Matrix::screw(&c, &f);
         for (entry, of_force) in phi.0[3].iter_mut().zip(&f) {
             *entry = -of_force;
         }
         if !in_frame_0 {
-            let m = &positions.m[acted];
+            let m = &positions.m[link];
             phi = &(m * &phi) * &m.transposed();
         }
-        for Freedom { body, velocity, l } in &positions.freedoms {
-            if robot.upwards(Some(acted)).any(|carrier| carrier == *body) {
+        for JointScrew { body, velocity, l } in &positions.screws {
+            if robot.upwards(Some(link)).any(|carrier| carrier == *body) {
                 let torque = pseudo_product(l, &phi);
                 torques[*velocity] = &torques[*velocity] + torque;
             }
@@ -43,15 +43,15 @@ pub(super) fn outside(robot: &Robot, positions: &Positions, actions: &[f64]) -> 
     torques
 }
 
-/// M\[i\]\[m\] = Σ Tr(Lᵢ Σ J Lₘᵗ), over what both velocities move, and the bodies that both of these carry
+/// M\[i\]\[m\] = Σ Tr(Lᵢ Σ J Lₘᵗ) over the screws of both velocities, and over the bodies that both screws carry
 /// (Lagrange).
 pub(super) fn mass_matrix(robot: &Robot, positions: &Positions) -> Vec<Vec<Big>> {
     let inertias = carried(robot, positions.j.clone());
     let carries = |outer: usize, inner: usize| robot.upwards(Some(outer)).any(|body| body == inner);
     let count = robot.velocities();
     let mut rows = vec![vec![Big::zero(); count]; count];
-    for one in &positions.freedoms {
-        for other in &positions.freedoms {
+    for one in &positions.screws {
+        for other in &positions.screws {
             let outermost = if carries(one.body, other.body) {
                 one.body
             } else if carries(other.body, one.body) {
@@ -65,14 +65,14 @@ pub(super) fn mass_matrix(robot: &Robot, positions: &Positions) -> Vec<Vec<Big>>
             *sum = &*sum + entry;
         }
     }
-    for drive in &robot.drives {
-        let entry = &mut rows[drive.velocity][drive.velocity];
-        *entry = &*entry + drive.armature();
+    for actuator in &robot.actuators {
+        let entry = &mut rows[actuator.velocity][actuator.velocity];
+        *entry = &*entry + actuator.armature();
     }
     rows
 }
 
-/// The bodies' matrices, each with those of all that hang on it.
+/// Each body's matrix, plus those of all bodies that it carries.
 pub(super) fn carried(robot: &Robot, mut each: Vec<Matrix>) -> Vec<Matrix> {
     for (index, body) in robot.bodies.iter().enumerate().rev() {
         if let Some(parent) = body.parent {

@@ -1,7 +1,7 @@
-//! The bodies of each joint, and the loops between them.
+//! Bodies of each joint, and closed loops.
 //!
-//! In: the joints that are kept, and what moves them. Out: bodies one on the other, with their places among coordinates
-//! and velocities and what drives them; the two frames of each loop.
+//! In: the joints that are modelled, and their motions. Out: bodies in chains, with the indices of their coordinates
+//! and velocities and with armature, damping and friction; the two frames of each loop.
 
 use std::collections::BTreeMap;
 
@@ -13,13 +13,13 @@ use super::kept::Moves;
 use super::written::{axis, big};
 use super::{Body, Loop, Reader, Robot};
 use crate::big::Big;
-use crate::oracle::drive::Drive;
+use crate::oracle::drive::Actuator;
 use crate::oracle::matrix::Matrix;
-use crate::oracle::motion::{self, Motion, Posture, across, with_z};
+use crate::oracle::motion::{Manifold, Motion, across, translation_screw, with_z};
 
 impl<'d> Reader<'d> {
-    /// Adds what hangs on the base: branch after branch, siblings as described.
-    pub(super) fn hang(
+    /// Adds the bodies below the base, branch after branch, siblings as described. Returns the link of each.
+    pub(super) fn add_bodies(
         &self,
         base: &'d str,
         tip: Option<&'d str>,
@@ -27,10 +27,10 @@ impl<'d> Reader<'d> {
     ) -> Vec<&'d str> {
         let kept = self.kept(base);
         let moves = self.moves(&kept, tip);
-        // The first coordinate and velocity of each joint that has its own, in the order of the bodies.
+        // The first coordinate and velocity of each joint with its own, in the order of the bodies.
         let mut places = BTreeMap::new();
         let (mut coordinates, mut velocities) = if self.request.floating {
-            Posture::Floating.counts()
+            Manifold::Floating.counts()
         } else {
             (0, 0)
         };
@@ -38,8 +38,8 @@ impl<'d> Reader<'d> {
             let name = joint.name.text.as_str();
             if matches!(moves[name], Moves::Own) {
                 places.insert(name, (coordinates, velocities));
-                let (more_coordinates, more_velocities) = match posture(joint.kind) {
-                    Some(posture) => posture.counts(),
+                let (more_coordinates, more_velocities) = match manifold(joint.kind) {
+                    Some(manifold) => manifold.counts(),
                     None => (screws(joint).len(), screws(joint).len()),
                 };
                 coordinates += more_coordinates;
@@ -53,18 +53,18 @@ impl<'d> Reader<'d> {
             robot.bodies.push(Body {
                 parent: None,
                 placement: Matrix::identity(),
-                motion: Motion::Posture {
-                    posture: Posture::Floating,
+                motion: Motion::Manifold {
+                    manifold: Manifold::Floating,
                     coordinate: 0,
                     velocity: 0,
                 },
                 inertia: self.inertia(base),
                 link: true,
             });
-            // Nothing drives it.
+            // It has no actuator.
             let nothing = || [(); 3].map(|()| Big::zero());
-            let drives = (0..6).map(|velocity| Drive::new(velocity, Big::one(), nothing()));
-            robot.drives.extend(drives);
+            let actuators = (0..6).map(|velocity| Actuator::new(velocity, Big::one(), nothing()));
+            robot.actuators.extend(actuators);
         }
         for joint in kept {
             let on = joint.parent.text.as_str();
@@ -73,8 +73,8 @@ impl<'d> Reader<'d> {
             let parts = parts(joint, &moves[joint.name.text.as_str()], &places);
             let last = parts.len() - 1;
             let moved = parts.iter().any(|(_, motion)| motion.moves());
-            for (k, (turn, motion)) in parts.into_iter().enumerate() {
-                // What moves by a part of a joint's velocities is no link.
+            for (k, (rotation, motion)) in parts.into_iter().enumerate() {
+                // Intermediate bodies are no links.
                 let child = joint.child.text.as_str();
                 links.push(if k == last { child } else { "" });
                 let inertia = if k == last {
@@ -82,11 +82,11 @@ impl<'d> Reader<'d> {
                 } else {
                     Matrix::zero()
                 };
-                let drives = Drive::of(self.request, joint, k, &motion);
-                robot.drives.extend(drives);
+                let actuators = Actuator::of(self.request, joint, k, &motion);
+                robot.actuators.extend(actuators);
                 robot.bodies.push(Body {
                     parent,
-                    placement: &placement * &turn,
+                    placement: &placement * &rotation,
                     motion,
                     inertia,
                     link: moved && k == last,
@@ -97,19 +97,19 @@ impl<'d> Reader<'d> {
         links
     }
 
-    pub(super) fn held(
+    pub(super) fn closed_loop(
         &self,
         described: &description::Loop,
-        seat: impl Fn(&str) -> Option<usize>,
+        body_of: impl Fn(&str) -> Option<usize>,
     ) -> Loop {
         use Closure::{Fixed, Rod, Spherical, Translation};
         let closure = described.closure;
         let has_axes = !matches!(closure, Fixed | Rod { .. } | Spherical | Translation);
         let axes = has_axes.then(|| described.axes.each_ref().map(axis));
         let frame = |link: &Name, at: &[Step], end: usize| {
-            let turn = axes.as_ref().map(|axes| with_z(&axes[end]));
-            let turn = turn.unwrap_or_else(Matrix::identity);
-            (seat(&link.text), &self.placement(at) * &turn)
+            let rotation = axes.as_ref().map(|axes| with_z(&axes[end]));
+            let rotation = rotation.unwrap_or_else(Matrix::identity);
+            (body_of(&link.text), &self.placement(at) * &rotation)
         };
         let products = axes.iter().flat_map(|[one, other]| one.iter().zip(other));
         Loop {
@@ -123,26 +123,26 @@ impl<'d> Reader<'d> {
     }
 }
 
-/// The bodies that a joint moves, one on the other: a turn in front of each, and what moves it.
+/// The bodies of a joint, one after the other: a rotation in front of each, and its motion.
 fn parts(
     joint: &Joint,
     moves: &Moves<'_>,
     places: &BTreeMap<&str, (usize, usize)>,
 ) -> Vec<(Matrix, Motion)> {
     let place = |name: &str| places[name];
-    if let (Some(posture), Moves::Own) = (posture(joint.kind), moves) {
+    if let (Some(manifold), Moves::Own) = (manifold(joint.kind), moves) {
         let (coordinate, velocity) = place(&joint.name.text);
-        let motion = Motion::Posture {
-            posture,
+        let motion = Motion::Manifold {
+            manifold,
             coordinate,
             velocity,
         };
-        if posture != Posture::Planar {
+        if manifold != Manifold::Planar {
             return vec![(Matrix::identity(), motion)];
         }
-        let turn = across(&axis(&joint.axis));
-        let back = turn.inverse();
-        return vec![(turn, motion), (back, Motion::none())];
+        let rotation = across(&axis(&joint.axis));
+        let back = rotation.inverse();
+        return vec![(rotation, motion), (back, Motion::none())];
     }
     let along = |screw, (coordinate, velocity), factor: &Big, offset: &Big| Motion::Along {
         screw,
@@ -159,10 +159,10 @@ fn parts(
             along(screw, places, &Big::one(), &Big::zero())
         }
         Moves::As {
-            leader,
+            mimicked,
             factor,
             offset,
-        } => along(screw, place(leader), factor, offset),
+        } => along(screw, place(mimicked), factor, offset),
         Moves::Not(at) => Motion::Held {
             screw,
             at: at.clone(),
@@ -171,31 +171,31 @@ fn parts(
     motions.map(|motion| (Matrix::identity(), motion)).collect()
 }
 
-/// What a joint is whose velocities are seen in the moved frame.
-fn posture(kind: JointKind) -> Option<Posture> {
+/// The configuration space of a joint whose velocities are in the axes of the moved body.
+fn manifold(kind: JointKind) -> Option<Manifold> {
     Some(match kind {
-        JointKind::Planar => Posture::Planar,
-        JointKind::Spherical => Posture::Spherical,
-        JointKind::Floating => Posture::Floating,
+        JointKind::Planar => Manifold::Planar,
+        JointKind::Spherical => Manifold::Spherical,
+        JointKind::Floating => Manifold::Floating,
         _ => return None,
     })
 }
 
-/// L of each motion of a joint whose motions come one after the other, through the origin of its frame;
-/// null of what does not move, or moves in another way.
+/// L of each motion of a joint that is a sequence of motions along screws through the origin of its frame; zero for
+/// other joints.
 fn screws(joint: &Joint) -> Vec<Matrix> {
     let nothing = [(); 3].map(|()| Big::zero());
-    let turn = |written| Matrix::screw(&axis(written), &nothing);
-    let slide = |written| Matrix::screw(&nothing, &axis(written));
+    let rotation = |written| Matrix::screw(&axis(written), &nothing);
+    let translation = |written| Matrix::screw(&nothing, &axis(written));
     match joint.kind {
-        JointKind::Revolute | JointKind::Continuous => vec![turn(&joint.axis)],
-        JointKind::Prismatic => vec![slide(&joint.axis)],
-        JointKind::Cylindrical => vec![turn(&joint.axis), slide(&joint.axis)],
+        JointKind::Revolute | JointKind::Continuous => vec![rotation(&joint.axis)],
+        JointKind::Prismatic => vec![translation(&joint.axis)],
+        JointKind::Cylindrical => vec![rotation(&joint.axis), translation(&joint.axis)],
         JointKind::Screw { pitch } => {
-            vec![&turn(&joint.axis) + &slide(&joint.axis).times(&big(&pitch))]
+            vec![&rotation(&joint.axis) + &translation(&joint.axis).times(&big(&pitch))]
         }
-        JointKind::Universal => vec![turn(&joint.axis), turn(&joint.second_axis)],
-        JointKind::Translation => (0..3).map(motion::slide).collect(),
+        JointKind::Universal => vec![rotation(&joint.axis), rotation(&joint.second_axis)],
+        JointKind::Translation => (0..3).map(translation_screw).collect(),
         _ => vec![Matrix::zero()],
     }
 }

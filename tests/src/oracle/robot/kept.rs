@@ -1,7 +1,7 @@
-//! What is modelled of a description, and what moves each joint of it.
+//! The joints that are modelled, and the source of each joint's motion.
 //!
-//! In: the links and joints as described, and what the request drops, locks and cuts. Out: the joints that are kept, in the
-//! order of the bodies, each with what moves it.
+//! In: links and joints as described; the base, the dropped links and the locked joints of the request. Out: the joints
+//! that are modelled, in the order of the bodies, each with its own coordinates, those of a mimicked joint, or none.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,17 +11,17 @@ use super::Reader;
 use super::written::big;
 use crate::big::Big;
 
-/// What moves a joint of a description.
+/// The source of a joint's motion.
 pub(super) enum Moves<'d> {
     /// Its own coordinates.
     Own,
-    /// That of another, times a factor and from an offset on.
+    /// The coordinate of the mimicked joint, by factor · coordinate + offset.
     As {
-        leader: &'d str,
+        mimicked: &'d str,
         factor: Big,
         offset: Big,
     },
-    /// Nothing: it is held there.
+    /// None: it is locked at this displacement.
     Not(Big),
 }
 
@@ -48,7 +48,7 @@ impl<'d> Reader<'d> {
         joints.filter(move |joint| joint.parent.text == link && !dropped(joint))
     }
 
-    /// The link that is named, or the only one at an end.
+    /// The named end effector, or the only link without children.
     pub(super) fn tip(&self, base: &'d str) -> Option<&'d str> {
         if let Some(tip) = &self.request.tip {
             return Some(&tip.text);
@@ -68,7 +68,7 @@ impl<'d> Reader<'d> {
         }
     }
 
-    /// The links from one up to the root.
+    /// The links from one up to the root, itself included.
     fn upwards(&self, link: &'d str) -> BTreeSet<&'d str> {
         let above = |link: &&str| {
             let mut joints = self.description.joints.iter();
@@ -82,7 +82,7 @@ impl<'d> Reader<'d> {
     pub(super) fn kept(&self, base: &str) -> Vec<&'d Joint> {
         let mut kept = Vec::new();
         let mut waiting: Vec<&Joint> = self.below(base).collect();
-        // The last one in is the first one out.
+        // The last one pushed is the first one popped.
         waiting.reverse();
         while let Some(joint) = waiting.pop() {
             kept.push(joint);
@@ -93,19 +93,19 @@ impl<'d> Reader<'d> {
         kept
     }
 
-    /// What moves each of the joints that are modelled.
+    /// The source of motion of each joint that is modelled.
     pub(super) fn moves(
         &self,
         kept: &[&'d Joint],
         tip: Option<&'d str>,
     ) -> BTreeMap<&'d str, Moves<'d>> {
         let path = tip.map_or_else(BTreeSet::new, |tip| self.upwards(tip));
-        // Who moves the tip, or moves who does.
+        // The joints on the path to the end effector, and those that they mimic.
         let mut needed: BTreeSet<&str> = BTreeSet::new();
         for joint in kept {
             if !self.request.path_only || path.contains(joint.child.text.as_str()) {
-                let led = |joint: &&'d Joint| Some(self.leader(joint)?.0);
-                let chain = std::iter::successors(Some(*joint), led);
+                let mimicked = |joint: &&'d Joint| Some(self.mimicked(joint)?.0);
+                let chain = std::iter::successors(Some(*joint), mimicked);
                 needed.extend(chain.map(|joint| joint.name.text.as_str()));
             }
         }
@@ -115,23 +115,23 @@ impl<'d> Reader<'d> {
         };
         let of = |joint: &&'d Joint| {
             let (mut at, mut factor, mut offset) = (*joint, Big::one(), Big::zero());
-            while let Some((leader, multiplier, more)) = self.leader(at) {
+            while let Some((mimicked, multiplier, more)) = self.mimicked(at) {
                 offset = offset + &factor * more;
                 factor = factor * multiplier;
-                at = leader;
+                at = mimicked;
             }
-            let stands = match self.locked(at) {
-                Some(stands) => Some(stands),
+            let locked = match self.locked(at) {
+                Some(position) => Some(position),
                 None if modelled(at) && needed.contains(at.name.text.as_str()) => None,
                 None => Some(Big::zero()),
             };
-            let moves = match stands {
-                Some(stands) if modelled(at) => Moves::Not(factor * stands + offset),
+            let moves = match locked {
+                Some(position) if modelled(at) => Moves::Not(factor * position + offset),
                 Some(_) => Moves::Not(offset),
                 None if at.name.text == joint.name.text => Moves::Own,
                 None if factor == Big::zero() => Moves::Not(offset),
                 None => Moves::As {
-                    leader: &at.name.text,
+                    mimicked: &at.name.text,
                     factor,
                     offset,
                 },
@@ -141,18 +141,18 @@ impl<'d> Reader<'d> {
         kept.iter().map(of).collect()
     }
 
-    /// What a joint follows, times what and from where on, where it follows one.
-    fn leader(&self, joint: &'d Joint) -> Option<(&'d Joint, Big, Big)> {
+    /// The joint that a joint mimics, with multiplier and offset; `None` if it mimics none.
+    fn mimicked(&self, joint: &'d Joint) -> Option<(&'d Joint, Big, Big)> {
         let mimic = joint.mimic.as_ref()?;
         if self.locked(joint).is_some() {
             return None;
         }
         let mut joints = self.description.joints.iter();
-        let leader = joints.find(|other| other.name.text == mimic.leader.text)?;
-        Some((leader, big(&mimic.multiplier), big(&mimic.offset)))
+        let mimicked = joints.find(|other| other.name.text == mimic.leader.text)?;
+        Some((mimicked, big(&mimic.multiplier), big(&mimic.offset)))
     }
 
-    /// Where a joint is held by what it is or by what was asked.
+    /// The position of a joint that is fixed or locked.
     fn locked(&self, joint: &Joint) -> Option<Big> {
         if !joint.kind.moves() {
             return Some(Big::zero());

@@ -1,6 +1,6 @@
 //! Numbers as they were written, in 256 bits.
 //!
-//! In: offsets, angles, axes and inertias. Out: matrices of them, with the sines of a right angle where one is meant.
+//! In: offsets, angles, axes and inertias. Out: their matrices, with exact right angles where the digits mean them.
 
 use homogen_codegen::description::{Axis, Inertial, Number, Step};
 
@@ -27,34 +27,34 @@ impl Reader<'_> {
         })
     }
 
-    /// Sine and cosine: exactly those of a right angle where one rounds to the digits that stand there.
+    /// Sine and cosine: exactly those of a right angle if the angle is one, rounded to the digits that are written.
     fn sin_cos(&self, angle: &Number) -> (Big, Big) {
         let quarters = (angle.value * core::f64::consts::FRAC_2_PI).round();
         let written = angle.resolution > 0.0;
         let right = Big::pi() * Big::new(quarters / 2.0);
         let away = (Big::new(angle.value) - right).abs().to_f64();
-        // Half of the last digit, and what reading and printing in binary round.
+        // Half of the last digit, plus the rounding of reading and printing in binary.
         let open = angle.resolution / 2.0 * (1.0 + 1e-9) + angle.value.abs() * f64::EPSILON;
         let is_right = quarters != 0.0 && angle.resolution <= 0.01 && away <= open;
         if !is_right || (written && self.request.exact) {
             return big(angle).sin_cos();
         }
-        let turn = |quarters: f64| match quarters.rem_euclid(4.0) {
+        let sine = |quarters: f64| match quarters.rem_euclid(4.0) {
             0.0 => Big::zero(),
             1.0 => Big::one(),
             2.0 => Big::zero(),
             _ => -Big::one(),
         };
-        (turn(quarters), turn(quarters + 1.0))
+        (sine(quarters), sine(quarters + 1.0))
     }
 
-    /// A quaternion: exactly that of right angles where one rounds to the digits that stand there.
+    /// A quaternion: exactly that of right angles if it is one, rounded to the digits that are written.
     fn quaternion(&self, entries: &[Number; 4]) -> [Big; 4] {
         let half = Big::new(0.5);
         let roots = [Big::zero(), half.clone(), half.sqrt(), Big::one()];
         let meant = entries.each_ref().map(|entry| {
             let size = big(entry).abs();
-            // Half of the last digit, what reading rounds, and what computing left.
+            // Half of the last digit, the rounding of reading, and that of a computation before.
             let rounded = (1.0 + 1e-9) * entry.resolution / 2.0 + size.to_f64() * f64::EPSILON;
             let enough = if entry.resolution > 0.01 {
                 0.0
@@ -104,7 +104,7 @@ impl Reader<'_> {
             })
     }
 
-    /// M J Mᵗ of ∫rrᵗdm = ½ Tr(I) − I about the centre of mass (16), (17).
+    /// M J Mᵗ, where J = ∫rrᵗdm = ½ Tr(I) − I about the centre of mass (16), (17).
     pub(super) fn inertia(&self, link: &str) -> Matrix {
         let mut links = self.description.links.iter();
         let link = links.find(|known| known.name.text == link);
@@ -135,14 +135,13 @@ pub(super) fn big(number: &Number) -> Big {
     Big::new(number.value) + Big::new(number.rest)
 }
 
-/// A direction with length 1.
+/// The unit vector of a direction.
 pub(super) fn axis(written: &[Number; 3]) -> [Big; 3] {
     let axis = written.each_ref().map(big);
     let square = axis.iter().fold(Big::zero(), |sum, x| sum + x * x);
     axis.map(|entry| entry / square.sqrt())
 }
 
-/// R, 0; 0, 1 of a turn about a coordinate axis.
 /// R = 1 + (2 w v̲ + 2 v̲²) / (v² + w²) of a quaternion v, w.
 fn by_quaternion(entries: &[Big; 4]) -> Matrix {
     let nothing = [(); 3].map(|()| Big::zero());
@@ -153,6 +152,7 @@ fn by_quaternion(entries: &[Big; 4]) -> Matrix {
     &(&Matrix::identity() + &v.times(&(&twice * &w))) + &(&v * &v).times(&twice)
 }
 
+/// R, 0; 0, 1 of a rotation about a coordinate axis.
 fn rotation(axis: Axis, (sine, cosine): (Big, Big)) -> Matrix {
     let (j, k) = match axis {
         Axis::X => (1, 2),

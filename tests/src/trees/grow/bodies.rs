@@ -1,20 +1,20 @@
-//! Where bodies sit on each other, and what they weigh.
+//! Random placements, axes and inertias of bodies.
 //!
-//! In: the bodies that are there already. Out: the next one; its axis is often that of a joint
-//! before it, or parallel, opposite, or through the same point, exactly or but for rounding.
+//! In: the bodies drawn before. Out: the next one. Its axis is often coaxial, parallel or antiparallel to that of the
+//! joint before it, or intersects it, exactly or but for rounding.
 
 use std::array::from_fn;
 
 use crate::big::Big;
 
-use super::super::robot::{Body, Door, Inertial, Kind, Mimic, Placement, zeros};
+use super::super::robot::{Body, FrontEnd, Inertial, Kind, Mimic, Placement, zeros};
 use super::super::written::Written;
 use super::numbers::Numbers;
 
 /// A rotation matrix.
 type Rows = [[f64; 3]; 3];
 
-/// A body that hangs on a link, and what it has to do with the joint that carries that link.
+/// A body on a link; its axis may be related to that of the joint that carries the link.
 pub(super) fn body(id: usize, parent: usize, before: &[Body], numbers: &mut Numbers) -> Body {
     let mut body = Body {
         id,
@@ -28,7 +28,7 @@ pub(super) fn body(id: usize, parent: usize, before: &[Body], numbers: &mut Numb
     let carrier = before.iter().find(|body| body.id == parent);
     let Some(carrier) = carrier else { return body };
     match numbers.random.below(10) {
-        // Coaxial: along the axis, about it, or neither.
+        // Coaxial: with a translation along the axis and a rotation about it, if it is a coordinate axis.
         0 => {
             body.axis.clone_from(&carrier.axis);
             body.at = Placement::none();
@@ -53,9 +53,9 @@ pub(super) fn body(id: usize, parent: usize, before: &[Body], numbers: &mut Numb
         }
         // Intersecting.
         3 => body.at.xyz = numbers.nothing(),
-        // There and back, so that only rounding is left between this joint and the one before last.
+        // The inverse of a fixed joint's placement: between this joint and the one before that, only rounding remains.
         4 | 5 if carrier.kind == Kind::Fixed => {
-            body.at = back(&carrier.at);
+            body.at = inverse(&carrier.at);
             let last = before.iter().find(|body| body.id == carrier.parent);
             if let Some(last) = last {
                 body.axis.clone_from(&last.axis);
@@ -66,7 +66,7 @@ pub(super) fn body(id: usize, parent: usize, before: &[Body], numbers: &mut Numb
     body
 }
 
-/// The coordinate axis that an axis lies along, but for residues.
+/// The coordinate axis along which an axis is, but for residues.
 fn coordinate(axis: &[Written; 3]) -> Option<usize> {
     let square = |entry: &Written| entry.value() * entry.value();
     let whole: f64 = axis.iter().map(square).sum();
@@ -96,8 +96,8 @@ fn kind(numbers: &mut Numbers) -> Kind {
     }
 }
 
-/// A joint to follow, as gears and fingers do: by the same or the opposite way, by any, or not at all.
-pub(super) fn mimic(leader: usize, numbers: &mut Numbers) -> Mimic {
+/// A mimic joint's relation: multiplier 1 or −1 as of gears and fingers, any, or 0.
+pub(super) fn mimic(mimicked: usize, numbers: &mut Numbers) -> Mimic {
     let multiplier = match numbers.random.below(12) {
         0..=2 => Written::new("1"),
         3..=5 => Written::new("-1"),
@@ -119,7 +119,7 @@ pub(super) fn mimic(leader: usize, numbers: &mut Numbers) -> Mimic {
         _ => numbers.zero(),
     };
     Mimic {
-        leader,
+        mimicked,
         multiplier,
         offset,
     }
@@ -143,21 +143,23 @@ fn placement(numbers: &mut Numbers) -> Placement {
         _ => zeros().map(|_: Written| numbers.angle()),
     };
     let turns = match numbers.random.below(6) {
-        0 if numbers.door == Door::Inline => sum_of_turns(numbers),
-        1 if numbers.door == Door::Inline => vec![(numbers.random.below(3), numbers.angle())],
+        0 if numbers.front_end == FrontEnd::Inline => sum_of_rotations(numbers),
+        1 if numbers.front_end == FrontEnd::Inline => {
+            vec![(numbers.random.below(3), numbers.angle())]
+        }
         _ => Vec::new(),
     };
     Placement { xyz, rpy, turns }
 }
 
-/// A right angle in two or three parts about one axis.
-fn sum_of_turns(numbers: &mut Numbers) -> Vec<(usize, Written)> {
+/// A right angle as two or three rotations about one axis.
+fn sum_of_rotations(numbers: &mut Numbers) -> Vec<(usize, Written)> {
     let axis = numbers.random.below(3);
     let part = part(numbers);
     vec![(axis, part.1); part.0]
 }
 
-/// A half or a third of a right angle, and how many of them make one.
+/// Half or a third of a right angle, and the number of them in one.
 fn part(numbers: &mut Numbers) -> (usize, Written) {
     let parts = 2 + numbers.random.below(2);
     let angle = if parts == 2 {
@@ -186,7 +188,7 @@ pub(super) fn share_a_right_angle(bodies: &mut [Body], row: &[usize], numbers: &
 }
 
 /// M⁻¹ of a placement, to 17 digits.
-fn back(at: &Placement) -> Placement {
+fn inverse(at: &Placement) -> Placement {
     let [roll, pitch, yaw] = at.rpy.each_ref().map(Written::value);
     let fixed = [(2, yaw), (1, pitch), (0, roll)].into_iter();
     let turns = at.turns.iter().map(|(axis, angle)| (*axis, angle.value()));
@@ -196,7 +198,7 @@ fn back(at: &Placement) -> Placement {
     });
     let t = at.xyz.each_ref().map(Written::value);
     let xyz = from_fn(|j| -(0..3).map(|i| rows[i][j] * t[i]).sum::<f64>());
-    // Of Rᵗ = Rz(yaw) Ry(pitch) Rx(roll); the entry i, j of Rᵗ is that of R at j, i.
+    // Angles of Rᵗ = Rz(yaw) Ry(pitch) Rx(roll), whose entry i, j is entry j, i of R.
     let level = (rows[0][0] * rows[0][0] + rows[0][1] * rows[0][1]).sqrt();
     let rpy = [
         angle_of(rows[1][2], rows[2][2]),
@@ -210,7 +212,7 @@ fn back(at: &Placement) -> Placement {
     }
 }
 
-/// The same on every machine, as sines here are.
+/// The angle, the same on every machine.
 fn angle_of(sine: f64, cosine: f64) -> f64 {
     Big::new(sine).atan2(&Big::new(cosine)).to_f64()
 }
@@ -230,7 +232,7 @@ fn product(a: &Rows, b: &Rows) -> Rows {
     from_fn(|i| from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
-/// None, nothing, a point, a rod, or a body whose centre and axes lie along the frame but for
+/// No inertial, a massless one, a point mass, a rod, or a general body, with centre and axes along the frame but for
 /// residues, or anywhere.
 pub(super) fn inertial(numbers: &mut Numbers) -> Option<Inertial> {
     let (length, mass) = (numbers.length, numbers.mass);
@@ -268,7 +270,7 @@ pub(super) fn inertial(numbers: &mut Numbers) -> Option<Inertial> {
             described(word(numbers), tensor, at)
         }
         5..=8 => {
-            // Principal moments, of which two are larger than the third one together.
+            // Principal moments that are nearly equal.
             let mut tensor = from_fn(|_| numbers.zero());
             for k in [0, 3, 5] {
                 let moment = 0.03 * unit * (3.0 + numbers.random.unit());
@@ -291,7 +293,7 @@ pub(super) fn inertial(numbers: &mut Numbers) -> Option<Inertial> {
     }
 }
 
-/// A tensor that a body can have: tr(E) 1 − E of second moments E = A Aᵗ.
+/// A physical inertia tensor: tr(E) 1 − E with second moments E = A Aᵗ.
 fn general(numbers: &mut Numbers) -> [f64; 6] {
     let a: Rows = from_fn(|_| from_fn(|_| 0.3 * numbers.random.unit()));
     let e = |i: usize, j: usize| -> f64 { (0..3).map(|k| a[i][k] * a[j][k]).sum() };

@@ -1,22 +1,22 @@
 //! Numbers as exporters write them.
 //!
-//! In: a source of random numbers and how nasty a robot is. Out: words: lengths and masses in the
-//! robot's units, residues of 1e-18 to 1e-6, right angles of 2 to 17 digits and angles beside them.
+//! In: a source of random numbers, and the style of a robot. Out: words: lengths and masses in the robot's units,
+//! residues of 1e-18 to 1e-6, right angles with 2 to 17 digits, and angles near them.
 
 use std::f64::consts::FRAC_PI_2;
 
 use crate::states::Random;
 
-use super::super::robot::{Door, zeros};
+use super::super::robot::{FrontEnd, zeros};
 use super::super::written::Written;
 
-/// A robot's way with numbers.
+/// The style of a robot's numbers.
 pub(super) struct Numbers<'r> {
     pub(super) random: &'r mut Random,
-    /// Whether zeros are sometimes written as residues.
+    /// True if some zeros are written as residues.
     pub(super) residues: bool,
-    /// Through which reader they go.
-    pub(super) door: Door,
+    /// The reader that reads them.
+    pub(super) front_end: FrontEnd,
     /// Its unit of length [m].
     pub(super) length: f64,
     /// Its unit of mass \[kg\].
@@ -24,7 +24,7 @@ pub(super) struct Numbers<'r> {
 }
 
 impl Numbers<'_> {
-    /// ±10⁻¹⁸ to ±10⁻⁶ with a few digits.
+    /// A number of ±10⁻¹⁸ to ±10⁻⁶ with a few digits.
     pub(super) fn residue(&mut self) -> Written {
         let exponent = 6 + self.random.below(13);
         let exponent = i32::try_from(exponent).expect("a small number");
@@ -35,7 +35,7 @@ impl Numbers<'_> {
         Written::digits(value, digits)
     }
 
-    /// 0, or in a robot with residues sometimes one of them.
+    /// 0, or a residue in a robot with residues.
     pub(super) fn zero(&mut self) -> Written {
         if self.residues && self.random.chance(3) {
             self.residue()
@@ -44,9 +44,9 @@ impl Numbers<'_> {
         }
     }
 
-    /// With 2 to 17 digits; in tokens sometimes sevenths or thirds of a number.
+    /// A number with 2 to 17 digits; in an inline description sometimes a multiple of a third or a seventh.
     pub(super) fn part(&mut self, size: f64) -> Written {
-        if self.door == Door::Inline && self.random.chance(6) {
+        if self.front_end == FrontEnd::Inline && self.random.chance(6) {
             let (times, of) = (1 + self.random.below(6), *self.random.choose(&[3, 7]));
             let sign = if self.random.chance(2) { "" } else { "-" };
             return Written::new(format!("{sign}{times}*{size:e}/{of}"));
@@ -55,13 +55,13 @@ impl Numbers<'_> {
         self.number(value)
     }
 
-    /// With 2 to 17 digits.
+    /// The number with 2 to 17 digits.
     pub(super) fn number(&mut self, value: f64) -> Written {
         let digits = *self.random.choose(&[2, 3, 4, 6, 9, 17]);
         Written::digits(value, digits)
     }
 
-    /// Three numbers of a size, some of them zero or nearly.
+    /// Three numbers up to a size, some of them zeros or residues.
     pub(super) fn vector(&mut self, size: f64) -> [Written; 3] {
         [(); 3].map(|()| {
             if self.random.chance(3) {
@@ -72,7 +72,7 @@ impl Numbers<'_> {
         })
     }
 
-    /// Along one coordinate axis, but for residues.
+    /// A vector along a coordinate axis, but for residues.
     pub(super) fn along(&mut self, size: f64) -> [Written; 3] {
         let mut vector = self.nothing();
         let k = self.random.below(3);
@@ -83,7 +83,7 @@ impl Numbers<'_> {
         vector
     }
 
-    /// Zeros, or nearly.
+    /// A zero vector, but for residues.
     pub(super) fn nothing(&mut self) -> [Written; 3] {
         zeros().map(|_: Written| self.zero())
     }
@@ -92,14 +92,14 @@ impl Numbers<'_> {
         if self.random.chance(2) { 1.0 } else { -1.0 }
     }
 
-    /// Any angle that a file may hold: mostly none or a right one.
+    /// A random angle: mostly zero or a right angle.
     pub(super) fn angle(&mut self) -> Written {
         match self.random.below(16) {
             0..=6 => self.zero(),
             7..=10 => self.right_angle(),
-            11 => self.beside_a_right_angle(),
+            11 => self.near_right_angle(),
             12 if self.random.chance(2) => self.huge_angle(),
-            13 if self.door == Door::Inline => {
+            13 if self.front_end == FrontEnd::Inline => {
                 let angles = ["pi/3", "-pi/6", "2*pi/7", "3*pi/4", "-pi/180", "1.5*pi"];
                 Written::new(*self.random.choose(&angles))
             }
@@ -110,9 +110,9 @@ impl Numbers<'_> {
         }
     }
 
-    /// A multiple of π/2 with 2 to 17 digits behind the point.
+    /// A multiple of π/2 with 2 to 17 decimals, or by `pi`.
     pub(super) fn right_angle(&mut self) -> Written {
-        if self.door == Door::Inline && self.random.chance(3) {
+        if self.front_end == FrontEnd::Inline && self.random.chance(3) {
             return Written::new(*self.random.choose(&["pi/2", "-pi/2", "pi", "-pi"]));
         }
         let quarters = *self.random.choose(&[-3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0]);
@@ -120,8 +120,8 @@ impl Numbers<'_> {
         Written::decimals(quarters * FRAC_PI_2, decimals)
     }
 
-    /// Off by 1e-3 to 1e-15, or cut where it should be rounded.
-    fn beside_a_right_angle(&mut self) -> Written {
+    /// A right angle with an error of 1e-3 to 1e-15, or truncated where it should be rounded.
+    fn near_right_angle(&mut self) -> Written {
         let off = *self
             .random
             .choose(&[1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15]);
@@ -130,7 +130,7 @@ impl Numbers<'_> {
         Written::decimals(value, decimals)
     }
 
-    /// 1e3 to 1e6 rad; sometimes so many right angles.
+    /// An angle up to 1e3 to 1e6 rad; sometimes a multiple of a right angle.
     fn huge_angle(&mut self) -> Written {
         let size = *self.random.choose(&[1e3, 1e4, 1e5, 1e6]);
         let value = size * self.random.unit();
@@ -142,7 +142,7 @@ impl Numbers<'_> {
         }
     }
 
-    /// Of length 1, or of any between a thousandth and a thousand.
+    /// An axis of length 1, or of a length from 1e-3 to 1e3.
     pub(super) fn axis(&mut self) -> [Written; 3] {
         let axis = self.unit_axis();
         if !self.random.chance(3) {
@@ -157,13 +157,13 @@ impl Numbers<'_> {
         })
     }
 
-    /// Of length 1, mostly along a coordinate axis, sometimes nearly.
+    /// An axis of length 1, mostly along a coordinate axis, sometimes nearly.
     fn unit_axis(&mut self) -> [Written; 3] {
         let mut axis = [0.0; 3];
         let k = self.random.below(3);
         axis[k] = self.sign();
         match self.random.below(6) {
-            // Residues whose squares are lost beside 1 are written as they are.
+            // A residue whose square is negligible beside 1 leaves the length at 1 to rounding.
             0 if self.residues => {
                 let mut words = axis.map(|entry| Written::digits(entry, 2));
                 let residue = self.residue();

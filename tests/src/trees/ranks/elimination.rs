@@ -1,33 +1,34 @@
-//! The rank of a matrix in 256 bits, by elimination of columns.
+//! Rank of a matrix in 256 bits, by elimination of columns.
 //!
-//! In: a matrix without units at several states, by its columns, and the order of its rows at each. Out: how many columns do
-//! not depend on each other, or that 256 bits do not tell. Columns come last first, and a pivot is in the first row of the
-//! order where much of a column is left: what hangs further out is seen by rows of its own, and most products are zero.
-//! A column of which little is left waits until those of which more is left have been taken: dividing by little, early,
-//! would cost the digits that tell later columns apart.
+//! In: a matrix without units at several states, by columns, and the order of its rows at each state. Out: the number
+//! of independent columns, or that it is undecided in 256 bits.
+//!
+//! Columns are eliminated from the last to the first. The pivot is in the first row of the order with a large entry:
+//! outer bodies have rows of their own, so most products are zero. A column with small entries left waits until those
+//! with larger entries are done: early division by small entries would lose the digits that separate later columns.
 
 use crate::big::Big;
 
-/// How many columns do not depend on each other.
+/// The number of independent columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rank {
-    /// So many; and so many of those by a part of themselves that 106 bits tell.
+    /// The rank, and the number of columns whose independent part is above 106 bits.
     Of { all: usize, visible: usize },
-    /// 256 bits do not tell.
+    /// Undecided in 256 bits.
     Unknown,
 }
 
-/// What is left of a column that depends on others is less, and of one that does not more.
+/// Upper bound of the remainder of a dependent column, and lower bound of that of an independent one.
 const DEPENDENT: f64 = 1e-58;
 const INDEPENDENT: f64 = 1e-50;
 
-/// What is left of a column is less where 106 bits do not tell it from nothing: the square of a residue of `f64` is.
+/// Lower bound of remainders that are above 106 bits: the square of a residue of `f64` is below.
 const VISIBLE: f64 = 1e-20;
 
-/// So much of the largest entry that is left is enough of a pivot.
+/// Lower bound of a pivot, relative to the largest entry of its column.
 const MUCH: f64 = 1e-3;
 
-/// A column by rows, each with its entries at all states; none where all are zero.
+/// A column by rows, each with its entries at all states; `None` if all are zero.
 type Column = Vec<Option<Vec<Big>>>;
 
 struct Pivot {
@@ -36,10 +37,10 @@ struct Pivot {
     column: Column,
 }
 
-/// So much has to be left of a column that is taken, in one pass after the other.
+/// Lower bounds of remainders, one for each pass.
 const FLOORS: [f64; 5] = [1e-3, 1e-6, 1e-12, 1e-24, INDEPENDENT];
 
-/// A column that has not been taken, less what the first so many pivots take off.
+/// A column without a pivot, reduced by the first `reduced` pivots.
 struct Waiting {
     column: Column,
     reduced: usize,
@@ -65,28 +66,28 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
             }
             next.reduced = pivots.len();
             let sizes = sizes(&next.column);
-            let left = most(&sizes);
-            if left < floor {
+            let remainder = most(&sizes);
+            if remainder < floor {
                 later.push(next);
                 continue;
             }
-            visible += usize::from(left >= VISIBLE);
+            visible += usize::from(remainder >= VISIBLE);
             let mut rows = order.iter().copied();
             let row = rows
-                .find(|&row| sizes[row] >= MUCH * left)
+                .find(|&row| sizes[row] >= MUCH * remainder)
                 .expect("one is the largest");
             pivots.push(pivot(next.column, row));
         }
         waiting = later;
     }
-    // Those that were passed before the last pivot was found are less it, or little.
-    let left = waiting.iter_mut().map(|next| {
+    // Reduce the remaining columns by the last pivots too.
+    let remainders = waiting.iter_mut().map(|next| {
         for pivot in &pivots[next.reduced..] {
             reduce(&mut next.column, pivot);
         }
         most(&sizes(&next.column))
     });
-    if left.fold(0.0, f64::max) < DEPENDENT {
+    if remainders.fold(0.0, f64::max) < DEPENDENT {
         Rank::Of {
             all: pivots.len(),
             visible,
@@ -120,9 +121,9 @@ fn most(sizes: &[f64]) -> f64 {
     sizes.iter().copied().fold(0.0, f64::max)
 }
 
-/// A column with 1 at the largest entry of a row.
+/// Scales a column to 1 at the largest entry of a row.
 fn pivot(mut column: Column, row: usize) -> Pivot {
-    let entries = column[row].as_ref().expect("much is left");
+    let entries = column[row].as_ref().expect("the row has entries");
     let size = |state: &usize| entries[*state].abs().to_f64();
     let largest = (0..entries.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
     let state = largest.expect("there are states");
@@ -133,7 +134,7 @@ fn pivot(mut column: Column, row: usize) -> Pivot {
     Pivot { row, state, column }
 }
 
-/// Makes an entry of a column zero.
+/// Subtracts a multiple of the pivot's column, so that the entry at the pivot is zero.
 fn reduce(column: &mut Column, pivot: &Pivot) {
     let Some(entries) = &column[pivot.row] else {
         return;

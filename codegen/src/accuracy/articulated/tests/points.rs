@@ -1,7 +1,7 @@
-//! Chains of points of mass at random, as twists and inertias of six numbers about one origin.
+//! Chains of random points of mass, as twists and inertias of six numbers about one origin.
 //!
-//! In: seeds. Out: their articulated inertias, by Schur complements, their sizes γ and s, and how much
-//! they can move. Nothing is shared with the engine.
+//! In: seeds. Out: their articulated inertias, by Schur complements, their sizes γ and s, and bounds of their
+//! motion. It shares nothing with the engine.
 
 pub(super) type Twist = [f64; 6];
 pub(super) type Inertia = [Twist; 6];
@@ -57,12 +57,12 @@ pub(super) fn times(inertia: &Inertia, x: &Twist) -> Twist {
     inertia.map(|row| dot(&row, x))
 }
 
-/// With what is added for each row and column.
+/// The inertia with something added to each entry.
 pub(super) fn plus(inertia: &Inertia, entry: impl Fn(usize, usize) -> f64) -> Inertia {
     std::array::from_fn(|i| std::array::from_fn(|j| inertia[i][j] + entry(i, j)))
 }
 
-/// What a joint passes on.
+/// The articulated inertia that is passed on inwards: I − I S Sᵀ I / D.
 pub(super) fn left(inertia: &Inertia, screw: &Twist) -> Inertia {
     let u = times(inertia, screw);
     let d = dot(&u, screw);
@@ -76,9 +76,9 @@ pub(super) struct Chain {
 
 pub(super) struct Body {
     pub(super) screw: Twist,
-    /// Where its axis goes through.
+    /// A point on its axis.
     pub(super) origin: [f64; 3],
-    /// γ and s of it and of all outboard of it.
+    /// γ and s of it with all bodies outboard of it.
     pub(super) sizes: [f64; 2],
     pub(super) inertia: Inertia,
 }
@@ -111,11 +111,11 @@ impl Chain {
                 plus(&sum, |i, j| mass * dot(&speeds[i], &speeds[j]))
             });
             outboard.extend(own);
-            let (mut turning, mut sliding) = (0.0, 0.0);
+            let (mut angular, mut linear) = (0.0, 0.0);
             for (point, mass) in &outboard {
                 let arm: [f64; 3] = std::array::from_fn(|k| point[k] - origin[k]);
-                turning += mass * dot(&arm, &arm);
-                sliding += mass;
+                angular += mass * dot(&arm, &arm);
+                linear += mass;
             }
             let screw = if slides {
                 twist([0.0; 3], axis)
@@ -125,7 +125,7 @@ impl Chain {
             bodies.push(Body {
                 screw,
                 origin,
-                sizes: [turning.sqrt(), sliding.sqrt()],
+                sizes: [angular.sqrt(), linear.sqrt()],
                 inertia,
             });
         }
@@ -133,8 +133,7 @@ impl Chain {
         Self { bodies }
     }
 
-    /// What each body opposes while all joints outboard of it yield, where its own inertia is another by
-    /// so much.
+    /// The articulated inertia of each body, with an error added to its own inertia.
     pub(super) fn articulated(&self, off: impl Fn(usize) -> Inertia) -> Vec<Inertia> {
         let mut all = vec![[[0.0; 6]; 6]; self.bodies.len()];
         let mut passed = [[0.0; 6]; 6];
@@ -181,7 +180,7 @@ impl Chain {
     }
 
     /// For each body a bound of ω² and of the velocity² of its origin at the kinetic energy ½: the traces
-    /// of J M⁻¹ Jᵗ, where joints share what they turn and slide in proportion to M⁻¹.
+    /// of J M⁻¹ Jᵗ, where joints share rotation and translation in proportion to M⁻¹.
     pub(super) fn mobility(&self) -> Vec<[f64; 2]> {
         let inverse = self.inverse();
         let bodies = self.bodies.iter().enumerate();
@@ -191,11 +190,11 @@ impl Chain {
                     .map(|i| at(self.bodies[i].screw, body.origin))
                     .collect();
                 let mut sums = [0.0; 2];
-                for (i, (turn, slide)) in moved.iter().enumerate() {
-                    for (j, (other_turn, other_slide)) in moved.iter().enumerate() {
+                for (i, (rotation, translation)) in moved.iter().enumerate() {
+                    for (j, (other_rotation, other_translation)) in moved.iter().enumerate() {
                         let share = inverse[i][j];
-                        sums[0] += share * dot(turn, other_turn);
-                        sums[1] += share * dot(slide, other_slide);
+                        sums[0] += share * dot(rotation, other_rotation);
+                        sums[1] += share * dot(translation, other_translation);
                     }
                 }
                 sums
@@ -211,7 +210,7 @@ impl Body {
         self.sizes[0] * norm(&omega) + self.sizes[1] * norm(&v)
     }
 
-    /// An inertia about the body's origin.
+    /// An inertia, moved to the body's origin.
     pub(super) fn about(&self, inertia: &Inertia) -> Inertia {
         let unit: [Twist; 6] = std::array::from_fn(|k| {
             let mut axis = [0.0; 3];

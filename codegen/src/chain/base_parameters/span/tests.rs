@@ -1,19 +1,20 @@
-//! Which columns are kept.
+//! Tests of which columns are kept.
 
 use super::{Entry, Span};
 use crate::expression::Double;
 use crate::list::Id;
 use crate::space::ParameterId;
 
-/// Entries of a column that are sums of terms of a magnitude of 1.
+/// Entries of a column that are sums of terms of magnitude 1.
 fn column(entries: [f64; 3]) -> impl Iterator<Item = Entry> {
     entries.into_iter().map(|entry| (Double::from(entry), 1.0))
 }
 
-/// A slide is askew by 1e-10 of a radian: of two of its moments of inertia, the joint that turns it sees one whole and the other
-/// one by the square of that, ten digits of it. What is made of the latter has no more of them.
+/// A prismatic joint is askew by 1e-10 rad. Of two of its moments of inertia, the revolute joint before it sees one
+/// fully and the other one by the square of that angle, to ten digits. A combination with the latter has no more
+/// digits.
 #[test]
-fn what_stands_for_a_column_is_the_one_of_which_most_is_left() {
+fn the_column_with_the_largest_residual_leads() {
     let [faint, plain, further] = [0, 1, 2].map(ParameterId::new);
     let seen = [0.3, 0.7, 0.5];
     let mut span = Span::default();

@@ -1,17 +1,17 @@
-//! What is said of loops.
+//! Errors of loops.
 
 use super::{errors_in, fine};
 use crate::closure::Closure;
 use crate::description::{Axis, Step};
 
-/// What is said of a loop between links that are there.
+/// The errors of a loop between existing links.
 fn errors_in_loop(text: &str) -> String {
     errors_in(&format!("{text}\nlink a; joint j: revolute(z); link b;"))
 }
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn loops_hold_two_links_together() {
+fn loops_join_two_links() {
     let item = fine(
         "struct Arm;\nlink a; joint j: revolute(z); link b;\n\
          loop pin: revolute(-z) { from: a, to: b, at: xyz(1, 2, 3) rx(0.5), to_at: rz(0.1) }\n\
@@ -44,7 +44,7 @@ fn loops_hold_two_links_together() {
 }
 
 #[test]
-fn loops_are_refused_with_what_to_write() {
+fn errors_of_loops_show_the_syntax() {
     assert_eq!(
         errors_in_loop("loop p revolute(z) { from: a, to: b }"),
         "2:8: expected `:` after loop \"p\"\n  \
@@ -75,7 +75,7 @@ fn loops_are_refused_with_what_to_write() {
     assert_eq!(
         errors_in_loop("loop p: rod(0) { from: a, to: b }"),
         "2:13: the length of loop \"p\" is not positive: 0\n  \
-         hint: to hold two points together, write spherical\n"
+         hint: write spherical to join two points\n"
     );
     assert_eq!(
         errors_in_loop("loop p: fixed { to: b, form: a }"),
@@ -85,7 +85,7 @@ fn loops_are_refused_with_what_to_write() {
     );
     assert_eq!(
         errors_in_loop("loop p: revolute(z, y) { from: a, to: b }"),
-        "2:19: expected `)` after what loop \"p\" is about\n"
+        "2:19: expected `)` after the axes of loop \"p\"\n"
     );
     assert_eq!(
         errors_in_loop("loop p: fixed { from: a, to: b } loop p: fixed { from: a, to: b }"),
@@ -94,15 +94,15 @@ fn loops_are_refused_with_what_to_write() {
 }
 
 #[test]
-fn an_axis_of_another_length_is_told() {
+fn an_axis_of_another_length_is_a_warning() {
     let item = fine(
         "struct Arm;\nlink a; joint j: revolute(z); link b;\n\
          loop pin: revolute([0.0, 3.0, 4.0]) { from: a, to: b }",
     );
     let warnings = item.description.unwrap().warnings;
-    let told: Vec<&str> = warnings.iter().map(|doubt| &*doubt.message).collect();
+    let messages: Vec<&str> = warnings.iter().map(|warning| &*warning.message).collect();
     assert_eq!(
-        told,
-        ["the axis of loop \"pin\" has length 5: taken with length 1"]
+        messages,
+        ["the axis of loop \"pin\" has length 5, and is normalised"]
     );
 }

@@ -1,8 +1,8 @@
-//! What is composed of several motions, and what is said of it.
+//! Composite joints, and their errors.
 
 use super::*;
 
-/// Of each joint: name, type, links, shifts and upper limit.
+/// For each joint: name, type, links, translations and upper limit.
 fn joints(text: &str) -> Vec<String> {
     let description = fine(text).description.unwrap();
     let joints = description.joints.iter().map(|joint| {
@@ -25,7 +25,7 @@ fn joints(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_composite_is_its_joints_with_links_without_mass_between() {
+fn a_composite_is_joints_in_series_with_massless_links() {
     let composed = "struct Leg;
         link pelvis;
         joint hip: composite(
@@ -57,8 +57,8 @@ fn a_composite_is_its_joints_with_links_without_mass_between() {
 }
 
 #[test]
-fn a_composite_is_refused_with_what_to_write() {
-    let nothing = "2:12: joint \"hip\" is composed of nothing
+fn errors_of_composites_show_the_syntax() {
+    let nothing = "2:12: joint \"hip\" has no motions
   hint: write composite(yaw: revolute(z), roll: revolute(x))
 ";
     assert_eq!(errors_in_joint("joint hip: composite;"), nothing);
@@ -74,7 +74,7 @@ fn a_composite_is_refused_with_what_to_write() {
         "2:27: joint \"hip.yaw\" has no axis
   hint: write revolute(z)
 2:43: joint \"hip.roll\" has the unknown type \"hinge\"
-  hint: it is called revolute here
+  hint: write revolute
 2:61: expected `:` after joint \"revolute\"
   hint: write joint elbow: revolute(z)
 2:87: joint \"hip.pitch\" has the unknown key \"from\"
@@ -83,9 +83,9 @@ fn a_composite_is_refused_with_what_to_write() {
   hint: known types: revolute, continuous, prismatic, screw, cylindrical, universal, translation, planar, spherical, floating and fixed
 2:130: expected `{` or `;` after joint \"hip.sway\"
 2:163: joint \"hip\" has the key \"limits\" for all of its motions
-  hint: write it behind one: yaw: revolute(z) { limits: … }
+  hint: write it after one of them: yaw: revolute(z) { limits: … }
 2:181: joint \"hip\" has the key \"armature\" for all of its motions
-  hint: write it behind one: yaw: revolute(z) { armature: … }
+  hint: write it after one of them: yaw: revolute(z) { armature: … }
 "
     );
     assert_eq!(

@@ -1,16 +1,16 @@
 //! Elements and attributes of transmissions: those of ROS, PR2, `ros2_control` and Drake.
 
 use super::simulators::FORCE;
-use super::{Content, Entry, Lost, Others, VALUE};
+use super::{Content, Entry, NotModelled, Others, VALUE};
 
 /// `<transmission>`.
 pub(super) const TRANSMISSION: Content = Content {
     attributes: &[
         Entry::read("name", "its name"),
-        Entry::nothing("type", "a word for controllers"),
+        Entry::ignored("type", "a setting of controllers"),
     ],
     elements: &[
-        Entry::read("joint", "the joint that it drives").with(&END),
+        Entry::read("joint", "the joint that it moves").with(&END),
         Entry::read("actuator", "a motor; the inertias of several add up").with(&END),
         Entry::read("mechanicalReduction", REDUCTION),
         Entry::read("mechanical_reduction", REDUCTION),
@@ -21,71 +21,71 @@ pub(super) const TRANSMISSION: Content = Content {
         Entry::read("flexJoint", OF_TWO).with(&END),
         Entry::read("rollJoint", OF_TWO).with(&END),
         Entry::read("gap_joint", OF_TWO).with(&GAP_JOINT),
-        Entry::nothing("type", "a word for controllers"),
-        Entry::nothing("plugin", "a word for controllers"),
-        Entry::nothing("param", "settings of controllers"),
-        Entry::nothing("hardwareInterface", "a word for controllers"),
-        Entry::nothing("motorTorqueConstant", "torque for a current"),
-        Entry::nothing("pulsesPerRevolution", "what a sensor counts"),
-        Entry::nothing("passive_joint", "joints that a motor moves through others"),
-        Entry::nothing(
+        Entry::ignored("type", "a setting of controllers"),
+        Entry::ignored("plugin", "a setting of controllers"),
+        Entry::ignored("param", "settings of controllers"),
+        Entry::ignored("hardwareInterface", "a setting of controllers"),
+        Entry::ignored("motorTorqueConstant", "torque per current"),
+        Entry::ignored("pulsesPerRevolution", "pulses of a sensor"),
+        Entry::ignored("passive_joint", "joints that a motor moves through others"),
+        Entry::ignored(
             "simulated_actuated_joint",
             "a setting of the PR2's simulation",
         ),
-        Entry::nothing(
+        Entry::ignored(
             "use_simulated_gripper_joint",
             "a setting of the PR2's simulation",
         ),
-        Entry::lost("compensator", &FORCE),
-        Entry::lost("motorInertia", &MOTOR_INERTIA),
-        Entry::lost("motor_inertia", &MOTOR_INERTIA),
-        Entry::lost("rotorInertia", &MOTOR_INERTIA),
+        Entry::not_modelled("compensator", &FORCE),
+        Entry::not_modelled("motorInertia", &MOTOR_INERTIA),
+        Entry::not_modelled("motor_inertia", &MOTOR_INERTIA),
+        Entry::not_modelled("rotorInertia", &MOTOR_INERTIA),
     ],
     others: Others::Warned,
 };
 
-/// What stands at either end of a transmission.
+/// A joint or an actuator of a transmission.
 pub(super) const END: Content = Content {
     attributes: &[
         Entry::read("name", "its name"),
         Entry::read("mechanicalReduction", REDUCTION),
         Entry::read("mechanical_reduction", REDUCTION),
-        Entry::nothing("role", "which of several it is"),
-        Entry::nothing("type", "a word for controllers"),
+        Entry::ignored("role", "its role among several"),
+        Entry::ignored("type", "a setting of controllers"),
     ],
     elements: &[
         Entry::read("mechanicalReduction", REDUCTION),
         Entry::read("mechanical_reduction", REDUCTION),
         Entry::read("drake:gear_ratio", RATIO).with(&VALUE),
         Entry::read("drake:rotor_inertia", ROTOR).with(&VALUE),
-        Entry::nothing("hardwareInterface", "a word for controllers"),
-        Entry::nothing("role", "which of several it is"),
-        Entry::nothing("type", "a word for controllers"),
-        Entry::nothing("offset", "what an encoder adds"),
-        Entry::nothing("motorTorqueConstant", "torque for a current"),
-        Entry::nothing("pulsesPerRevolution", "what a sensor counts"),
-        Entry::nothing("deadBandUpper", "settings of controllers"),
-        Entry::nothing("deadBandLower", "settings of controllers"),
-        Entry::nothing("saturationUpper", "settings of controllers"),
-        Entry::nothing("saturationLower", "settings of controllers"),
-        Entry::nothing(
+        Entry::ignored("hardwareInterface", "a setting of controllers"),
+        Entry::ignored("role", "its role among several"),
+        Entry::ignored("type", "a setting of controllers"),
+        Entry::ignored("offset", "offset of an encoder"),
+        Entry::ignored("motorTorqueConstant", "torque per current"),
+        Entry::ignored("pulsesPerRevolution", "pulses of a sensor"),
+        Entry::ignored("deadBandUpper", "settings of controllers"),
+        Entry::ignored("deadBandLower", "settings of controllers"),
+        Entry::ignored("saturationUpper", "settings of controllers"),
+        Entry::ignored("saturationLower", "settings of controllers"),
+        Entry::ignored(
             "ignoreTransmissionAbsoluteEncoder",
             "settings of controllers",
         ),
-        Entry::nothing("param", "settings of controllers"),
-        Entry::nothing("drake:controller_gains", "gains"),
-        Entry::lost("motorInertia", &MOTOR_INERTIA),
-        Entry::lost("motor_inertia", &MOTOR_INERTIA),
-        Entry::lost("rotorInertia", &MOTOR_INERTIA),
+        Entry::ignored("param", "settings of controllers"),
+        Entry::ignored("drake:controller_gains", "gains"),
+        Entry::not_modelled("motorInertia", &MOTOR_INERTIA),
+        Entry::not_modelled("motor_inertia", &MOTOR_INERTIA),
+        Entry::not_modelled("rotorInertia", &MOTOR_INERTIA),
     ],
     others: Others::Warned,
 };
 
-/// The gripper of the PR2, whose numbers are of its linkage.
+/// The gripper of the PR2; its numbers belong to its linkage.
 const GAP_JOINT: Content = Content {
     attributes: END.attributes,
     elements: &[],
-    others: Others::PassedOver,
+    others: Others::Ignored,
 };
 
 /// Interfaces of controllers, and transmissions among them.
@@ -93,23 +93,22 @@ pub(super) const ROS2_CONTROL: Content = Content {
     attributes: &[],
     elements: &[
         Entry::read("transmission", "its reductions").with(&TRANSMISSION),
-        Entry::nothing("hardware", "settings of controllers"),
-        Entry::nothing("joint", "interfaces of a joint"),
-        Entry::nothing("sensor", "sensors"),
-        Entry::nothing("gpio", "interfaces"),
+        Entry::ignored("hardware", "settings of controllers"),
+        Entry::ignored("joint", "interfaces of a joint"),
+        Entry::ignored("sensor", "sensors"),
+        Entry::ignored("gpio", "interfaces"),
     ],
-    others: Others::PassedOver,
+    others: Others::Ignored,
 };
 
 const REDUCTION: &str =
-    "the ratio of a rotor, and a warning where none is modelled and it is not 1";
-const RATIO: &str = "`value`, the ratio of a rotor [1, of a slide rad/m]";
+    "the ratio of a rotor; a warning if no rotor is modelled and the ratio is not 1";
+const RATIO: &str = "`value`, the ratio of a rotor [1, for a prismatic joint rad/m]";
 const ROTOR: &str =
-    "`value`, the inertia of a rotor about its own axis [kg m²], where `rotors` asks for it";
-const OF_TWO: &str =
-    "a warning where its reduction is not 1: what several motors move together is not modelled";
+    "`value`, the inertia of a rotor about its own axis [kg m²], modelled with the key `rotors`";
+const OF_TWO: &str = "a warning if its reduction is not 1: joints that several motors move together are not modelled";
 
-const MOTOR_INERTIA: Lost = Lost {
+const MOTOR_INERTIA: NotModelled = NotModelled {
     what: "the inertia of a rotor",
-    hint: "write it as <drake:rotor_inertia value=\"…\"/> in the <actuator>, and ask for it with `rotors`",
+    hint: "write it as <drake:rotor_inertia value=\"…\"/> in the <actuator>, with the key `rotors`",
 };

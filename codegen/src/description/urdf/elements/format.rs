@@ -1,17 +1,17 @@
-//! Elements and attributes of URDF itself, and of those extensions that are part of links and joints.
+//! Elements and attributes of URDF itself, and of extensions that belong to links and joints.
 
 use super::actuators::{ROS2_CONTROL, TRANSMISSION};
 use super::simulators::{
     BULLET_CONTACT, CONSTRAINT, DEFORMABLE, FORCE, FRAME, GAZEBO, GRAVITY, IGNORED_BY_DRAKE,
     KINEMATIC, MUJOCO,
 };
-use super::{Content, Entry, Lost, Others, VALUE, When};
+use super::{Content, Entry, NotModelled, Others, VALUE, When};
 
 /// The root element.
-pub(in super::super) const ROBOT: Content = Content {
+pub(super) const ROBOT: Content = Content {
     attributes: &[
         Entry::read("name", "the robot's name"),
-        Entry::read("version", "`1.0` or `1.1`, and a warning where it is another"),
+        Entry::read("version", "`1.0` or `1.1`; a warning if it is another"),
     ],
     elements: &[
         Entry::read("link", "a body and its frame").with(&LINK),
@@ -19,45 +19,45 @@ pub(in super::super) const ROBOT: Content = Content {
         Entry::read(
             "drake:joint",
             "a joint of Drake: `ball` is read as `spherical`, with a quaternion as its coordinates; \
-             `planar` moves across z, `universal` turns about x and then y; other types are those of `<joint>`",
+             `planar` moves across z, `universal` rotates about x and then y; other types are those of `<joint>`",
         )
         .with(&JOINT),
         Entry::read("loop_joint", "a closed loop").with(&LOOP_JOINT),
         Entry::read(
             "transmission",
-            "the inertia of a rotor and its ratio, where `rotors` asks for them, and a warning where not",
+            "rotor inertia and ratio, modelled with the key `rotors`; a warning without it",
         )
         .with(&TRANSMISSION),
         Entry::read("ros2_control", "the reductions of its `<transmission>`s, as in those").with(&ROS2_CONTROL),
-        Entry::nothing("gazebo", "settings of Gazebo; the mechanics among them are warned of").with(&GAZEBO),
-        Entry::nothing("mujoco", "settings of MuJoCo; the mechanics among them are warned of").with(&MUJOCO),
-        Entry::nothing("material", "colours"),
-        Entry::nothing("sensor", "sensors"),
-        Entry::lost("robot", &SECOND_ROBOT),
-        Entry::lost("frame", &FRAME),
-        Entry::lost("fixed_frame", &FRAME),
-        Entry::lost("force_element", &FORCE),
-        Entry::lost("drake:linear_bushing_rpy", &FORCE),
-        Entry::lost("drake:linear_spring_damper", &FORCE),
-        Entry::lost("drake:ball_constraint", &CONSTRAINT),
-        Entry::lost("drake:coupler_constraint", &CONSTRAINT),
-        Entry::lost("drake:distance_constraint", &CONSTRAINT),
-        Entry::lost("drake:tendon_constraint", &CONSTRAINT),
-        Entry::lost("drake:weld_constraint", &CONSTRAINT),
-        Entry::lost("deformable", &DEFORMABLE),
-        Entry::lost("drake:deformable", &DEFORMABLE),
-        Entry::nothing("drake:collision_filter_group", "pairs of links that may touch"),
-        Entry::lost("virtual_joint", &VIRTUAL_JOINT),
-        Entry::nothing("group", "SRDF: names of joints that are planned together"),
-        Entry::nothing("group_state", "SRDF: configurations by name"),
-        Entry::nothing("end_effector", "SRDF: names of groups"),
-        Entry::nothing("passive_joint", "SRDF: joints that a planner leaves alone"),
-        Entry::nothing("disable_collisions", "SRDF: pairs of links that may touch"),
-        Entry::nothing("enable_collisions", "SRDF: pairs of links that may touch"),
-        Entry::nothing("disable_default_collisions", "SRDF: links that may touch any other"),
-        Entry::nothing("link_sphere_approximation", "SRDF: collision geometry"),
-        Entry::nothing("joint_property", "SRDF: settings of planners"),
-        Entry::nothing("webots", "settings of Webots"),
+        Entry::ignored("gazebo", "settings of Gazebo, with warnings of the mechanics among them").with(&GAZEBO),
+        Entry::ignored("mujoco", "settings of MuJoCo, with warnings of the mechanics among them").with(&MUJOCO),
+        Entry::ignored("material", "colours"),
+        Entry::ignored("sensor", "sensors"),
+        Entry::not_modelled("robot", &SECOND_ROBOT),
+        Entry::not_modelled("frame", &FRAME),
+        Entry::not_modelled("fixed_frame", &FRAME),
+        Entry::not_modelled("force_element", &FORCE),
+        Entry::not_modelled("drake:linear_bushing_rpy", &FORCE),
+        Entry::not_modelled("drake:linear_spring_damper", &FORCE),
+        Entry::not_modelled("drake:ball_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:coupler_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:distance_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:tendon_constraint", &CONSTRAINT),
+        Entry::not_modelled("drake:weld_constraint", &CONSTRAINT),
+        Entry::not_modelled("deformable", &DEFORMABLE),
+        Entry::not_modelled("drake:deformable", &DEFORMABLE),
+        Entry::ignored("drake:collision_filter_group", "pairs of links whose collisions are ignored"),
+        Entry::not_modelled("virtual_joint", &VIRTUAL_JOINT),
+        Entry::ignored("group", "SRDF: names of joints that are planned together"),
+        Entry::ignored("group_state", "SRDF: configurations by name"),
+        Entry::ignored("end_effector", "SRDF: names of groups"),
+        Entry::ignored("passive_joint", "SRDF: joints that a planner leaves alone"),
+        Entry::ignored("disable_collisions", "SRDF: pairs of links for collision checks"),
+        Entry::ignored("enable_collisions", "SRDF: pairs of links for collision checks"),
+        Entry::ignored("disable_default_collisions", "SRDF: links whose collisions are ignored"),
+        Entry::ignored("link_sphere_approximation", "SRDF: collision geometry"),
+        Entry::ignored("joint_property", "SRDF: settings of planners"),
+        Entry::ignored("webots", "settings of Webots"),
     ],
     others: Others::Warned,
 };
@@ -65,9 +65,9 @@ pub(in super::super) const ROBOT: Content = Content {
 pub(super) const LINK: Content = Content {
     attributes: &[
         Entry::read("name", "its name"),
-        Entry::nothing("type", "a word that no reader uses"),
-        Entry::nothing("concave", "Bullet: collision geometry"),
-        Entry::lost("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
+        Entry::ignored("type", "unused by every reader"),
+        Entry::ignored("concave", "Bullet: collision geometry"),
+        Entry::not_modelled("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
     ],
     elements: &[
         Entry::read(
@@ -75,24 +75,24 @@ pub(super) const LINK: Content = Content {
             "mass, centre of mass, inertia; without one the link has no mass",
         )
         .with(&INERTIAL),
-        Entry::nothing("visual", "what is seen"),
-        Entry::nothing("collision", "what touches"),
-        Entry::nothing(
+        Entry::ignored("visual", "appearance"),
+        Entry::ignored("collision", "collision geometry"),
+        Entry::ignored(
             "gazebo",
-            "settings of Gazebo; the mechanics among them are warned of",
+            "settings of Gazebo, with warnings of the mechanics among them",
         )
         .with(&GAZEBO),
-        Entry::nothing("sensor", "sensors"),
-        Entry::nothing("contact", "how it touches").with(&BULLET_CONTACT),
-        Entry::nothing("surface", "how it touches"),
-        Entry::nothing("material", "colours"),
-        Entry::nothing("self_collide", "what touches"),
-        Entry::nothing("collision_checking", "what touches"),
-        Entry::nothing("self_collision_checking", "what touches"),
-        Entry::nothing("self_filter", "what a sensor leaves out"),
-        Entry::nothing("map", "settings of former versions of Gazebo"),
-        Entry::lost("gravity", &GRAVITY).when(When::False),
-        Entry::lost("kinematic", &KINEMATIC).when(When::True),
+        Entry::ignored("sensor", "sensors"),
+        Entry::ignored("contact", "contact parameters").with(&BULLET_CONTACT),
+        Entry::ignored("surface", "contact parameters"),
+        Entry::ignored("material", "colours"),
+        Entry::ignored("self_collide", "collision checks"),
+        Entry::ignored("collision_checking", "collision checks"),
+        Entry::ignored("self_collision_checking", "collision checks"),
+        Entry::ignored("self_filter", "parts that a sensor ignores"),
+        Entry::ignored("map", "settings of former versions of Gazebo"),
+        Entry::not_modelled("gravity", &GRAVITY).when(When::False),
+        Entry::not_modelled("kinematic", &KINEMATIC).when(When::True),
     ],
     others: Others::Warned,
 };
@@ -129,13 +129,12 @@ pub(super) const ORIGIN: Content = Content {
         Entry::read("xyz", "the translation \\[m\\]"),
         Entry::read(
             "rpy",
-            "roll, pitch and yaw \\[rad\\]; a right angle where its digits are those of one, and a warning \
-             where an angle is more than a turn",
+            "roll, pitch and yaw \\[rad\\]; digits of a right angle are read as one; a warning if an angle exceeds a revolution",
         ),
         Entry::read(
             "quat_xyzw",
-            "URDF 1.1: the rotation as a quaternion, made of length 1; by right angles where its digits say so; \
-             together with `rpy` a mistake",
+            "URDF 1.1: the rotation as a quaternion, normalised; digits of right angles are read as such; \
+             an error together with `rpy`",
         ),
     ],
     elements: &[],
@@ -145,39 +144,39 @@ pub(super) const ORIGIN: Content = Content {
 pub(super) const JOINT: Content = Content {
     attributes: &[
         Entry::read("name", "its name, and that of its coordinate"),
-        Entry::read("type", "[what it allows](joints.md)"),
-        Entry::nothing("dont_collapse", "Isaac: whether fixed links are merged"),
-        Entry::lost("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
+        Entry::read("type", "[the type](joints.md)"),
+        Entry::ignored("dont_collapse", "Isaac: merging of fixed links"),
+        Entry::not_modelled("drake_ignore", &IGNORED_BY_DRAKE).when(When::True),
     ],
     elements: &[
-        Entry::read("origin", "the child's frame in the parent's where the coordinate is 0").with(&ORIGIN),
-        Entry::read("parent", "`link`, which it hangs on").with(&END),
-        Entry::read("child", "`link`, which it moves").with(&END),
+        Entry::read("origin", "the child's frame in the parent's at coordinate 0").with(&ORIGIN),
+        Entry::read("parent", "`link`, the parent link").with(&END),
+        Entry::read("child", "`link`, the link that it moves").with(&END),
         Entry::read(
             "axis",
-            "`xyz`, a direction in the child's frame, made of length 1; x, with a warning, where there is none",
+            "`xyz`, a direction in the child's frame, normalised; x, with a warning, if it is missing",
         )
         .with(&AXIS),
-        Entry::read("axis2", "the second axis of type `universal`; a warning where the type has none").with(&AXIS),
-        Entry::read("thread", "`pitch` of type `screw` [m/rad]; a warning where the type has none").with(&THREAD),
-        Entry::read("limit", "the range of the coordinate, and of its rate").with(&LIMIT),
-        Entry::read("mimic", "that it follows another joint").with(&MIMIC),
+        Entry::read("axis2", "the second axis of type `universal`; a warning for other types").with(&AXIS),
+        Entry::read("thread", "`pitch` of type `screw` [m/rad]; a warning for other types").with(&THREAD),
+        Entry::read("limit", "limits of coordinate, velocity and effort").with(&LIMIT),
+        Entry::read("mimic", "a mimic joint").with(&MIMIC),
         Entry::read(
             "dynamics",
-            "damping and friction, where `friction` asks for them, and a warning where not",
+            "damping and friction, modelled with the key `friction`; a warning without it",
         )
         .with(&DYNAMICS),
         Entry::read(
             "safety_controller",
-            "nothing but a warning where its limits are narrower than those of `<limit>`, which are the range",
+            "only a warning if its limits are narrower than those of `<limit>`, which are the range",
         )
         .with(&SAFETY_CONTROLLER),
-        Entry::nothing("calibration", "positions of switches"),
-        Entry::nothing("hardwareInterface", "a word for controllers"),
-        Entry::nothing("gazebo", "settings of Gazebo; the mechanics among them are warned of").with(&GAZEBO),
-        Entry::nothing("sensor", "sensors"),
-        Entry::nothing("map", "settings of former versions of Gazebo"),
-        Entry::lost("joint_properties", &JOINT_PROPERTIES),
+        Entry::ignored("calibration", "positions of switches"),
+        Entry::ignored("hardwareInterface", "a setting of controllers"),
+        Entry::ignored("gazebo", "settings of Gazebo, with warnings of the mechanics among them").with(&GAZEBO),
+        Entry::ignored("sensor", "sensors"),
+        Entry::ignored("map", "settings of former versions of Gazebo"),
+        Entry::not_modelled("joint_properties", &JOINT_PROPERTIES),
     ],
     others: Others::Warned,
 };
@@ -191,7 +190,7 @@ const END: Content = Content {
 pub(super) const AXIS: Content = Content {
     attributes: &[
         Entry::read("xyz", "the direction"),
-        Entry::lost("rpy", &AXIS_RPY).when(When::NotZero),
+        Entry::not_modelled("rpy", &AXIS_RPY).when(When::NotZero),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -207,25 +206,25 @@ pub(super) const LIMIT: Content = Content {
     attributes: &[
         Entry::read(
             "lower",
-            "the smallest value [rad or m]; 0 where only the other is written",
+            "lower limit [rad or m]; 0 if only `upper` is written",
         ),
         Entry::read(
             "upper",
-            "the largest value [rad or m]; 0 where only the other is written",
+            "upper limit [rad or m]; 0 if only `lower` is written",
         ),
-        Entry::read("velocity", "the largest rate"),
+        Entry::read("velocity", "maximum velocity [rad/s or m/s]"),
         Entry::read(
             "effort",
-            "the largest torque or force, of which nothing is computed",
+            "maximum torque or force [N m or N]: the constant `MAX_EFFORT`",
         ),
-        Entry::nothing("acceleration", "nothing is computed of it"),
-        Entry::nothing("deceleration", "nothing is computed of it"),
-        Entry::nothing("jerk", "nothing is computed of it"),
-        Entry::nothing("drake:acceleration", "nothing is computed of it"),
-        Entry::nothing("drake:jerk", "nothing is computed of it"),
-        Entry::nothing("command_effort", "a limit of a motor"),
-        Entry::nothing("current", "a limit of a motor"),
-        Entry::nothing("gear_velocity", "a limit of a motor"),
+        Entry::ignored("acceleration", "unused"),
+        Entry::ignored("deceleration", "unused"),
+        Entry::ignored("jerk", "unused"),
+        Entry::ignored("drake:acceleration", "unused"),
+        Entry::ignored("drake:jerk", "unused"),
+        Entry::ignored("command_effort", "a limit of a motor"),
+        Entry::ignored("current", "a limit of a motor"),
+        Entry::ignored("gear_velocity", "a limit of a motor"),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -235,19 +234,22 @@ pub(super) const DYNAMICS: Content = Content {
     attributes: &[
         Entry::read(
             "damping",
-            "torque or force for each rate, where `friction` asks for it",
+            "viscous friction, modelled with the key `friction`",
         ),
-        Entry::read("friction", "Coulomb friction, where `friction` asks for it"),
-        Entry::nothing("coulomb_window", "a setting of former versions of Drake"),
-        Entry::lost("armature", &ARMATURE).when(When::NotZero),
-        Entry::lost("rotor_inertia", &ARMATURE).when(When::NotZero),
-        Entry::lost("spring_stiffness", &FORCE).when(When::NotZero),
-        Entry::lost("spring_reference", &FORCE).when(When::NotZero),
-        Entry::lost("stiffness", &FORCE).when(When::NotZero),
-        Entry::lost("K", &OTHER_DYNAMICS).when(When::NotZero),
-        Entry::lost("D", &OTHER_DYNAMICS).when(When::NotZero),
-        Entry::lost("mu_coulomb", &OTHER_DYNAMICS).when(When::NotZero),
-        Entry::lost("mu_viscous", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::read(
+            "friction",
+            "Coulomb friction, modelled with the key `friction`",
+        ),
+        Entry::ignored("coulomb_window", "a setting of former versions of Drake"),
+        Entry::not_modelled("armature", &ARMATURE).when(When::NotZero),
+        Entry::not_modelled("rotor_inertia", &ARMATURE).when(When::NotZero),
+        Entry::not_modelled("spring_stiffness", &FORCE).when(When::NotZero),
+        Entry::not_modelled("spring_reference", &FORCE).when(When::NotZero),
+        Entry::not_modelled("stiffness", &FORCE).when(When::NotZero),
+        Entry::not_modelled("K", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::not_modelled("D", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::not_modelled("mu_coulomb", &OTHER_DYNAMICS).when(When::NotZero),
+        Entry::not_modelled("mu_viscous", &OTHER_DYNAMICS).when(When::NotZero),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -255,12 +257,12 @@ pub(super) const DYNAMICS: Content = Content {
 
 pub(super) const MIMIC: Content = Content {
     attributes: &[
-        Entry::read("joint", "the joint that it follows"),
+        Entry::read("joint", "the mimicked joint"),
         Entry::read(
             "multiplier",
-            "what the coordinate of that is multiplied by; 1 where it is not written",
+            "factor of the mimicked joint's coordinate; 1 by default",
         ),
-        Entry::read("offset", "what is added then; 0 where it is not written"),
+        Entry::read("offset", "added to the product; 0 by default"),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -268,11 +270,11 @@ pub(super) const MIMIC: Content = Content {
 
 pub(super) const SAFETY_CONTROLLER: Content = Content {
     attributes: &[
-        Entry::read("soft_lower_limit", "a warning where it is above `lower`"),
-        Entry::read("soft_upper_limit", "a warning where it is below `upper`"),
-        Entry::nothing("k_position", "a gain"),
-        Entry::nothing("k_velocity", "a gain"),
-        Entry::nothing("k_effort", "a gain"),
+        Entry::read("soft_lower_limit", "a warning if it is above `lower`"),
+        Entry::read("soft_upper_limit", "a warning if it is below `upper`"),
+        Entry::ignored("k_position", "a gain"),
+        Entry::ignored("k_velocity", "a gain"),
+        Entry::ignored("k_effort", "a gain"),
     ],
     elements: &[],
     others: Others::WarnedLikeText,
@@ -281,13 +283,13 @@ pub(super) const SAFETY_CONTROLLER: Content = Content {
 pub(super) const LOOP_JOINT: Content = Content {
     attributes: &[
         Entry::read("name", "its name"),
-        Entry::read("type", "[what it leaves free](loops.md)"),
+        Entry::read("type", "[the type](loops.md)"),
     ],
     elements: &[
-        Entry::read("link1", "a link, and where the joint is on it").with(&LOOP_END),
-        Entry::read("link2", "a link, and where the joint is on it").with(&LOOP_END),
+        Entry::read("link1", "a link, and the frame of the joint on it").with(&LOOP_END),
+        Entry::read("link2", "a link, and the frame of the joint on it").with(&LOOP_END),
         Entry::read("axis", "the axis, in the frames of both").with(&AXIS),
-        Entry::read("axis2", "the second axis, where the type has one").with(&AXIS),
+        Entry::read("axis2", "the second axis, if the type has one").with(&AXIS),
         Entry::read("rod", "`length` of type `rod` \\[m\\]").with(&ROD),
     ],
     others: Others::Warned,
@@ -310,33 +312,33 @@ const ROD: Content = Content {
     others: Others::WarnedLikeText,
 };
 
-const SECOND_ROBOT: Lost = Lost {
+const SECOND_ROBOT: NotModelled = NotModelled {
     what: "a second robot",
     hint: "a file describes one robot: move its links and joints into the first",
 };
 
-const VIRTUAL_JOINT: Lost = Lost {
+const VIRTUAL_JOINT: NotModelled = NotModelled {
     what: "a joint between the world and the robot",
     hint: "the base is fixed; free it with `floating`, or write a joint and a link for the world",
 };
 
-const JOINT_PROPERTIES: Lost = Lost {
+const JOINT_PROPERTIES: NotModelled = NotModelled {
     what: "damping and friction",
-    hint: "write them as <dynamics damping=\"…\" friction=\"…\"/>, as URDF has it since 2010",
+    hint: "write them as <dynamics damping=\"…\" friction=\"…\"/>, the syntax of URDF since 2010",
 };
 
-const AXIS_RPY: Lost = Lost {
+const AXIS_RPY: NotModelled = NotModelled {
     what: "a rotation of the axis",
-    hint: "URDF has none there: rotate the axis itself",
+    hint: "URDF has no such attribute: rotate the axis itself",
 };
 
-const ARMATURE: Lost = Lost {
+const ARMATURE: NotModelled = NotModelled {
     what: "the inertia of a rotor",
-    hint: "say it with `armature` or `rotor` beside the file, or as <drake:rotor_inertia value=\"…\"/> in the \
+    hint: "set it with the key `armature` or `rotor`, or as <drake:rotor_inertia value=\"…\"/> in the \
            <actuator> of a <transmission>",
 };
 
-const OTHER_DYNAMICS: Lost = Lost {
+const OTHER_DYNAMICS: NotModelled = NotModelled {
     what: "other dynamics",
     hint: "<dynamics> has damping and friction",
 };

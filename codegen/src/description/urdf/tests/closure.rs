@@ -1,4 +1,4 @@
-//! What is said of loop joints.
+//! Errors of loop joints.
 
 use super::{errors_in, fine};
 use crate::closure::Closure;
@@ -14,7 +14,7 @@ fn with(text: &str) -> String {
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn loop_joints_hold_two_links_together() {
+fn loop_joints_join_two_links() {
     let robot = fine(&with(
         r#"<loop_joint name="ball" type="spherical">
              <link1 link="a" xyz="0.1 0 0" rpy="0 0 0.5"/><link2 link="b"/></loop_joint>
@@ -37,7 +37,7 @@ fn loop_joints_hold_two_links_together() {
 }
 
 #[test]
-fn loop_joints_are_refused_with_what_to_write() {
+fn errors_of_loop_joints_show_the_syntax() {
     assert_eq!(
         errors_in(
             r#"<loop_joint name="p" type="ball"><link1 link="a"/><link2 link="b"/></loop_joint>"#

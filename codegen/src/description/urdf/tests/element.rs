@@ -1,18 +1,18 @@
-//! What is said of elements and numbers, in whatever they stand.
+//! Errors of elements and numbers that do not depend on the element around them.
 
-use super::{TENSOR, doubts, errors_in_joint, fine};
+use super::{TENSOR, errors_in_joint, fine, warnings};
 
 #[test]
-fn a_misspelt_element_is_not_passed_over_silently() {
+fn a_misspelt_element_is_a_warning() {
     let robot = fine(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"fixed\">\
          <parent link=\"a\"/><child link=\"b\"/>\n<orgin xyz=\"1 0 0\"/></joint>\
          <joint name=\"k\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/>\n\
          <origin xzy=\"1 0 0\"/><hardware/></joint></robot>",
     );
-    let said: Vec<_> = robot.warnings.iter().map(|w| w.message.as_str()).collect();
+    let messages: Vec<_> = robot.warnings.iter().map(|w| w.message.as_str()).collect();
     assert_eq!(
-        said,
+        messages,
         [
             "<orgin> in joint \"j\" is ignored",
             "attribute \"xzy\" of the <origin> of joint \"k\" is ignored",
@@ -26,7 +26,7 @@ fn a_misspelt_element_is_not_passed_over_silently() {
 }
 
 #[test]
-fn numbers_are_said_under_their_own_digits() {
+fn errors_of_numbers_point_at_their_digits() {
     let origin = |text: &str| errors_in_joint("fixed", &format!("<origin {text}/>"));
     assert_eq!(
         origin("xyz=\"0 inf 0,5\""),
@@ -58,24 +58,24 @@ fn numbers_are_said_under_their_own_digits() {
     );
     assert_eq!(
         origin("rpy=\"\u{2212}1 0 0\""),
-        "error: arm.urdf:2:14: rpy of the origin of joint \"j\" has a minus sign that is no hyphen (U+2212) \
+        "error: arm.urdf:2:14: rpy of the origin of joint \"j\" has a minus sign that is not a hyphen (U+2212) \
          in it\n  hint: write -\n"
     );
     assert_eq!(origin("xyz=\"&#49; 0\t0\""), "");
 }
 
-/// Hands of Unitree have a line's end there, and no inertia in other readers.
+/// Hands of Unitree have a line break there, and no inertia in other readers.
 #[test]
-fn white_space_behind_a_number_is_passed_over_with_a_warning() {
+fn white_space_after_a_number_is_a_warning() {
     let text = |mass: &str| {
         format!(
             "<robot name=\"r\"><link name=\"a\"><inertial>\n<mass value=\"{mass}\"/>{TENSOR}</inertial></link></robot>"
         )
     };
-    let said = "arm.urdf:2:14: the mass of link \"a\" ends in white space, which is passed over";
-    assert_eq!(doubts(&text("0.5\r\n")), [said]);
-    assert_eq!(doubts(&text("0.5 ")), [said]);
-    assert_eq!(doubts(&text(" 0.5")), Vec::<String>::new());
+    let message = "arm.urdf:2:14: the mass of link \"a\" ends in white space, which is ignored";
+    assert_eq!(warnings(&text("0.5\r\n")), [message]);
+    assert_eq!(warnings(&text("0.5 ")), [message]);
+    assert_eq!(warnings(&text(" 0.5")), Vec::<String>::new());
     let mass = |written| {
         fine(&text(written)).links[0]
             .inertial

@@ -1,4 +1,4 @@
-//! Texts that no reader should stumble over: too large, too deep, cut off, changed at random.
+//! Hostile texts: too large, nested too deep, truncated, changed at random.
 
 use super::{ARM, errors};
 use crate::description::changed::changed;
@@ -32,7 +32,7 @@ fn hostile_files_are_refused_quickly() {
         errors(&namespaces),
         "error: arm.urdf:65:1: the file declares more than 64 namespaces\n"
     );
-    // Entities are never replaced, however many others they stand for.
+    // Entities are never replaced, so their expansion takes no time.
     assert_eq!(
         errors(
             "<!DOCTYPE r [<!ENTITY a \"b\"><!ENTITY c \"&a;&a;\">]>\n\
@@ -40,7 +40,7 @@ fn hostile_files_are_refused_quickly() {
         ),
         "error: arm.urdf:2:47: there is another link \"a\"\n  hint: the other one is in line 2\n"
     );
-    // A comment is no element, whatever stands in it.
+    // The elements in a comment are not read.
     let comment = format!("<!-- {} -->", "<a = = =".repeat(500_000));
     assert_eq!(
         errors(&format!(
@@ -52,28 +52,28 @@ fn hostile_files_are_refused_quickly() {
 
 #[test]
 fn thousands_of_mistakes_are_counted() {
-    let said = errors(&format!(
+    let message = errors(&format!(
         "<robot name=\"r\">{}</robot>",
         "<link/>".repeat(5000)
     ));
-    assert_eq!(said.lines().count(), 1001);
-    assert!(said.ends_with("and 4000 more\n"));
+    assert_eq!(message.lines().count(), 1001);
+    assert!(message.ends_with("and 4000 more\n"));
 }
 
 #[test]
-fn every_truncation_is_survived() {
+fn truncated_files_never_panic() {
     for end in (0..ARM.len()).filter(|end| ARM.is_char_boundary(*end)) {
-        let said = errors(&ARM[..end]);
+        let message = errors(&ARM[..end]);
         assert_eq!(
-            said.is_empty(),
+            message.is_empty(),
             end >= ARM.trim_end().len(),
-            "{end}: {said}"
+            "{end}: {message}"
         );
     }
 }
 
 #[test]
-fn random_changes_are_survived() {
+fn random_changes_never_panic() {
     let bytes = b"<>/\"'=&;!-[]?x0.- \n\t\xc3\xa4\x00:eE+$#{";
     for text in changed(ARM, bytes, 0x2545_f491_4f6c_dd1d).take(4000) {
         let _ = errors(&text);

@@ -1,12 +1,12 @@
-//! What is said of joints: their kinds, axes, links and limits.
+//! Errors of joints: types, axes, links and limits.
 
-use super::{doubts_in_joint, errors_in, errors_in_joint, fine};
+use super::{errors_in, errors_in_joint, fine, warnings_in_joint};
 use crate::error::Place;
 use crate::joint::ALL;
 use crate::wording::list;
 
 #[test]
-fn types_that_are_not_known_are_refused_by_name() {
+fn unknown_types_are_errors() {
     let types = list(ALL.map(|kind| kind.word));
     assert_eq!(
         errors_in_joint("revolut", ""),
@@ -18,7 +18,7 @@ fn types_that_are_not_known_are_refused_by_name() {
     assert_eq!(
         errors_in_joint("ball", ""),
         "error: arm.urdf:1:71: joint \"j\" has the unknown type \"ball\"\n  \
-         hint: it is called spherical here\n"
+         hint: write spherical\n"
     );
     assert_eq!(
         errors_in_joint("screw", r#"<axis xyz="0 0 1"/>"#),
@@ -33,7 +33,7 @@ fn types_that_are_not_known_are_refused_by_name() {
 }
 
 #[test]
-fn a_joint_may_follow_another() {
+fn mimic_joints_are_read() {
     let axis = r#"<axis xyz="0 0 1"/>"#;
     assert_eq!(
         errors_in_joint("revolute", &format!("{axis}<mimic/>")),
@@ -107,20 +107,20 @@ fn an_axis_of_another_length_is_kept_with_a_warning() {
     assert_eq!(robot.joints[0].axis.map(|x| x.value), [0.0, 0.75, 1.0]);
     assert_eq!(
         robot.warnings[0].hint.as_deref(),
-        Some("of length 1 it is 0 0.6 0.8")
+        Some("the unit vector is 0 0.6 0.8")
     );
     assert_eq!(
-        doubts_in_joint("prismatic", r#"<axis xyz="0 3 4"/>"#),
-        ["arm.urdf:2:12: the axis of joint \"j\" has length 5: taken with length 1"]
+        warnings_in_joint("prismatic", r#"<axis xyz="0 3 4"/>"#),
+        ["arm.urdf:2:12: the axis of joint \"j\" has length 5, and is normalised"]
     );
-    assert!(doubts_in_joint("revolute", r#"<axis xyz="0.577 0.577 0.577"/>"#).is_empty());
+    assert!(warnings_in_joint("revolute", r#"<axis xyz="0.577 0.577 0.577"/>"#).is_empty());
 }
 
 #[test]
-fn an_element_given_twice_must_say_the_same() {
+fn a_repeated_element_must_be_equal() {
     let axis = r#"<axis xyz="0 0 1"/>"#;
     assert_eq!(
-        doubts_in_joint("revolute", &format!("{axis}{axis}")),
+        warnings_in_joint("revolute", &format!("{axis}{axis}")),
         ["arm.urdf:2:20: joint \"j\" has the same <axis> twice"]
     );
     assert_eq!(
@@ -130,16 +130,16 @@ fn an_element_given_twice_must_say_the_same() {
 }
 
 #[test]
-fn a_fixed_joint_mimics_nothing() {
+fn a_fixed_joint_ignores_mimic() {
     assert_eq!(
-        doubts_in_joint("fixed", r#"<mimic joint="k"/>"#),
+        warnings_in_joint("fixed", r#"<mimic joint="k"/>"#),
         ["arm.urdf:2:1: joint \"j\" is fixed, and its <mimic> is ignored"]
     );
 }
 
 #[test]
 #[expect(clippy::float_cmp, reason = "reading is exact")]
-fn an_axis_that_is_not_written_is_x_with_a_warning() {
+fn a_missing_axis_is_x_with_a_warning() {
     let robot = fine(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\n\
          <joint name=\"j\" type=\"revolute\"><parent link=\"a\"/><child link=\"b\"/></joint>\
@@ -151,13 +151,13 @@ fn an_axis_that_is_not_written_is_x_with_a_warning() {
     assert!(matches!(warning.place, Place::File { line: 2, column: 1 }));
     assert_eq!(
         warning.message,
-        "joint \"j\" has no <axis>: it moves about or along x, as URDF has it"
+        "joint \"j\" has no <axis>: its axis is x, as URDF defines"
     );
     assert_eq!(warning.hint.as_deref(), Some("write <axis xyz=\"1 0 0\"/>"));
 }
 
 #[test]
-fn limits_out_of_order_are_none() {
+fn limits_out_of_order_are_ignored_with_a_warning() {
     let robot = fine(
         "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/>\
          <joint name=\"j\" type=\"prismatic\"><parent link=\"a\"/><child link=\"b\"/>\n\
@@ -169,7 +169,7 @@ fn limits_out_of_order_are_none() {
     assert_eq!(
         robot.source.errors().locate(&robot.warnings[0]),
         "arm.urdf:2:20: the lower limit of joint \"j\", 1, is above the upper one, -1: \
-         taken as without limits"
+         read as unlimited"
     );
 }
 

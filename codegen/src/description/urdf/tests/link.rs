@@ -1,4 +1,4 @@
-//! What is said of links: their inertials.
+//! Errors of links: their inertials.
 
 use super::{MASS, TENSOR, errors_in_inertial};
 

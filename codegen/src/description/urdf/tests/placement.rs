@@ -1,6 +1,6 @@
 //! Origins: translations, angles, quaternions.
 
-use super::{doubts_in_joint, errors_in_joint, fine};
+use super::{errors_in_joint, fine, warnings_in_joint};
 use crate::description::Step;
 
 fn origin(version: &str, attributes: &str) -> String {
@@ -33,25 +33,25 @@ fn a_quaternion_of_another_version_is_read_with_a_warning() {
     for version in ["", " version=\"1.0\""] {
         let robot = fine(&origin(version, "quat_xyzw=\"0 0 0 1\""));
         assert_eq!(robot.joints[0].origin.len(), 1);
-        let said: Vec<_> = robot.warnings.iter().map(|w| w.message.as_str()).collect();
+        let messages: Vec<_> = robot.warnings.iter().map(|w| w.message.as_str()).collect();
         assert_eq!(
-            said,
+            messages,
             [
-                "quat_xyzw of the origin of joint \"j\" is of URDF 1.1, which the robot does not name as its version"
+                "quat_xyzw of the origin of joint \"j\" needs URDF 1.1, but the robot has no such version"
             ]
         );
     }
     let robot = fine(&origin(" version=\"2.0\"", ""));
-    let said: Vec<_> = robot.warnings.iter().map(|w| w.message.as_str()).collect();
+    let messages: Vec<_> = robot.warnings.iter().map(|w| w.message.as_str()).collect();
     assert_eq!(
-        said,
-        ["robot \"r\" has the version \"2.0\", which is not known: read as 1.1"]
+        messages,
+        ["robot \"r\" has the unknown version \"2.0\", and is read as 1.1"]
     );
 }
 
 #[test]
-fn a_quaternion_of_another_length_is_told_where_its_digits_do_not_excuse_it() {
-    let told = |quaternion: &str| {
+fn a_quaternion_of_another_length_is_a_warning_unless_its_digits_explain_it() {
+    let warnings_of = |quaternion: &str| {
         let robot = fine(&origin(
             " version=\"1.1\"",
             &format!("quat_xyzw=\"{quaternion}\""),
@@ -59,17 +59,17 @@ fn a_quaternion_of_another_length_is_told_where_its_digits_do_not_excuse_it() {
         let warnings = robot.warnings.iter();
         warnings.map(|w| w.message.clone()).collect::<Vec<_>>()
     };
-    assert_eq!(told("0.707 0 0 0.707"), [""; 0]);
-    assert_eq!(told("0.7071068 0 0 0.7071068"), [""; 0]);
+    assert_eq!(warnings_of("0.707 0 0 0.707"), [""; 0]);
+    assert_eq!(warnings_of("0.7071068 0 0 0.7071068"), [""; 0]);
     assert_eq!(
-        told("0 0 0 2"),
-        ["quat_xyzw of the origin of joint \"j\" has length 2: taken with length 1"]
+        warnings_of("0 0 0 2"),
+        ["quat_xyzw of the origin of joint \"j\" has length 2, and is normalised"]
     );
-    assert_eq!(told("0.7072000 0 0 0.7072000").len(), 1);
+    assert_eq!(warnings_of("0.7072000 0 0 0.7072000").len(), 1);
 }
 
 #[test]
-fn what_is_no_rotation_is_refused() {
+fn wrong_rotations_are_errors() {
     assert_eq!(
         errors_in_joint("fixed", "<origin quat_xyzw=\"0 0 0 0\"/>"),
         "error: arm.urdf:2:20: quat_xyzw of the origin of joint \"j\" is zero\n  \
@@ -87,16 +87,16 @@ fn what_is_no_rotation_is_refused() {
 }
 
 #[test]
-fn an_angle_of_more_than_a_turn_is_doubted() {
-    let told = |rpy: &str| doubts_in_joint("fixed", &format!("<origin rpy=\"{rpy}\"/>"));
+fn an_angle_of_more_than_a_revolution_is_a_warning() {
+    let warnings_of = |rpy: &str| warnings_in_joint("fixed", &format!("<origin rpy=\"{rpy}\"/>"));
     assert_eq!(
-        told("90 0 0"),
+        warnings_of("90 0 0"),
         [
-            "arm.urdf:2:14: rpy of the origin of joint \"j\" has an angle of 90 rad, more than a turn"
+            "arm.urdf:2:14: rpy of the origin of joint \"j\" has an angle of 90 rad, more than one revolution"
         ]
     );
-    assert_eq!(told("0 -45 180").len(), 1);
+    assert_eq!(warnings_of("0 -45 180").len(), 1);
     for meant in ["3.14159265 0 -3.1416", "6.28 -6.283185307179587 6.2832"] {
-        assert_eq!(told(meant), [""; 0], "{meant}");
+        assert_eq!(warnings_of(meant), [""; 0], "{meant}");
     }
 }

@@ -1,18 +1,17 @@
-//! What a file holds beside what is read: nothing of mechanics vanishes without a word, and nothing else is worth
-//! one.
+//! Warnings of elements and attributes that are not read: one for all mechanics and misspelt names, none for settings.
 
-use super::{TENSOR, doubts, doubts_in_joint, errors, errors_in_joint, fine};
+use super::{TENSOR, errors, errors_in_joint, fine, warnings, warnings_in_joint};
 
-/// What is doubted of something that stands in a robot, in line 2.
-fn doubts_in(item: &str) -> Vec<String> {
-    doubts(&format!(
+/// The warnings of an element in line 2 of a robot.
+fn warnings_in(item: &str) -> Vec<String> {
+    warnings(&format!(
         "<robot name=\"r\" xmlns:drake=\"http://drake.mit.edu\"><link name=\"a\"/>\n{item}</robot>"
     ))
 }
 
-/// That there is one warning, of something that is not modelled and has this name.
+/// Asserts one warning, of mechanics with this name that are not modelled.
 fn assert_lost(item: &str, name: &str) {
-    let found = doubts_in(item);
+    let found = warnings_in(item);
     let start = format!("arm.urdf:2:1: not modelled: {name} in ");
     assert!(
         found.len() == 1 && found[0].starts_with(&start),
@@ -21,9 +20,9 @@ fn assert_lost(item: &str, name: &str) {
 }
 
 #[test]
-fn springs_dampers_and_constraints_are_told() {
+fn springs_dampers_and_constraints_are_warnings() {
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<force_element name=\"s\"><torsional_spring stiffness=\"5\"><joint name=\"j\"/></torsional_spring></force_element>"
         ),
         [
@@ -47,7 +46,7 @@ fn springs_dampers_and_constraints_are_told() {
         );
     }
     let damped = |attributes: &str| {
-        doubts_in_joint(
+        warnings_in_joint(
             "revolute",
             &format!("<axis xyz=\"0 0 1\"/><dynamics {attributes}/>"),
         )
@@ -65,8 +64,8 @@ fn springs_dampers_and_constraints_are_told() {
 }
 
 #[test]
-fn mechanics_among_the_settings_of_simulators_are_told() {
-    let gazebo = |inner: &str| doubts_in(&format!("<gazebo reference=\"a\">{inner}</gazebo>"));
+fn mechanics_among_the_settings_of_simulators_are_warnings() {
+    let gazebo = |inner: &str| warnings_in(&format!("<gazebo reference=\"a\">{inner}</gazebo>"));
     for (inner, name) in [
         ("<springStiffness>20</springStiffness>", "springStiffness"),
         (
@@ -85,13 +84,13 @@ fn mechanics_among_the_settings_of_simulators_are_told() {
         ),
     ] {
         let found = gazebo(inner);
-        let told = format!("not modelled: <{name}> in ");
+        let start = format!("not modelled: <{name}> in ");
         assert!(
-            found.len() == 1 && found[0].contains(&told),
+            found.len() == 1 && found[0].contains(&start),
             "{inner}: {found:?}"
         );
     }
-    let mujoco = |inner: &str| doubts_in(&format!("<mujoco>{inner}</mujoco>"));
+    let mujoco = |inner: &str| warnings_in(&format!("<mujoco>{inner}</mujoco>"));
     for (inner, name) in [
         (
             "<equality><connect body1=\"a\" body2=\"b\"/></equality>",
@@ -102,9 +101,9 @@ fn mechanics_among_the_settings_of_simulators_are_told() {
         ("<option gravity=\"0 0 -1.62\"/>", "attribute \"gravity\""),
     ] {
         let found = mujoco(inner);
-        let told = format!("not modelled: {name} ");
+        let start = format!("not modelled: {name} ");
         assert!(
-            found.len() == 1 && found[0].contains(&told),
+            found.len() == 1 && found[0].contains(&start),
             "{inner}: {found:?}"
         );
     }
@@ -116,7 +115,7 @@ fn mechanics_among_the_settings_of_simulators_are_told() {
 }
 
 #[test]
-fn settings_without_mechanics_are_worth_no_word() {
+fn settings_without_mechanics_are_ignored() {
     for item in [
         "<material name=\"grey\"><color rgba=\"1 1 1 1\"/></material>",
         "<gazebo/>",
@@ -141,16 +140,16 @@ fn settings_without_mechanics_are_worth_no_word() {
         "<group name=\"arm\"><chain base_link=\"a\" tip_link=\"b\"/></group>",
         "<webots><device/></webots>",
     ] {
-        assert_eq!(doubts_in(item), [""; 0], "{item}");
+        assert_eq!(warnings_in(item), [""; 0], "{item}");
     }
     let limit = "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\" drake:acceleration=\"5\"/>";
-    assert_eq!(doubts_in_joint("revolute", limit), [""; 0]);
+    assert_eq!(warnings_in_joint("revolute", limit), [""; 0]);
 }
 
 #[test]
-fn values_that_stand_as_elements_or_text_are_told() {
+fn values_as_elements_or_text_are_warnings() {
     let joint =
-        |inner: &str| doubts_in_joint("revolute", &format!("<axis xyz=\"0 0 1\"/>\n{inner}"));
+        |inner: &str| warnings_in_joint("revolute", &format!("<axis xyz=\"0 0 1\"/>\n{inner}"));
     assert_eq!(
         joint("<origin><xyz>0 0 1</xyz><rpy>0 0 0</rpy></origin>"),
         [
@@ -180,7 +179,7 @@ fn values_that_stand_as_elements_or_text_are_told() {
 }
 
 #[test]
-fn unknown_attributes_are_told_with_what_they_may_mean() {
+fn unknown_attributes_are_warnings_with_a_hint() {
     let hint = |inner: &str| {
         let text = format!(
             "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"revolute\"><parent link=\"a\"/>\
@@ -218,7 +217,7 @@ fn unknown_attributes_are_told_with_what_they_may_mean() {
             )
         );
     }
-    // What is missing for it is explained by it.
+    // The warning explains the missing entry.
     let tensor = TENSOR.replace("ixx", "Ixx");
     let found = errors(&format!(
         "<robot name=\"r\"><link name=\"a\"><inertial>\n<mass value=\"1\"/>{tensor}</inertial></link></robot>"
@@ -232,7 +231,7 @@ fn unknown_attributes_are_told_with_what_they_may_mean() {
 }
 
 #[test]
-fn what_stands_in_another_place_is_told_with_its_own() {
+fn misplaced_elements_are_warnings_with_their_place() {
     let inertial = format!("<inertial><mass value=\"1\"/>{TENSOR}</inertial>");
     let nested = format!(
         "<robot name=\"r\"><link name=\"a\">\n<link name=\"b\">{inertial}</link></link></robot>"
@@ -243,12 +242,9 @@ fn what_stands_in_another_place_is_told_with_its_own() {
         panic!("{:?}", robot.warnings);
     };
     assert_eq!(warning.message, "<link> in link \"a\" is ignored");
+    assert_eq!(warning.hint.as_deref(), Some("move it into <robot>"));
     assert_eq!(
-        warning.hint.as_deref(),
-        Some("it stands in <robot>: move it there")
-    );
-    assert_eq!(
-        doubts_in(&format!(
+        warnings_in(&format!(
             "<robot name=\"s\"><link name=\"b\">{inertial}</link></robot>"
         )),
         ["arm.urdf:2:1: not modelled: <robot> in robot \"r\": a second robot"]
@@ -258,7 +254,7 @@ fn what_stands_in_another_place_is_told_with_its_own() {
     ));
     assert_eq!(
         grouped.warnings[0].hint.as_deref(),
-        Some("so is what stands in it: 1 <link> and 1 <inertial>")
+        Some("so are the elements in it: 1 <link> and 1 <inertial>")
     );
     assert_eq!(
         fine("<robot name=\"r\"><link name=\"a\"/><damping>5</damping></robot>").warnings[0]
@@ -267,7 +263,7 @@ fn what_stands_in_another_place_is_told_with_its_own() {
         Some("write it as an attribute of <dynamics>")
     );
     assert_eq!(
-        doubts_in("<damping>5</damping><inertia ixx=\"1\"/>"),
+        warnings_in("<damping>5</damping><inertia ixx=\"1\"/>"),
         [
             "arm.urdf:2:1: <damping> in robot \"r\" is ignored",
             "arm.urdf:2:21: <inertia> in robot \"r\" is ignored",
@@ -276,20 +272,20 @@ fn what_stands_in_another_place_is_told_with_its_own() {
 }
 
 #[test]
-fn things_of_one_kind_are_told_once() {
+fn one_warning_for_each_kind() {
     assert_eq!(
-        doubts_in("<my:tag/>\n<my:tag/><my:tag a=\"1\"/>\n<my:other/>"),
+        warnings_in("<my:tag/>\n<my:tag/><my:tag a=\"1\"/>\n<my:other/>"),
         [
             "arm.urdf:2:1: <my:tag> in robot \"r\" and 2 other places is ignored",
             "arm.urdf:4:1: <my:other> in robot \"r\" is ignored",
         ]
     );
     let many: Vec<String> = (0..5000).map(|k| format!("<t{k}/>")).collect();
-    assert_eq!(doubts_in(&many.concat()).len(), 1000);
+    assert_eq!(warnings_in(&many.concat()).len(), 1000);
 }
 
 #[test]
-fn an_element_in_capitals_is_explained_beside_the_mistake() {
+fn an_element_in_capitals_is_a_warning_beside_the_error() {
     let text = "<robot name=\"r\"><link name=\"a\"/>\n<Link name=\"b\"/><joint name=\"j\" type=\"fixed\"><parent link=\"a\"/></joint></robot>";
     assert_eq!(
         errors(text),
@@ -325,16 +321,16 @@ fn joints_of_drake_are_read() {
         );
     }
     assert_eq!(
-        doubts(&robot("planar", "<axis xyz=\"0 1 0\"/>")),
-        ["arm.urdf:2:72: the axis of joint \"j\" is ignored, as Drake ignores that of type planar"]
+        warnings(&robot("planar", "<axis xyz=\"0 1 0\"/>")),
+        ["arm.urdf:2:72: the axis of joint \"j\" is ignored, as in Drake for type planar"]
     );
     assert!(errors(&robot("curved", "")).contains("joint \"j\" has the unknown type \"curved\""));
 }
 
 #[test]
-fn a_second_axis_and_a_thread_are_told_where_the_type_has_none() {
+fn a_second_axis_and_a_thread_are_warnings_if_the_type_has_none() {
     assert_eq!(
-        doubts_in_joint(
+        warnings_in_joint(
             "revolute",
             "<axis xyz=\"0 0 1\"/>\n<thread pitch=\"0.1\"/>\n<axis2 xyz=\"1 0 0\"/>"
         ),
@@ -345,42 +341,42 @@ fn a_second_axis_and_a_thread_are_told_where_the_type_has_none() {
     );
     let screw = "<axis xyz=\"0 0 1\"/><thread pitch=\"0.1\"/>";
     assert_eq!(errors_in_joint("screw", screw), "");
-    assert_eq!(doubts_in_joint("screw", screw), [""; 0]);
+    assert_eq!(warnings_in_joint("screw", screw), [""; 0]);
 }
 
 #[test]
-fn rotors_in_other_words_and_gears_as_attributes_are_told() {
+fn other_forms_of_rotors_and_gears_are_warnings() {
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<transmission name=\"t\"><joint name=\"j\"/><actuator name=\"m\">\n<motorInertia>1e-4</motorInertia></actuator></transmission>"
         ),
         ["arm.urdf:3:1: not modelled: <motorInertia> in <actuator> \"m\": the inertia of a rotor"]
     );
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<transmission name=\"t\"><rightActuator name=\"m\" mechanicalReduction=\"50\"/></transmission>"
         ),
         ["arm.urdf:2:48: not modelled: the reduction of transmission \"t\""]
     );
     assert_eq!(
-        doubts_in(
+        warnings_in(
             "<transmission name=\"t\"><joint name=\"j\"/><joint name=\"k\"/><actuator name=\"m\">\n<drake:rotor_inertia value=\"1\"/></actuator></transmission>"
         ),
-        ["arm.urdf:3:1: not modelled: the rotor of transmission \"t\", which is of no joint alone"]
+        ["arm.urdf:3:1: not modelled: the rotor of transmission \"t\", which has no single joint"]
     );
 }
 
 #[test]
-fn a_planar_joint_about_another_axis_is_told_as_readers_differ() {
-    let told = |axis: &str| doubts_in_joint("planar", &format!("<axis xyz=\"{axis}\"/>"));
+fn a_planar_joint_with_another_normal_is_a_warning() {
+    let warnings = |axis: &str| warnings_in_joint("planar", &format!("<axis xyz=\"{axis}\"/>"));
     for other in ["0 1 0", "0 0 -1", "0 0.6 0.8"] {
         assert_eq!(
-            told(other),
+            warnings(other),
             [
-                "arm.urdf:2:1: joint \"j\" is planar about another axis than z: Pinocchio and MoveIt move it across z all the same"
+                "arm.urdf:2:1: joint \"j\" is planar with a normal other than z: Pinocchio and MoveIt use z"
             ]
         );
     }
-    assert_eq!(told("0 0 1"), [""; 0]);
-    assert_eq!(told("1e-17 0 1"), [""; 0]);
+    assert_eq!(warnings("0 0 1"), [""; 0]);
+    assert_eq!(warnings("1e-17 0 1"), [""; 0]);
 }

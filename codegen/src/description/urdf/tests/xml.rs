@@ -1,9 +1,9 @@
-//! What is said of files that are no URDF, or not yet, or no XML.
+//! Errors of files that are not URDF, not expanded, or not XML.
 
-use super::{ARM, MASS, TENSOR, doubts, errors, errors_in, errors_in_inertial, fine};
+use super::{ARM, MASS, TENSOR, errors, errors_in, errors_in_inertial, fine, warnings};
 
 #[test]
-fn a_byte_order_mark_is_no_character() {
+fn a_byte_order_mark_is_ignored() {
     let text = format!("\u{feff}{ARM}");
     assert_eq!(fine(&text).links.len(), 3);
     assert_eq!(
@@ -13,14 +13,14 @@ fn a_byte_order_mark_is_no_character() {
 }
 
 #[test]
-fn what_is_no_urdf_is_said() {
+fn other_formats_are_named() {
     assert_eq!(
         errors("<sdf version=\"1.6\"/>"),
-        "error: arm.urdf:1:1: this is SDF, which describes worlds, and not URDF: the root element is <sdf>\n  \
-         hint: give the URDF that it was made of; or convert it, as by the tools of ROS for SDF, and look at what \
-         `homogen check` says of the result\n"
+        "error: arm.urdf:1:1: this is SDF, not URDF: the root element is <sdf>\n  \
+         hint: read the URDF that it was made from, or convert it and look at the output of \
+         `homogen check`\n"
     );
-    assert!(errors("<mujoco model=\"a\"/>").contains("this is MJCF, the format of MuJoCo"));
+    assert!(errors("<mujoco model=\"a\"/>").contains("this is MJCF, not URDF"));
     assert_eq!(
         errors("<!-- x -->\n<html/>"),
         "error: arm.urdf:2:1: this is not a URDF: the root element is <html>\n  \
@@ -39,8 +39,8 @@ fn what_is_no_urdf_is_said() {
 }
 
 #[test]
-fn xacro_is_said_once() {
-    let message = "this is a xacro file that has yet to be expanded to URDF\n  \
+fn xacro_is_one_error() {
+    let message = "this is a xacro file, which must be expanded to URDF first\n  \
                    hint: run: xacro robot.urdf.xacro > robot.urdf\n";
     let namespace = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
     assert_eq!(
@@ -61,7 +61,7 @@ fn xacro_is_said_once() {
         errors_in_inertial(&format!("<mass value=\"${{m / 2}}\"/>{TENSOR}")),
         format!("error: arm.urdf:2:14: {message}")
     );
-    // The namespace alone stays behind in expanded files.
+    // Expanded files keep the declaration of the namespace.
     assert_eq!(
         errors(&format!(
             "<robot name=\"r\" {namespace}><link name=\"a\"/></robot>"
@@ -70,29 +70,29 @@ fn xacro_is_said_once() {
     );
 }
 
-/// NASA's Valkyrie is passed on like that.
+/// NASA's Valkyrie is distributed with such calls.
 #[test]
-fn a_macro_that_xacro_did_not_know_is_passed_over_with_a_warning() {
+fn a_macro_unknown_to_xacro_is_a_warning() {
     let call = |links: &str| {
         format!(
             "<robot name=\"r\" xmlns:xacro=\"http://ros.org/wiki/xacro\">\n<xacro:imu of=\"a\"/>{links}</robot>"
         )
     };
     assert_eq!(
-        doubts(&call("<link name=\"a\"/>")),
-        ["arm.urdf:2:1: macro \"imu\" that xacro left in robot \"r\" is ignored"]
+        warnings(&call("<link name=\"a\"/>")),
+        ["arm.urdf:2:1: macro \"imu\" in robot \"r\" was not expanded by xacro and is ignored"]
     );
-    // A joint may want a link that a macro would have made.
+    // A joint may need a link that the macro would have made.
     let joint = "<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint>";
     assert_eq!(
         errors(&call(&format!("<link name=\"a\"/>{joint}"))),
-        "error: arm.urdf:2:1: this is a xacro file that has yet to be expanded to URDF\n  \
+        "error: arm.urdf:2:1: this is a xacro file, which must be expanded to URDF first\n  \
          hint: run: xacro robot.urdf.xacro > robot.urdf\n"
     );
 }
 
 #[test]
-fn broken_xml_is_said_where_it_breaks() {
+fn errors_of_xml_point_at_their_place() {
     assert_eq!(
         errors("<robot name=\"r\">\n<link name=\"a\"/>\n"),
         "error: arm.urdf:2:17: the file ends in the middle of an element\n  \
@@ -105,12 +105,12 @@ fn broken_xml_is_said_where_it_breaks() {
     );
     assert_eq!(
         errors("<robot name=\"r\">\n<link name=\"a\"></joint></robot>"),
-        "error: arm.urdf:2:16: </joint> closes nothing\n  \
-         hint: the element that is open here ends with </link>\n"
+        "error: arm.urdf:2:16: </joint> has no matching start tag\n  \
+         hint: close the open element by </link>\n"
     );
     assert_eq!(
         errors("<robot name=\"r\"\nname=\"s\"/>"),
-        "error: arm.urdf:2:1: attribute \"name\" is given twice\n"
+        "error: arm.urdf:2:1: attribute \"name\" occurs twice\n"
     );
     assert_eq!(
         errors("<robot name=\"r\">\n<link name=a/></robot>"),
@@ -123,7 +123,7 @@ fn broken_xml_is_said_where_it_breaks() {
 }
 
 #[test]
-fn what_other_readers_pass_over_is_passed_over() {
+fn constructs_that_other_readers_ignore_are_ignored() {
     let link = "<link name=\"a\"/>";
     for text in [
         format!("\n \n<?xml version=\"1.0\"?>\n<robot name=\"r\">{link}</robot>"),
@@ -138,13 +138,13 @@ fn what_other_readers_pass_over_is_passed_over() {
         format!("<robot name=\"r\">{link}</robot>\n\0"),
     ] {
         assert_eq!(errors(&text), "", "{text}");
-        assert_eq!(doubts(&text), [""; 0], "{text}");
+        assert_eq!(warnings(&text), [""; 0], "{text}");
         assert_eq!(fine(&text).links.len(), 1, "{text}");
     }
 }
 
 #[test]
-fn an_ampersand_is_a_character_where_it_begins_no_reference() {
+fn a_single_ampersand_is_a_character() {
     let robot = fine("<robot name=\"this & that &amp;\n&#66;\"><link name=\"&l;\"/></robot>");
     assert_eq!(robot.name.text, "this & that & B");
     assert_eq!(robot.links[0].name.text, "&l;");

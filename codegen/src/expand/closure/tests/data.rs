@@ -1,4 +1,4 @@
-//! The robot with its loops as data, and its entries for C.
+//! The chain with its loops as data, and its header for C.
 
 use super::{FOUR_BAR, PIN, described};
 use crate::check::Check;
@@ -19,7 +19,7 @@ fn module() -> Module {
 }
 
 #[test]
-fn data_that_closes_something_else_is_refused() {
+fn data_of_another_loop_is_refused() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let check = Check::of(&chain).unwrap_or_else(|errors| panic!("{errors}"));
@@ -28,13 +28,13 @@ fn data_that_closes_something_else_is_refused() {
         .judge_data(&data)
         .unwrap_or_else(|errors| panic!("{errors}"));
     data.loops.loops[0].rows.reverse();
-    let told = check.judge_data(&data).expect_err("x is y").to_string();
+    let reported = check.judge_data(&data).expect_err("x is y").to_string();
     let start = "in the data, entry 0 (residual \"pin.x\") of constraint would be ";
-    assert!(told.contains(start), "{told}");
+    assert!(reported.contains(start), "{reported}");
 }
 
 #[test]
-fn a_robot_with_loops_is_a_mechanism() {
+fn a_robot_with_loops_has_a_mechanism() {
     let (item, world) = (Item::named_after("four bar"), World::default());
     let text = Source::new("", &print(&module(), &item, &world)).to_string();
     assert!(
@@ -64,7 +64,7 @@ fn headers_of_c_count_residuals() {
     };
     let c::Source { header, .. } = c::print(&module(), &writing);
     for part in [
-        "/* The entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
+        "/* Entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
         "    BARS_C_PIN_Y, /* `pin.y` */\n    BARS_NC\n};\n",
         "(const double q[3], double constraint_jacobian[2][3]);",
     ] {

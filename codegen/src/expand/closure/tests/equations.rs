@@ -1,4 +1,4 @@
-//! Accelerations, multipliers and driven torques against the equations that they solve, and every way against
+//! Accelerations, multipliers and actuator torques against the equations that they solve, and every algorithm against
 //! the plainest.
 
 use std::rc::Rc;
@@ -68,7 +68,7 @@ fn accelerations_solve_the_equations_of_motion_with_their_multipliers() {
 }
 
 #[test]
-fn driven_joints_make_the_motion_that_they_are_asked_for() {
+fn actuated_joints_make_the_required_motion() {
     let text = FOUR_BAR.to_owned() + PIN;
     let (description, request) = described(&text);
     let q = closed_four_bar(0.9);
@@ -102,7 +102,7 @@ fn driven_joints_make_the_motion_that_they_are_asked_for() {
 }
 
 #[test]
-fn every_way_gives_the_same() {
+fn every_algorithm_gives_the_same() {
     let ways = [
         Formulation::default(),
         Formulation {
@@ -150,7 +150,7 @@ fn every_way_gives_the_same() {
 }
 
 #[test]
-fn every_kind_is_what_the_description_says_in_both_precisions() {
+fn every_type_agrees_with_the_description_in_both_precisions() {
     for (kind, _) in kinds() {
         let (description, request) = described(&arms_held_by(&kind));
         let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
@@ -172,8 +172,8 @@ fn every_kind_is_what_the_description_says_in_both_precisions() {
 }
 
 #[test]
-fn more_residuals_than_passive_joints_are_held_against_the_description_as_well() {
-    // Seven residuals and five velocities that nothing drives: of two pivots nothing is left but roundings.
+fn more_residuals_than_passive_joints_agree_with_the_description_as_well() {
+    // Seven residuals and five velocities without an actuator: two pivots are pure rounding error.
     let text = ARMS.to_owned()
         + "loop hands: fixed { from: left_3, to: right_2, at: xyz(0.1, 0.0, 0.1) rpy(0.1, 0.2, 0.3) }
            loop stay: rod(0.4) { from: base, to: left_2, to_at: xyz(0.0, 0.1, 0.0) }";
@@ -200,7 +200,7 @@ fn more_residuals_than_passive_joints_are_held_against_the_description_as_well()
 }
 
 #[test]
-fn bounds_are_told_of_residuals_by_name() {
+fn bounds_of_residuals_have_their_names() {
     // More residuals than velocities.
     let text = ARMS.to_owned()
         + "loop hands: fixed { from: left_3, to: right_2 }

@@ -1,11 +1,11 @@
-//! Residuals against a motion of the joints that is followed by the rates of their coordinates alone.
+//! Residuals along a motion of the joints, which is integrated by the rates of their coordinates alone.
 
 use super::{arms_held_by, chain, kinds, numbers, plain, upright, values};
 use crate::chain::Chain;
 use crate::function::Function;
 use crate::space::Space;
 
-/// A motion of the two arms with velocities that stay what they are.
+/// A motion of the two arms with constant velocities.
 struct Motion<'c> {
     chain: &'c Chain,
     q: Vec<f64>,
@@ -58,7 +58,7 @@ impl Motion<'_> {
                     .map(|rate| rate / 2.0),
                 );
             } else if let Some(joint) = name.strip_suffix(".x") {
-                // Planar: velocities are seen in the moved frame.
+                // Planar: velocities are in the moved frame.
                 let (sine, cosine) = q[rates.len() + 2].sin_cos();
                 let [x, y] = ["vx", "vy"].map(|entry| velocity(&format!("{joint}.{entry}")));
                 rates.extend([cosine * x - sine * y, sine * x + cosine * y]);

@@ -1,4 +1,4 @@
-//! What is generated of robots with loops and of others; loops and drives that cannot be.
+//! The functions of robots with loops and of others; loops and actuators that are refused.
 
 use super::{FOUR_BAR, PIN, chain, described};
 use crate::expand::{expand, understand};
@@ -8,7 +8,7 @@ use crate::print::rust::{Item, Source, World, methods};
 use crate::request::Request;
 
 #[test]
-fn all_that_a_robot_with_loops_can_have_is_listed() {
+fn every_function_of_a_robot_with_loops_is_listed() {
     let text = FOUR_BAR.to_owned() + PIN;
     let (description, request) = described(&text);
     let request = Request {
@@ -23,16 +23,16 @@ fn all_that_a_robot_with_loops_can_have_is_listed() {
         assert!(generated.contains(&function), "{function:?}");
     }
     let facts = &module.about.facts;
-    let told = "closed whatever the joints do: pin.z, pin.xz and pin.yz";
-    assert!(facts.iter().any(|fact| fact == told), "{facts:?}");
+    let reported = "closed whatever the joints do: pin.z, pin.xz and pin.yz";
+    assert!(facts.iter().any(|fact| fact == reported), "{facts:?}");
 }
 
 #[test]
-fn what_leaves_loops_open_says_so() {
+fn functions_that_ignore_loops_document_it() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let (item, world) = (Item::named_after("four bar"), World::default());
-    let open = "/// Loops are left open: what counts is the tree of joints that hangs on the base";
+    let open = "/// Loops are ignored: the robot is computed as the tree of its joints";
     for generated in &module.functions {
         let alone = Module {
             functions: vec![generated.clone()],
@@ -43,56 +43,62 @@ fn what_leaves_loops_open_says_so() {
             panic!("one at a time");
         };
         assert_eq!(text.contains(open), !function.is_of_loops(), "{function:?}");
-        let instead = format!("{open}; `constrained_forward_dynamics` holds them together.");
+        let instead = format!("{open}; `constrained_forward_dynamics` keeps them closed.");
         assert_eq!(text.contains(&instead), function.solves(), "{function:?}");
     }
 }
 
 #[test]
-fn loops_that_cannot_be_are_refused() {
+fn impossible_loops_are_refused() {
     let refused = |text: &str| chain(&(FOUR_BAR.to_owned() + text)).expect_err("a mistake");
-    let told =
+    let reported =
         refused("loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.3, 0, 0.01) }");
     assert!(
-        told.contains("loop \"pin\" cannot close: \"pin.z\" is -0.01 m whatever the joints do"),
-        "{told}"
+        reported.contains("loop \"pin\" cannot close: \"pin.z\" is -0.01 m in every configuration"),
+        "{reported}"
     );
-    let told = refused("loop pin: revolute(z) { from: rocker, to: rocker }");
+    let reported = refused("loop pin: revolute(z) { from: rocker, to: rocker }");
     assert!(
-        told.contains("loop \"pin\" joins link \"rocker\" to itself"),
-        "{told}"
+        reported.contains("loop \"pin\" joins link \"rocker\" to itself"),
+        "{reported}"
     );
-    let told = refused("loop pin: revolute(z) { from: coupler, to: roker }");
-    assert!(told.contains("there is no link \"roker\""), "{told}");
-    let told = refused("loop pin: planar(z) { from: coupler, to: rocker }");
-    assert!(told.contains("loop \"pin\" holds nothing"), "{told}");
-    let told = refused(
+    let reported = refused("loop pin: revolute(z) { from: coupler, to: roker }");
+    assert!(
+        reported.contains("there is no link \"roker\""),
+        "{reported}"
+    );
+    let reported = refused("loop pin: planar(z) { from: coupler, to: rocker }");
+    assert!(
+        reported.contains("loop \"pin\" constrains nothing"),
+        "{reported}"
+    );
+    let reported = refused(
         "link tool; joint held: fixed { from: rocker, to: tool } loop pin: spherical { from: tool, to: rocker }",
     );
     assert!(
-        told.contains(
-            "loop \"pin\" joins links \"tool\" and \"rocker\", which do not move against each other"
+        reported.contains(
+            "loop \"pin\" joins links \"tool\" and \"rocker\", which do not move relative to each other"
         ),
-        "{told}"
+        "{reported}"
     );
-    let told = refused("loop pin: spherical { from: tool, to: tool }");
-    assert!(told.contains("there is no link \"tool\""), "{told}");
+    let reported = refused("loop pin: spherical { from: tool, to: tool }");
+    assert!(reported.contains("there is no link \"tool\""), "{reported}");
 }
 
 #[test]
-fn functions_of_loops_are_refused_where_there_is_none() {
+fn functions_of_loops_are_refused_without_loops() {
     let (description, request) = described(FOUR_BAR);
     for function in Function::OF_LOOPS {
         let request = Request {
             functions: vec![vec![function]],
             ..request.clone()
         };
-        let told = expand(&description, &request)
+        let reported = expand(&description, &request)
             .expect_err("no loop")
             .to_string();
         assert!(
-            told.contains("is of robots with loops, and this one has none"),
-            "{told}"
+            reported.contains("is of robots with loops, and this one has none"),
+            "{reported}"
         );
     }
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
@@ -108,7 +114,7 @@ fn functions_of_loops_are_refused_where_there_is_none() {
 }
 
 #[test]
-fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_doubt() {
+fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_warning() {
     let text = FOUR_BAR.to_owned() + "loop pin: spherical { from: coupler, to: rocker }";
     let (description, request) = described(&text);
     let request = Request {
@@ -117,66 +123,69 @@ fn a_loop_of_a_link_that_is_not_modelled_is_left_open_with_a_doubt() {
     };
     let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     assert!(chain.loops.is_empty());
-    let told: Vec<&str> = chain
+    let reported: Vec<&str> = chain
         .report
         .warnings
         .iter()
-        .map(|doubt| &*doubt.message)
+        .map(|warning| &*warning.message)
         .collect();
     assert!(
-        told.contains(&"loop \"pin\" is left open: link \"rocker\" is not modelled"),
-        "{told:?}"
+        reported.contains(&"loop \"pin\" is left open: link \"rocker\" is not modelled"),
+        "{reported:?}"
     );
 }
 
 #[test]
-fn loops_and_drives_that_nothing_asks_for_are_doubted() {
+fn loops_and_actuators_that_no_function_reads_give_a_warning() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
-    let told = |functions: &[Function]| -> Vec<String> {
+    let reported = |functions: &[Function]| -> Vec<String> {
         let request = Request {
             functions: functions.iter().map(|&function| vec![function]).collect(),
             actuated: vec!["a".into()],
             ..request.clone()
         };
         let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-        let doubts = chain.report.warnings.into_iter();
-        doubts.map(|doubt| doubt.message).collect()
+        let warnings = chain.report.warnings.into_iter();
+        warnings.map(|warning| warning.message).collect()
     };
-    let open = "loop \"pin\" is left open: no function of loops is asked for";
-    let driven = "which joints are driven is told, and no function asks for it";
-    assert_eq!(told(&[Function::ForwardDynamics]), [open, driven]);
-    assert_eq!(told(&[Function::Constraint, Function::Gravity]), [driven]);
-    assert!(told(&[Function::ActuatedInverseDynamics]).is_empty());
-    assert!(told(&[]).is_empty());
+    let open = "loop \"pin\" is left open: no function of loops is generated";
+    let driven = "actuated joints are named, but no function uses them";
+    assert_eq!(reported(&[Function::ForwardDynamics]), [open, driven]);
+    assert_eq!(
+        reported(&[Function::Constraint, Function::Gravity]),
+        [driven]
+    );
+    assert!(reported(&[Function::ActuatedInverseDynamics]).is_empty());
+    assert!(reported(&[]).is_empty());
 }
 
 #[test]
-fn drives_are_joints_that_move_by_themselves() {
+fn actuators_must_be_joints_that_move_independently() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let with = |names: &[&str]| Request {
         actuated: names.iter().map(|&name| name.into()).collect(),
         functions: vec![vec![Function::ActuatedInverseDynamics]],
         ..request.clone()
     };
-    let told = |request: &Request| {
+    let reported = |request: &Request| {
         let refused = expand(&description, request).map(|_| ());
         refused.expect_err("a mistake").to_string()
     };
-    let said = told(&with(&[]));
+    let found = reported(&with(&[]));
     assert!(
-        said.contains("\"actuated_inverse_dynamics\" asks which joints are driven"),
-        "{said}"
+        found.contains("\"actuated_inverse_dynamics\" needs the actuated joints"),
+        "{found}"
     );
-    let said = told(&with(&["d"]));
-    assert!(said.contains("there is no joint \"d\""), "{said}");
+    let found = reported(&with(&["d"]));
+    assert!(found.contains("there is no joint \"d\""), "{found}");
     let locked = Request {
         lock: vec![("b".into(), None)],
         ..with(&["b"])
     };
-    let said = told(&locked);
+    let found = reported(&locked);
     assert!(
-        said.contains("joint \"b\" does not move by itself"),
-        "{said}"
+        found.contains("joint \"b\" has no velocity of its own"),
+        "{found}"
     );
     expand(&description, &with(&["a"])).unwrap_or_else(|errors| panic!("{errors}"));
 }

@@ -1,4 +1,4 @@
-//! Residuals that are zero whatever the joints do, that depend on others, and that lose their slope.
+//! Residuals that are zero in every configuration, that depend on others, and whose gradient vanishes.
 
 use super::{FOUR_BAR, PIN, chain, closed_four_bar, described, plain, values};
 use crate::chain::Chain;
@@ -15,7 +15,7 @@ use crate::schedule::run;
 use crate::space::{FrameId, Space, Variable};
 
 #[test]
-fn what_is_closed_in_every_posture_is_left_out_and_told() {
+fn residuals_that_are_zero_in_every_configuration_are_left_out_and_reported() {
     let chain = chain(&(FOUR_BAR.to_owned() + PIN)).expect("a robot");
     let rows = &chain.loops[0].rows;
     assert_eq!(*rows, [Row::Along(0), Row::Along(1)]);
@@ -26,8 +26,8 @@ fn what_is_closed_in_every_posture_is_left_out_and_told() {
 
 #[test]
 fn dependent_residuals_change_nothing() {
-    // The same four-bar, with frames of coupler and rocker that are turned about their bars, and held by a ball: one of
-    // its three residuals follows from the others, and none is zero.
+    // The same four-bar, with frames of coupler and rocker rotated about their bars, and closed by a spherical loop:
+    // one of its three residuals follows from the others, and none is zero.
     let turned = "
 pub struct FourBar { gravity: [0.0, -9.81, 0.0] }
 link ground;
@@ -50,7 +50,7 @@ loop pin: spherical { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(
             &plain(&plane, Function::ConstraintJacobian),
             [&q, &[], &[], &[]],
         );
-        // Rates that keep the loop closed: perpendicular to both rows.
+        // Velocities that keep the loop closed: perpendicular to both rows.
         let qd = [
             j[1] * j[5] - j[2] * j[4],
             j[2] * j[3] - j[0] * j[5],
@@ -61,7 +61,7 @@ loop pin: spherical { from: coupler, to: rocker, at: xyz(0.3, 0, 0), to_at: xyz(
         let of = |chain: &Chain, function| values(&plain(chain, function), [&q, &qd, &[], &tau]);
         let [flat, found] =
             [&plane, &turned].map(|chain| of(chain, Function::ConstrainedForwardDynamics));
-        // Accelerations; multipliers are of other residuals.
+        // Accelerations agree; multipliers belong to other residuals.
         let joints = plane.joints.len();
         let (accelerations, multipliers) = found.split_at(joints);
         for (found, flat) in accelerations.iter().zip(&flat[..joints]) {
@@ -94,7 +94,7 @@ loop pin: revolute([{pin}]) {{ from: coupler, to: rocker, at: xyz(0.32, -0.24, 0
 }
 
 #[test]
-fn a_four_bar_that_is_mounted_askew_keeps_the_residuals_of_its_plane() {
+fn a_four_bar_mounted_askew_keeps_the_residuals_of_its_plane() {
     let text = askew("0.36, 0.48, 0.8", "0.36, 0.48, 0.8");
     let chain = chain(&text).expect("a robot");
     assert_eq!(chain.loops[0].rows, [Row::Along(0), Row::Along(1)]);
@@ -108,44 +108,44 @@ fn a_four_bar_that_is_mounted_askew_keeps_the_residuals_of_its_plane() {
 }
 
 #[test]
-fn residuals_that_digits_leave_are_taken_as_zero_with_a_warning() {
+fn residuals_left_by_rounded_digits_are_taken_as_zero_with_a_warning() {
     let text = askew("0.36, 0.48, 0.8", "0.360004, 0.479998, 0.8");
     let chain = chain(&text).expect("a robot");
     assert_eq!(chain.report.closed, ["pin.z", "pin.xz", "pin.yz"]);
-    let told: Vec<&str> = chain
+    let reported: Vec<&str> = chain
         .report
         .warnings
         .iter()
         .map(|warning| &*warning.message)
         .collect();
-    let expected = "loop \"pin\": \"pin.z\", \"pin.xz\" and \"pin.yz\" are taken as zero, being at most 6e-6 of what the joints move";
-    assert_eq!(told, [expected]);
+    let expected = "loop \"pin\": \"pin.z\", \"pin.xz\" and \"pin.yz\" are taken as zero, being at most 6e-6 of the joints' motion";
+    assert_eq!(reported, [expected]);
     let (description, request) = described(&text);
     let request = Request {
         strict: true,
         ..request
     };
-    let told = understand(&description, &request)
+    let reported = understand(&description, &request)
         .map(|_| ())
         .expect_err("strict")
         .to_string();
-    assert!(told.contains("(refused: strict)"), "{told}");
+    assert!(reported.contains("(refused: strict)"), "{reported}");
 }
 
 #[test]
 fn a_misaligned_axis_that_blocks_the_joints_is_refused() {
-    let told = chain(&askew("0.36, 0.48, 0.8", "0.363, 0.478, 0.8"))
+    let reported = chain(&askew("0.36, 0.48, 0.8", "0.363, 0.478, 0.8"))
         .map(|_| ())
         .expect_err("a mistake");
     assert!(
-        told.contains("loop \"pin\" blocks the joints: they change \"pin.z\", \"pin.xz\""),
-        "{told}"
+        reported.contains("loop \"pin\" blocks the joints: they change \"pin.z\", \"pin.xz\""),
+        "{reported}"
     );
 }
 
 #[test]
-fn a_weak_constraint_that_some_joint_serves_is_kept() {
-    // A wedge of a thousandth: the slide along it changes the residual by little, the one across it by all.
+fn a_weak_constraint_that_some_joint_satisfies_is_kept() {
+    // A wedge of a thousandth: translation along it changes the residual by little, translation across it fully.
     let wedge = "
 pub struct Wedge;
 link ground;
@@ -159,8 +159,8 @@ loop face: planar([0.0001, 0.0, 1.0]) { from: lower, to: upper }";
 }
 
 #[test]
-fn small_mechanisms_keep_their_residuals() {
-    // Micrometres, and a slide that could go a metre.
+fn small_loops_keep_their_residuals() {
+    // Micrometres, and a prismatic joint with a range of a metre.
     let small = "
 pub struct Small { gravity: none }
 link ground;
@@ -175,7 +175,7 @@ loop pin: revolute(z) { from: rod, to: slider, at: xyz(2e-6, 0.0, 0.0) }";
     assert_eq!(chain.loops[0].rows, [Row::Along(0), Row::Along(1)]);
 }
 
-/// Four skew axes that move for their proportions alone: a sin β = b sin α.
+/// Bennett's linkage: four skew axes that move because of their proportions, a sin β = b sin α.
 const BENNETT: &str = "
 pub struct Bennett;
 link ground;
@@ -188,7 +188,7 @@ link three { mass: 0.6, com: [0.1, 0.0, 0.0], inertia: [1e-3, 2e-3, 2e-3] }
 loop pin: revolute(z) { from: two, to: three, at: xyz(0.434032985013344, 0.0, 0.0) rx(1.2), to_at: rx(-0.7) xyz(-0.3, 0.0, 0.0) }";
 
 #[test]
-fn an_over_constrained_mechanism_that_moves_is_generated_with_what_is_implied() {
+fn an_over_constrained_linkage_is_generated_and_its_dependent_residuals_are_reported() {
     let (description, request) = described(BENNETT);
     for scalar in [Real::F64, Real::F32] {
         let request = Request {
@@ -214,8 +214,8 @@ fn an_over_constrained_mechanism_that_moves_is_generated_with_what_is_implied() 
 }
 
 #[test]
-fn a_dead_centre_gives_numbers() {
-    // All bars of one length, and folded onto one line: both equations lose the line's own direction.
+fn a_dead_centre_gives_finite_results() {
+    // All bars have one length and are folded onto one line: both equations lose that line's direction.
     let text = "
 pub struct Rhombus { gravity: none }
 link ground;

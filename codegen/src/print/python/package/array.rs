@@ -1,7 +1,7 @@
-//! Arguments out of Python, and results into it.
+//! Arguments from Python, and results for it.
 //!
-//! Arguments are read where NumPy has them if they are aligned, contiguous in C's order and of the
-//! robot's type of number, and copied otherwise. Leading axes are broadcast as NumPy does.
+//! Arguments are read in place if they are aligned, contiguous in C order and of the robot's scalar type, and copied
+//! otherwise. Leading axes are broadcast as in NumPy.
 
 use numpy::{
     PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods,
@@ -14,17 +14,17 @@ use pyo3::types::{PyDict, PyFloat, PyInt, PyList, PyTuple};
 use crate::batch::{self, Argument, Work};
 use crate::real::{DTYPE, Real};
 
-/// The arguments of a call, each by its name, what it is and the last axes that it is to have.
+/// The arguments of a call: name, object and required last axes of each.
 pub type Given<'a, 'py> = (&'static str, &'a Bound<'py, PyAny>, &'static [usize]);
 
 /// The arguments of a call, broadcast to the same leading axes.
 pub struct States<'py, const K: usize> {
     arrays: [PyReadonlyArrayDyn<'py, Real>; K],
-    /// Whether each has one state for all.
+    /// True for an argument with one value for all states.
     is_for_all: [bool; K],
     /// The leading axes.
     leading: Vec<usize>,
-    /// How many states there are.
+    /// Number of states.
     count: usize,
 }
 
@@ -32,8 +32,8 @@ impl<'py, const K: usize> States<'py, K> {
     /// Reads arguments.
     ///
     /// # Errors
-    /// `TypeError` where one has numbers that are not safely the robot's, `ValueError` where its last axes
-    /// are others or its leading axes cannot be broadcast.
+    /// `TypeError` if numbers cannot safely be cast to the robot's type, `ValueError` if the last axes of an argument
+    /// are wrong or its leading axes cannot be broadcast.
     pub fn of(py: Python<'py>, given: [Given<'_, 'py>; K]) -> PyResult<Self> {
         let mut arrays = Vec::with_capacity(K);
         for (name, object, last) in &given {
@@ -70,7 +70,7 @@ impl<'py, const K: usize> States<'py, K> {
         })
     }
 
-    /// How many states there are.
+    /// Number of states.
     pub fn count(&self) -> usize {
         self.count
     }
@@ -80,10 +80,10 @@ impl<'py, const K: usize> States<'py, K> {
         Ok(Argument::of(self.arrays[k].as_slice()?, self.is_for_all[k]))
     }
 
-    /// Room for results with these last axes.
+    /// Array for results with these last axes.
     ///
     /// # Errors
-    /// `TypeError` or `ValueError` where `out` is no such room, `MemoryError` where there is too little.
+    /// `TypeError` or `ValueError` if `out` is not such an array, `MemoryError` if memory is exhausted.
     pub fn room(
         &self,
         py: Python<'py>,
@@ -108,7 +108,7 @@ impl<'py, const K: usize> States<'py, K> {
     }
 }
 
-/// Where results go.
+/// Array for results.
 pub struct Room<'py> {
     array: PyReadwriteArrayDyn<'py, Real>,
 }
@@ -119,7 +119,7 @@ impl<'py> Room<'py> {
         Ok(self.array.as_slice_mut()?)
     }
 
-    /// The array; a number where it has no axes.
+    /// The array; a number if it has no axes.
     pub fn into_python(self) -> PyResult<Bound<'py, PyAny>> {
         let array: &Bound<'py, PyArrayDyn<Real>> = &self.array;
         let array = array.clone();
@@ -130,7 +130,7 @@ impl<'py> Room<'py> {
     }
 }
 
-/// Does the work, without Python's lock where it takes longer than to give it up.
+/// Does the work, without Python's lock if the work takes longer than releasing it.
 pub fn run<W: Work>(py: Python<'_>, work: W) {
     if work.states() < FEW {
         batch::run(work);
@@ -139,10 +139,10 @@ pub fn run<W: Work>(py: Python<'_>, work: W) {
     }
 }
 
-/// How many states take as long as giving up Python's lock and taking it again.
+/// Number of states that take as long as releasing and acquiring Python's lock.
 const FEW: usize = 8;
 
-/// An argument as an array that can be read as it lies.
+/// Argument as an array that can be read in place.
 fn array<'py>(
     py: Python<'py>,
     name: &str,
@@ -174,7 +174,7 @@ fn readable<'py>(
     array.try_readonly().map_err(refuse)
 }
 
-/// A copy of the robot's type of number, of what NumPy takes for an array of numbers that are safely such.
+/// Copy in the robot's scalar type of anything that NumPy safely casts to it.
 fn converted<'py>(
     py: Python<'py>,
     name: &str,
@@ -183,7 +183,7 @@ fn converted<'py>(
     let numpy = numpy(py)?;
     let array = numpy.call_method1("asarray", (object,))?;
     let given = array.getattr("dtype")?;
-    // What Python itself writes as numbers has no type of its own to lose.
+    // Python's own numbers have no scalar type to lose.
     let is_plain = object.is_instance_of::<PyList>()
         || object.is_instance_of::<PyTuple>()
         || object.is_instance_of::<PyFloat>()
@@ -203,7 +203,7 @@ fn converted<'py>(
     Ok(array.cast_into::<PyArrayDyn<Real>>()?)
 }
 
-/// What was given to be written to.
+/// The array to be written to.
 fn written<'py>(
     out: &Bound<'py, PyAny>,
     shape: &[usize],
@@ -234,13 +234,13 @@ fn numpy(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
     Ok(numpy.bind(py))
 }
 
-/// The axes of an array before the last ones.
+/// Axes of an array before the last ones.
 fn leading<'a>(array: &'a PyReadonlyArrayDyn<'_, Real>, last: &[usize]) -> &'a [usize] {
     let shape = array.shape();
     &shape[..shape.len() - last.len()]
 }
 
-/// The leading axes that all arguments are broadcast to.
+/// Leading axes that all arguments are broadcast to.
 fn broadcast(
     arrays: &[PyReadonlyArrayDyn<'_, Real>],
     given: &[Given<'_, '_>],
@@ -257,7 +257,7 @@ fn broadcast(
     })
 }
 
-/// The axes that two shapes are broadcast to, if they can be.
+/// Axes that two shapes are broadcast to, if they are compatible.
 fn together(one: &[usize], other: &[usize]) -> Option<Vec<usize>> {
     let axes = one.len().max(other.len());
     let axis = |shape: &[usize], k: usize| {
@@ -271,7 +271,7 @@ fn together(one: &[usize], other: &[usize]) -> Option<Vec<usize>> {
     (0..axes).map(pair).collect()
 }
 
-/// How many states leading axes are of.
+/// Number of states of these leading axes.
 fn states(leading: &[usize]) -> PyResult<usize> {
     let count = leading
         .iter()
@@ -279,7 +279,7 @@ fn states(leading: &[usize]) -> PyResult<usize> {
     count.ok_or_else(|| PyValueError::new_err("there are too many states"))
 }
 
-/// A shape as Python writes it.
+/// Shape as in Python.
 fn shown(shape: &[usize]) -> String {
     match shape {
         [only] => format!("({only},)"),

@@ -1,6 +1,6 @@
-//! Many states: by the widest vectors of the processor that runs, and by all its cores.
+//! Many states: by the widest vectors of the processor, and by all its cores.
 //!
-//! Neither changes a bit of any result.
+//! Results have the same bits for any vectors and cores.
 
 use std::sync::{Arc, Mutex};
 
@@ -9,17 +9,17 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::number::Lanes;
 use crate::real::{Real, WIDE};
 
-/// An argument of some states: `N` numbers each.
+/// Argument of some states, with `N` numbers each.
 #[derive(Clone, Copy)]
 pub enum Argument<'a, const N: usize> {
-    /// One of each state.
+    /// One for each state.
     Each(&'a [[Real; N]]),
-    /// One that all of them have.
+    /// One for all states.
     Same(&'a [Real; N]),
 }
 
 impl<'a, const N: usize> Argument<'a, N> {
-    /// The numbers of every state, one after the other, or of one that stands for all.
+    /// The argument from the numbers of all states in order, or of one for all.
     pub fn of(numbers: &'a [Real], is_for_all: bool) -> Self {
         let (states, _) = numbers.as_chunks();
         if is_for_all {
@@ -29,7 +29,7 @@ impl<'a, const N: usize> Argument<'a, N> {
         }
     }
 
-    /// The same for the states before and from `at`.
+    /// The parts for the states before `at` and from it on.
     pub fn split(self, at: usize) -> (Self, Self) {
         match self {
             Self::Each(states) => {
@@ -43,17 +43,17 @@ impl<'a, const N: usize> Argument<'a, N> {
 
 /// A function of some states.
 pub trait Work: Sized + Send {
-    /// How many states there are.
+    /// Number of states.
     fn states(&self) -> usize;
 
-    /// The work on the states before and from `at`.
+    /// The work on the states before `at` and from it on.
     fn split(self, at: usize) -> (Self, Self);
 
-    /// Does it by as many states at a time as `P` has lanes.
+    /// Does it for as many states at a time as `P` has lanes.
     fn by<P: Lanes>(self, processor: P::Processor);
 }
 
-/// The functions of a robot, each as a struct of the same name that holds states and room for results.
+/// The functions of a robot, each as a struct with the same name that holds states and memory for results.
 macro_rules! functions {
     ($robot:ty: $(
         $name:ident($($argument:ident: $width:literal),*) -> ($($result:ident: $size:literal),*);
@@ -105,17 +105,17 @@ macro_rules! functions {
 }
 pub(crate) use functions;
 
-/// How many packs are filled before the first is computed with, so that their lanes, which are written some
-/// at a time, have left the processor's queue when they are read together.
+/// Number of packs that are filled before the first is used, so that their lanes, which are written in parts, have
+/// left the processor's store queue when they are read.
 pub const FILLED: usize = 8;
 
-/// Packs that are not filled yet.
+/// Packs to be filled.
 #[inline(always)]
 pub fn empty<P: Lanes, const N: usize>(processor: P::Processor) -> [[P; N]; FILLED] {
     [[P::filled(processor, 0.0); N]; FILLED]
 }
 
-/// Fills packs with states, as far as these go.
+/// Fills packs with the available states.
 #[inline(always)]
 pub fn load<P: Lanes, const N: usize>(
     argument: &Argument<'_, N>,
@@ -138,10 +138,10 @@ pub fn load<P: Lanes, const N: usize>(
     }
 }
 
-/// How many states one core does in one go: ten microseconds of the inverse dynamics of an arm.
+/// Number of states for one task of a core: ten microseconds of the inverse dynamics of an arm.
 const SHARE: usize = 512;
 
-/// Does the work with the vectors and the cores that this processor has.
+/// Does the work with the vectors and the cores of this processor.
 pub fn run<W: Work>(work: W) {
     if work.states() <= SHARE {
         here(work);
@@ -152,19 +152,19 @@ pub fn run<W: Work>(work: W) {
     }
 }
 
-/// Leaves halves to whoever is free, down to a size that is worth it.
+/// Splits the work in halves for idle cores, down to the size of a task.
 fn shared<W: Work>(work: W) {
     let states = work.states();
     if states <= SHARE {
         here(work);
     } else {
-        // Whole packs leave the odd states to the last one.
+        // Whole packs leave the remainder to the last part.
         let (first, rest) = work.split((states / 2).next_multiple_of(WIDE));
         rayon::join(|| shared(first), || shared(rest));
     }
 }
 
-/// The threads of this process, if it can have any: a copy that `fork` makes has none of its parent's.
+/// The threads of this process, if it can have any: a process created by `fork` has none of its parent's threads.
 fn pool() -> Option<Arc<ThreadPool>> {
     static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
     let process = std::process::id();
@@ -175,7 +175,7 @@ fn pool() -> Option<Arc<ThreadPool>> {
         return Some(Arc::clone(pool));
     }
     let pool = Arc::new(ThreadPoolBuilder::new().build().ok()?);
-    // Nobody is left who could be told to stop.
+    // The threads of the parent do not exist here, so that the pool cannot be dropped.
     std::mem::forget(own.replace((process, Arc::clone(&pool))));
     Some(pool)
 }
@@ -189,7 +189,7 @@ fn here<W: Work>(work: W) {
     }
 }
 
-/// Processors that may have more than their target.
+/// Processors that may have more instructions than the compilation target.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod vectors {
     use super::Work;
@@ -199,7 +199,7 @@ mod vectors {
     use pulp::NullaryFnOnce;
     use pulp::x86::{V3, V4};
 
-    /// Work for a processor, by so many lanes.
+    /// Work for a processor with this number of lanes.
     struct By<P, W, const L: usize>(P, W);
 
     impl<P: Vectors<L>, W: Work, const L: usize> NullaryFnOnce for By<P, W, L> {
@@ -223,7 +223,7 @@ mod vectors {
     }
 }
 
-/// Processors whose vectors every compiler may use.
+/// Processors whose vector instructions are always available.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 mod vectors {
     use super::Work;

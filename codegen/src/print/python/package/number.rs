@@ -1,13 +1,13 @@
-//! What the robot's functions compute with: a number alone, or several side by side.
+//! Values of the robot's functions: a number, or several in the lanes of vectors.
 //!
-//! Every lane has the bits that the number alone would have, NaN and infinities among them: products and
-//! sums are rounded one by one, on every processor.
+//! Every lane has the same bits as a single number, NaN and infinities included: products and sums are rounded
+//! separately on every processor.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::real::{LIMIT, Real, sin_cos};
 
-/// A number as straight-line code needs it.
+/// A value of straight-line code.
 #[allow(dead_code, reason = "not every robot needs every operation")]
 pub trait Number:
     Copy
@@ -17,19 +17,19 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The number nearest to `value`, on the processor of `self`.
+    /// The number nearest to `value`, for the processor of `self`.
     fn like(self, value: f64) -> Self;
 
     /// The square root.
     fn sqrt(self) -> Self;
 
     /// −1, 0 or 1; 0 of NaN.
-    fn sgn(self) -> Self;
+    fn sign(self) -> Self;
 
     /// Sine and cosine of an angle, by the platform.
     fn sin_cos(self) -> (Self, Self);
 
-    /// The sines and the cosines of all angles: this package's own up to `LIMIT`, the platform's beyond.
+    /// The sines and the cosines of all angles: those of this package up to `LIMIT`, those of the platform beyond.
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
 }
 
@@ -45,7 +45,7 @@ impl Number for Real {
     }
 
     #[inline(always)]
-    fn sgn(self) -> Self {
+    fn sign(self) -> Self {
         Self::from(i8::from(self > 0.0) - i8::from(self < 0.0))
     }
 
@@ -71,27 +71,27 @@ pub fn of_any(angle: Real) -> (Real, Real) {
     }
 }
 
-/// Whether an angle has sines of this package's own.
+/// True if an angle is in the range of this package's sines.
 #[inline(always)]
 pub fn is_moderate(angle: Real) -> bool {
     angle.abs() <= LIMIT
 }
 
-/// Numbers that one state each is put in.
+/// Values with a lane for each state.
 pub trait Lanes: Number {
-    /// How many there are.
+    /// Number of lanes.
     const COUNT: usize;
 
-    /// The proof that the processor has the instructions that they are computed with.
+    /// Token that shows that the processor has the instructions.
     type Processor: Copy;
 
     /// The same number in each lane.
     fn filled(processor: Self::Processor, number: Real) -> Self;
 
-    /// Takes the numbers of a state into each lane; where states are fewer the others get the last one.
+    /// Loads a state into each lane; the remaining lanes repeat the last state.
     fn load<const N: usize>(states: &[[Real; N]], numbers: &mut [Self; N]);
 
-    /// Writes the numbers of the first lanes, one after the other; `room` says how many.
+    /// Stores the numbers of the first lanes in order, as many as `room` holds.
     fn store<const N: usize>(numbers: &[Self; N], room: &mut [Real]);
 }
 

@@ -1,5 +1,5 @@
-//! Several numbers that take the same steps, in a register from the start: of a function of a thousand operations
-//! on arrays compilers find out by chance that lanes belong together, and search for it for minutes.
+//! Vectors: several numbers in a register. In a long function on arrays, compilers recognise vectors by chance, and
+//! search for them for minutes.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -10,13 +10,13 @@ use crate::real::{Real, sin_cos};
 /// `L` numbers in a register of a processor.
 #[derive(Clone, Copy)]
 pub struct Pack<P, const L: usize> {
-    /// The proof that the processor has the instructions, which takes no room.
+    /// Token that shows that the processor has the instructions; of size zero.
     processor: P,
     lanes: [Real; L],
 }
 
 impl<P: Vectors<L>, const L: usize> Pack<P, L> {
-    /// What is rarely wanted.
+    /// Operations that are rare.
     #[inline(always)]
     fn one_by_one(self, operation: impl Fn(usize, Real) -> Real) -> Self {
         let mut lanes = self.lanes;
@@ -72,8 +72,8 @@ impl<P: Vectors<L>, const L: usize> Number for Pack<P, L> {
     }
 
     #[inline(always)]
-    fn sgn(self) -> Self {
-        self.one_by_one(|_, number| number.sgn())
+    fn sign(self) -> Self {
+        self.one_by_one(|_, number| number.sign())
     }
 
     #[inline(always)]
@@ -92,7 +92,7 @@ impl<P: Vectors<L>, const L: usize> Number for Pack<P, L> {
     }
 }
 
-/// Puts their sines and cosines in the place of angles, register by register.
+/// Replaces angles by their sines and cosines, register by register.
 #[inline(always)]
 pub fn sines_and_cosines<P, const L: usize>(sines: &mut [Pack<P, L>], cosines: &mut [Pack<P, L>]) {
     for (sine, cosine) in sines.iter_mut().zip(cosines) {
@@ -102,7 +102,7 @@ pub fn sines_and_cosines<P, const L: usize>(sines: &mut [Pack<P, L>], cosines: &
 
 /// Sines and cosines of the angles in a register.
 ///
-/// While each of them is moderate the code is straight; beyond it, after one branch for all, they go one by one.
+/// The code is straight if all angles are moderate; otherwise, after one branch, they are computed one by one.
 #[inline(always)]
 fn of_lanes<const L: usize>(angles: [Real; L]) -> ([Real; L], [Real; L]) {
     let mut moderate = true;
@@ -119,7 +119,7 @@ fn of_lanes<const L: usize>(angles: [Real; L]) -> ([Real; L], [Real; L]) {
     (sines, cosines)
 }
 
-/// The same of angles of any size.
+/// The same for angles of any size.
 #[cold]
 #[inline(never)]
 fn far<const L: usize>(angles: [Real; L]) -> ([Real; L], [Real; L]) {
@@ -177,10 +177,10 @@ impl<P: Vectors<L>, const L: usize> Lanes for Pack<P, L> {
     }
 }
 
-/// Takes the numbers of states one by one, the last state's again where states are fewer than lanes.
+/// Loads the numbers of states one by one; the remaining lanes repeat the last state.
 ///
-/// A function of its own, as the next one: inlined, the compiler asks before all work whether states and lanes
-/// overlap anywhere, which takes a tenth of the time of an arm.
+/// A separate function, as is the next: inlined, the compiler first checks all states and lanes for overlaps, which
+/// takes a tenth of the time of an arm.
 #[inline(never)]
 fn load_each<P, const L: usize, const N: usize>(
     states: &[[Real; N]],
@@ -194,7 +194,7 @@ fn load_each<P, const L: usize, const N: usize>(
     }
 }
 
-/// Writes the numbers of the first lanes one by one.
+/// Stores the numbers of the first lanes one by one.
 #[inline(never)]
 fn store_each<P, const L: usize, const N: usize>(numbers: &[Pack<P, L>; N], room: &mut [Real]) {
     for (i, number) in room.iter_mut().enumerate() {
@@ -202,7 +202,7 @@ fn store_each<P, const L: usize, const N: usize>(numbers: &[Pack<P, L>; N], room
     }
 }
 
-/// Where fours of so many numbers begin; where these are no fours, the last four overlap with those before.
+/// Starts of groups of four; if the count is not a multiple of four, the last group overlaps the one before.
 #[inline(always)]
 fn fours(count: usize) -> impl Iterator<Item = usize> {
     (0..count).step_by(4).map(move |at| at.min(count - 4))

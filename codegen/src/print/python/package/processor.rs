@@ -1,11 +1,11 @@
-//! What a processor does with several numbers at once.
+//! Vector operations of processors.
 //!
-//! A type without size is the proof that the processor that runs has the instructions.
+//! A type of size zero is the token that shows that the processor has the instructions.
 
 use crate::pack::Pack;
 use crate::real::Real;
 
-/// The operations of a processor on `L` numbers, each of which rounds as the number alone does.
+/// Operations of a processor on `L` numbers, each rounded as for a single number.
 pub trait Vectors<const L: usize>: Copy {
     /// The sums.
     fn add(self, a: [Real; L], b: [Real; L]) -> [Real; L];
@@ -19,20 +19,20 @@ pub trait Vectors<const L: usize>: Copy {
     /// The quotients.
     fn div(self, a: [Real; L], b: [Real; L]) -> [Real; L];
 
-    /// The numbers with the other sign.
+    /// The numbers with opposite signs.
     fn neg(self, a: [Real; L]) -> [Real; L];
 
     /// The square roots.
     fn sqrt(self, a: [Real; L]) -> [Real; L];
 
-    /// Puts their sines and cosines in the place of angles.
+    /// Replaces angles by their sines and cosines.
     fn sin_cos_all(self, sines: &mut [Pack<Self, L>], cosines: &mut [Pack<Self, L>]);
 
-    /// Of rows of four numbers the columns.
+    /// Transposes four rows of four numbers.
     fn turned(self, rows: [[Real; 4]; 4]) -> [[Real; 4]; 4];
 }
 
-/// Processors that may have more than their target.
+/// Processors that may have more instructions than the compilation target.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod x86 {
     use pulp::bytemuck::cast;
@@ -44,8 +44,8 @@ mod x86 {
     use crate::real::{NARROW, Real, WIDE};
     use crate::turned::turned;
 
-    /// Angles, for sines that are compiled by themselves: among a thousand other operations compilers do not
-    /// always see that their lanes belong together.
+    /// Angles whose sines are compiled as a separate function: within a long one, compilers do not always vectorise
+    /// them.
     struct Angles<'a, P, const L: usize>(&'a mut [Pack<P, L>], &'a mut [Pack<P, L>]);
 
     impl<P, const L: usize> NullaryFnOnce for Angles<'_, P, L> {
@@ -112,7 +112,7 @@ mod x86 {
     }
 }
 
-/// Processors whose vectors every compiler may use.
+/// Processors whose vector instructions are always available.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 mod of_target {
     use std::array::from_fn;
@@ -121,7 +121,7 @@ mod of_target {
     use crate::pack::{Pack, sines_and_cosines};
     use crate::real::Real;
 
-    /// Lanes are written out: a loop for every operation of a long function is more than compilers can follow.
+    /// The lanes are written out: compilers cannot unroll a loop for every operation of a long function.
     macro_rules! vectors {
         ($($count:literal [$($lane:literal)*];)*) => {$(
             impl Vectors<$count> for () {

@@ -1,9 +1,9 @@
-//! Rows into columns, by the instructions for it.
+//! Transposition by vector instructions.
 
 use pulp::bytemuck::cast;
 use pulp::x86::V3;
 
-/// Of rows of four numbers the columns.
+/// Transposes four rows of four numbers.
 #[inline(always)]
 pub fn turned(processor: &V3, [a, b, c, d]: [[f32; 4]; 4]) -> [[f32; 4]; 4] {
     let sse = processor.sse;

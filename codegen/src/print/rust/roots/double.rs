@@ -1,7 +1,7 @@
 /// The square root, correctly rounded; NaN of negative numbers.
 ///
-/// Without a branch. An iteration gives an estimate within one unit in the last place; the remainder, exact in
-/// integers, decides the rounding. Zeros, infinity and what gives NaN are chosen by bits.
+/// No branches. An iteration gives an estimate within one unit in the last place; the remainder, exact in
+/// integers, decides the rounding. Zeros, infinity and NaN are selected by bits.
 #[inline(never)]
 fn sqrt(x: f64) -> f64 {
     const ONE: u64 = 1_u64 << 52;

@@ -1,8 +1,8 @@
 /// Sine and cosine of an angle up to 2e5 rad (31,830 turns), within 0.9 units in the last place.
 ///
-/// Without a branch, so that every angle takes the same time. Beyond 2e5 rad the error grows as
-/// 1.2e-16·|angle|, from 1e15 rad on the results mean nothing and may be infinite or NaN; NaN and
-/// infinite angles give NaN. Reduction by Cody and Waite to |r| ≤ π/4, there minimax polynomials.
+/// No branches, so that every angle takes the same time. Beyond 2e5 rad the error grows as
+/// 1.2e-16·|angle|, from 1e15 rad on results are meaningless and may be infinite or NaN; NaN and
+/// infinite angles give NaN. Cody-Waite reduction to |r| ≤ π/4, then minimax polynomials.
 #[inline(never)]
 fn sin_cos(angle: f64) -> (f64, f64) {
     const ROUND: f64 = 6_755_399_441_055_744.0;

@@ -1,8 +1,8 @@
 /// Sine and cosine of an angle up to 3200 rad (509 turns), within 0.92 units in the last place.
 ///
-/// Without a branch, so that every angle takes the same time. Beyond 3200 rad the error grows as
-/// 6e-8·|angle|, from 6e6 rad on the results mean nothing and may be infinite or NaN; NaN and
-/// infinite angles give NaN. Reduction by Cody and Waite to |r| ≤ π/4, there minimax polynomials.
+/// No branches, so that every angle takes the same time. Beyond 3200 rad the error grows as
+/// 6e-8·|angle|, from 6e6 rad on results are meaningless and may be infinite or NaN; NaN and
+/// infinite angles give NaN. Cody-Waite reduction to |r| ≤ π/4, then minimax polynomials.
 #[inline(never)]
 fn sin_cos(angle: f32) -> (f32, f32) {
     const ROUND: f32 = 12_582_912.0;

@@ -1,4 +1,4 @@
-//! Functions that take slices of states besides, as text.
+//! Text of functions of slices.
 
 use super::{function, made, module, name, pretty, stub, with_runtime};
 use crate::module::Module;
@@ -13,7 +13,7 @@ fn batched() -> Module {
 }
 
 #[test]
-fn what_computes_is_inlined_and_both_methods_call_it() {
+fn the_computation_is_inlined_and_both_methods_call_it() {
     let text = with_runtime(&batched());
     assert_eq!(
         function(&text, "gravity<"),
@@ -34,20 +34,23 @@ fn what_computes_is_inlined_and_both_methods_call_it() {
     let head = "#[inline(always)]\n    fn gravity(&self, q: &[T; 2]) -> [T; 2] {\n        ";
     let numbers = "let k = |number| ::homogen::Scalar::like(q[0], number);";
     assert!(of_trait.contains(&format!("{head}{numbers}")), "{text}");
-    assert!(of_trait.contains("fn is_inlined(&self) -> ::core::primitive::bool {\n        true"));
+    let robot = "impl ::homogen::robot::Batched for Pendulum {
+    const INLINED: &'static [&'static ::core::primitive::str] = &[\"gravity\"];
+}";
+    assert!(text.contains(robot), "{text}");
 }
 
 #[test]
-fn nothing_is_said_of_batches_where_none_are_asked_for() {
+fn no_batches_without_a_request() {
     let text = with_runtime(&module(Real::Generic));
     assert!(
-        !text.contains("batch") && !text.contains("inline(always)"),
+        !text.contains("_batch") && !text.contains("inline(always)"),
         "{text}"
     );
 }
 
 #[test]
-fn a_mistake_leaves_the_method_for_slices() {
+fn stubs_have_the_method_for_slices() {
     let request = Request {
         batch: true,
         functions: vec![vec![crate::function::Function::Gravity]],

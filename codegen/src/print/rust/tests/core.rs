@@ -1,4 +1,4 @@
-//! Files for `core` alone and for C, as text.
+//! Text of files for `core` alone and for C.
 
 use super::super::{Library, Source, World, c_header, header, print};
 use super::{function, made, module, pretty, with_payload};
@@ -78,7 +78,7 @@ pub extern "C" fn arm_gravity(
     let declaration =
         "void arm_gravity(const arm_robot *robot, const float q[2], float gravity[2]);";
     assert!(header.contains(declaration), "{header}");
-    // No name ends the comment that it stands in.
+    // No name ends the comment around it.
     assert!(
         header.starts_with("/* @") && !header.contains("*/ evil"),
         "{header}"
@@ -98,9 +98,9 @@ fn several_quantities_are_a_struct_and_for_c_an_array_each() {
     };
     let text = pretty(&print(&module, &made(), &World::Core(library.clone())));
     for part in [
-        "    ) -> PendulumInverseDynamicsDerivatives {\n",
-        "        PendulumInverseDynamicsDerivatives {\n            dq: [[d_1, d_2], [d_1, d_2]],\n",
-        "#[derive(Clone, Copy, Debug, PartialEq)]\npub struct PendulumInverseDynamicsDerivatives {\n",
+        "    ) -> PendulumTorqueDerivatives {\n",
+        "        PendulumTorqueDerivatives {\n            dq: [[d_1, d_2], [d_1, d_2]],\n",
+        "#[derive(Clone, Copy, Debug, PartialEq)]\npub struct PendulumTorqueDerivatives {\n",
         "    pub dqd: [[f32; 2]; 2],\n",
         "    inverse_dynamics_derivatives_dq.write(inverse_dynamics_derivatives_.dq);\n",
     ] {
@@ -110,6 +110,6 @@ fn several_quantities_are_a_struct_and_for_c_an_array_each() {
     let results = "float inverse_dynamics_derivatives_dq[2][2], float inverse_dynamics_derivatives_dqd[2][2]);";
     assert!(header.contains(results), "{header}");
     let text = pretty(&print(&module, &made(), &World::default()));
-    let path = "-> ::homogen::InverseDynamicsDerivatives<2, ::core::primitive::f32> {\n";
+    let path = "-> ::homogen::TorqueDerivatives<2, ::core::primitive::f32> {\n";
     assert!(text.contains(path), "{text}");
 }

@@ -1,10 +1,10 @@
-//! A function with more operations, joints and fields than one scope may have, as text.
+//! Text of a function with more operations, joints and fields than one scope may have.
 
 use quote::{ToTokens, format_ident};
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
 
 use super::super::{Library, World, print};
-use super::{generated, made, module, name, pretty, turning, with_runtime};
+use super::{generated, made, module, name, pretty, revolute, with_runtime};
 use crate::expression::Input;
 use crate::formulation::Sines;
 use crate::function::Function;
@@ -18,7 +18,7 @@ const JOINTS: u16 = 160;
 const FIELDS: u16 = 40;
 const STEPS: u32 = 1000;
 
-/// Sums of every sine times every number of every field.
+/// Sums of the products of every sine and every number of every field.
 fn program() -> Program {
     let angles = (0..JOINTS).map(|joint| Operand::Input(Input::Variable(Variable::Q, joint)));
     let steps = (0..STEPS).zip((0..FIELDS).cycle()).map(|(k, field)| {
@@ -47,7 +47,7 @@ fn program() -> Program {
 
 fn long(scalar: Real) -> Module {
     let mut module = module(scalar);
-    module.spaces = turning((0..JOINTS).map(|joint| format!("joint {joint}")));
+    module.spaces = revolute((0..JOINTS).map(|joint| format!("joint {joint}")));
     module.parameters = (0..FIELDS)
         .map(|field| Parameter {
             field: format_ident!("center_{field}"),
@@ -60,7 +60,7 @@ fn long(scalar: Real) -> Module {
     module
 }
 
-/// How many statements of a block and of those around it come one after the other at most.
+/// Maximum number of consecutive statements of a block and those around it.
 fn deepest(block: &Block) -> usize {
     let inside = block.stmts.iter().enumerate().map(|(before, statement)| {
         let Stmt::Local(local) = statement else {
@@ -74,7 +74,7 @@ fn deepest(block: &Block) -> usize {
     inside.max().unwrap_or(0).max(block.stmts.len())
 }
 
-/// The blocks of all methods called `gravity`.
+/// Blocks of all methods called `gravity`.
 fn gravities(text: &str) -> Vec<Block> {
     let file = syn::parse_file(text).expect("Rust");
     let items = file.items.into_iter().filter_map(|item| match item {
@@ -89,7 +89,7 @@ fn gravities(text: &str) -> Vec<Block> {
 }
 
 #[test]
-fn nothing_is_below_more_than_two_scopes() {
+fn scopes_are_nested_at_most_twice() {
     let core = World::Core(Library::default());
     for text in [
         with_runtime(&long(Real::Generic)),
@@ -104,9 +104,10 @@ fn nothing_is_below_more_than_two_scopes() {
     }
 }
 
-/// Cut, it calls functions within itself that are no longer than was asked for, and everything is still there.
+/// With sections, the function calls functions within itself that have at most the allowed length, and all steps are
+/// there.
 #[test]
-fn sections_stand_within_the_function_that_calls_them() {
+fn sections_are_inside_the_function_that_calls_them() {
     const MOST: usize = 120;
     let cut = |scalar| Module {
         length: Length::at_most(MOST),
@@ -128,7 +129,7 @@ fn sections_stand_within_the_function_that_calls_them() {
         let sections: Vec<_> = sections.collect();
         assert!((9..20).contains(&sections.len()), "{}", sections.len());
         for section in &sections {
-            // Besides its steps what binds numbers and products, and what it takes and leaves.
+            // Apart from its steps, bindings of functions for literals and products, loads and stores.
             let text = section.block.to_token_stream().to_string();
             let steps = text
                 .matches("mul_add (")
@@ -138,16 +139,13 @@ fn sections_stand_within_the_function_that_calls_them() {
             assert_eq!(section.sig.inputs.len(), 1);
         }
         assert!(text.contains(&format!("let t_{STEPS} = ")), "{text}");
-        assert!(
-            text.contains("statements, called one after the other"),
-            "{text}"
-        );
+        assert!(text.contains("statements, called in order"), "{text}");
     }
 }
 
-/// What is no longer than it may be stays as it was, byte for byte.
+/// A function within the allowed length stays the same, byte for byte.
 #[test]
-fn nothing_is_cut_where_it_need_not_be() {
+fn short_functions_have_no_sections() {
     let whole = Module {
         length: Length::at_most(STEPS as usize),
         ..long(Real::Generic)

@@ -1,7 +1,7 @@
-//! Programs that rotate vectors by quaternions, and programs that only look like it.
+//! Programs that rotate vectors by quaternions, and similar programs that do not.
 //!
-//! In: programs written by hand. Out: that R v and Rᵗ v are as long as v, that no other matrix of the same entries is
-//! taken for R, and that ranges are those of polynomials in numbers whose squares add up to 1.
+//! Checks that R v and Rᵗ v are bounded by the length of v, that no other matrix of the same entries is recognised as
+//! R, and that ranges are those of polynomials in unit quaternions.
 
 use std::f64::consts::SQRT_2;
 
@@ -11,16 +11,16 @@ use crate::real::Real;
 use crate::schedule::{Operand, Operation};
 use crate::space::Variable;
 
-/// The first coordinate of the quaternion: behind those of `A` and `B`.
+/// The first coordinate of the quaternion, after those of `A` and `B`.
 const FIRST: u16 = 2;
 
-/// An entry of the quaternion.
+/// Entry of the quaternion.
 pub fn entry(k: usize) -> Operand {
     let k = u16::try_from(k).expect("there are four");
     Operand::Input(Input::Variable(Variable::Q, FIRST + k))
 }
 
-/// Where quaternions begin.
+/// First coordinates of quaternions.
 pub const QUATERNIONS: [Input; 1] = [Input::Variable(Variable::Q, FIRST)];
 
 /// Adds an operation.
@@ -78,7 +78,7 @@ const fn transposed([a, b, c]: [[Operand; 3]; 3]) -> [[Operand; 3]; 3] {
     [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]]
 }
 
-/// The last value, for a quaternion and what is left in [−2, 3] and [1, 2].
+/// Last value, for a unit quaternion and all other inputs in [−2, 3] and [1, 2].
 fn last(operations: &[Operation]) -> Value {
     let range = |input| match input {
         Input::Variable(Variable::Q, 0) => Value::between(-2.0, 3.0),
@@ -94,7 +94,7 @@ fn last(operations: &[Operation]) -> Value {
     results(&program(&[], operations), &conditions)[0].value
 }
 
-/// What is left of (a, b, a) after so many products with matrices that are made of R.
+/// Value of (a, b, a) after this number of products with matrices made from R.
 fn after(
     count: u32,
     of: impl Fn(&mut Vec<Operation>, [[Operand; 3]; 3]) -> [[Operand; 3]; 3],
@@ -109,24 +109,25 @@ fn after(
     last(&operations)
 }
 
-/// −a, as a step of its own.
+/// −a as a separate step.
 fn opposite(operations: &mut Vec<Operation>, a: Operand) -> Operand {
     add(operations, Operation::Sub(Operand::Literal(0.0), a))
 }
 
 #[test]
-fn a_quaternion_does_not_lengthen_a_vector() {
+fn a_rotation_by_a_quaternion_does_not_lengthen_a_vector() {
     let length = 22.0_f64.sqrt();
     for times in [1, 2, 10, 40] {
         let there = after(times, |_, rotation| rotation);
         let back = after(times, |_, rotation| transposed(rotation));
-        // By its third column with the other sign it mirrors as well.
+        // A negated third column makes it a reflection as well.
         let mirrored = after(times, |operations, rotation| {
             rotation.map(|[a, b, c]| [a, b, opposite(operations, c)])
         });
         for found in [there, back, mirrored] {
             assert!(found.hi <= length * (1.0 + 1e-6), "{times}: {found:?}");
-            // Of R at most 8 u on its diagonal, 4 u beside it; of products and sums 9 u in each of three entries.
+            // R has errors of at most 8 u on its diagonal and 4 u elsewhere; products and sums add 9 u in each of three
+            // entries.
             let expected = (288.0_f64.sqrt() + 9.0 * 3.0_f64.sqrt()) * length * f64::from(times);
             assert!(found.error <= expected * U, "{times}: {found:?}");
         }
@@ -134,8 +135,8 @@ fn a_quaternion_does_not_lengthen_a_vector() {
 }
 
 #[test]
-fn what_is_made_of_a_rotation_and_is_none_may_lengthen() {
-    // About z by π/4 the first two rows of R are (√½, −√½) and (√½, √½), and those of all of these of norm √2.
+fn a_matrix_with_entries_of_a_rotation_may_lengthen_a_vector() {
+    // About z by π/4 the first two rows of R are (√½, −√½) and (√½, √½), and these rows together have norm √2.
     let mixed = after(20, |_, [a, b, c]| [a, [a[1], b[1], b[2]], c]);
     let repeated = after(20, |_, [a, _, c]| [a, a, c]);
     let opposed = after(20, |operations, [a, b, c]| {
@@ -146,21 +147,21 @@ fn what_is_made_of_a_rotation_and_is_none_may_lengthen() {
     }
 }
 
-/// A vector that is rotated, and one of its entries once more, by the same entries of R in steps of their own.
+/// A rotated vector, and one of its entries rotated a second time by separate steps.
 #[test]
-fn what_is_rotated_twice_counts_twice() {
+fn an_entry_that_is_rotated_twice_counts_twice() {
     let mut operations = Vec::new();
     let rotation = rotation(&mut operations);
     let rotated = times(&mut operations, rotation, [A, B, A]);
     let again = opposite(&mut operations, rotation[2][1]);
     let again = opposite(&mut operations, again);
     add(&mut operations, Operation::MulAdd(again, B, rotated[2]));
-    // Of (3, 2 + 2, 3).
+    // The length of (3, 2 + 2, 3).
     assert!(last(&operations).hi >= 34.0_f64.sqrt());
 }
 
 #[test]
-fn a_quaternion_of_which_nothing_is_said_may_lengthen() {
+fn an_undeclared_quaternion_may_lengthen_a_vector() {
     let mut operations = Vec::new();
     let rotation = rotation(&mut operations);
     times(&mut operations, rotation, [A, B, A]);
@@ -171,12 +172,12 @@ fn a_quaternion_of_which_nothing_is_said_may_lengthen() {
         quaternions: &[],
     };
     let found = results(&program(&[], &operations), &conditions)[0].value;
-    // (1, 1, 1, −1) makes 6 of (−1, 1, −1).
+    // The quaternion (1, 1, 1, −1) gives 6 for (−1, 1, −1).
     assert!(found.hi >= 6.0 || found.lo <= -6.0, "{found:?}");
 }
 
 #[test]
-fn polynomials_of_numbers_whose_squares_add_up_to_1_have_their_ranges() {
+fn polynomials_in_unit_quaternions_have_their_ranges() {
     let keeps = |operations: &dyn Fn(&mut Vec<Operation>), [lo, hi]: [f64; 2]| {
         let mut all = Vec::new();
         operations(&mut all);

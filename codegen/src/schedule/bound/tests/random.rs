@@ -1,7 +1,8 @@
-//! Programs at random, full of what bounds look for: turns, shifted angles, constant rotations, levers.
+//! Random programs with many of the structures that bounds recognise: rotations, shifted angles, constant rotations and
+//! offsets.
 //!
-//! In: seeds. Out: that every value of every step is in its range and no error beyond its bound, in
-//! both types, whether products are fused or not. The truth is the same program run with 106 bits.
+//! Checks that the value of every step is in its range and its error within its bound, in both types, with and without
+//! fused operations. The reference is the same program in 106 bits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -14,11 +15,11 @@ use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, run};
 use crate::space::Variable;
 
-/// A program that is being written.
+/// Program under construction.
 struct Draft {
     random: Random,
     operations: Vec<Operation>,
-    /// What may be read.
+    /// Values that later steps may read.
     values: Vec<Operand>,
     /// The rotation matrix of a quaternion.
     rotation: [[Operand; 3]; 3],
@@ -26,7 +27,7 @@ struct Draft {
 
 impl Draft {
     fn any(&mut self) -> Operand {
-        // Late ones more often.
+        // Later values are chosen more often.
         let count = self.values.len();
         let at = self.random.below(count).max(self.random.below(count));
         self.values[at]
@@ -52,15 +53,15 @@ impl Draft {
         self.add(sum)
     }
 
-    /// Two entries, turned by what may be sine and cosine of one angle.
+    /// Two entries, rotated by values that may be sine and cosine of one angle.
     fn turned(&mut self, [c, s]: [Operand; 2], [x, y]: [Operand; 2]) -> [Operand; 2] {
         let first = self.sum([c, x], [s, y], false);
         let second = self.sum([c, y], [s, x], true);
         [first, second]
     }
 
-    /// A vector that the quaternion rotates, there or back; one time in three by entries that have been mixed up, one
-    /// of which may be no entry of it.
+    /// A vector rotated by the quaternion or its inverse; in one case of three with exchanged entries of the matrix,
+    /// one of which may be another value.
     fn carried(&mut self, vector: [Operand; 3]) -> [Operand; 3] {
         let mut matrix = self.rotation;
         if self.random.below(2) == 0 {
@@ -107,7 +108,7 @@ impl Draft {
                 vec![self.add(Operation::Mul(half, b))]
             }
             9 => self.carried([a, b, d]).to_vec(),
-            // A lever of numbers, and its sum with what is carried besides, turned by numbers.
+            // An offset of literals, and its sum with a rotated vector, rotated by literals.
             10 => {
                 let lever = [(); 3].map(|()| Operand::Literal(self.random.unit()));
                 let [x, y, z] = self.carried(lever);
@@ -123,7 +124,7 @@ impl Draft {
                 vec![entry, self.add(Operation::Mul(entry, a))]
             }
             _ => {
-                // Not at right angles, though it looks so.
+                // Similar to a rotation, and not orthogonal.
                 let [x, _] = self.turned(given, [a, b]);
                 vec![self.sum([given[0], x], [given[1], b], false)]
             }
@@ -158,7 +159,7 @@ fn drawn(seed: u64) -> Program {
     let mut program = program(&[A], &draft.operations);
     let mut random = draft.random;
     for step in &mut program.steps {
-        // Names that mean nothing may cost sharpness only.
+        // Meaningless labels may only increase bounds.
         step.label = (random.below(3) == 0).then(|| labels[random.below(3)]);
     }
     let count = u32::try_from(program.steps.len()).expect("few");
@@ -166,7 +167,7 @@ fn drawn(seed: u64) -> Program {
     program
 }
 
-/// Double precision that fuses products with sums.
+/// Double precision with fused operations.
 #[derive(Clone, Copy)]
 struct Fused(f64);
 
@@ -215,7 +216,7 @@ impl Arithmetic for Fused {
     }
 }
 
-/// A quaternion of a type, often about an axis or by a right angle, rounded and then as much longer as may be.
+/// A quaternion of a type, often about an axis or by a right angle, rounded and lengthened within the tolerance.
 fn of_length_1(random: &mut Random, near: impl Fn(f64) -> f64, scalar: Real) -> [f64; 4] {
     let drawn = [(); 4].map(|()| match random.below(4) {
         0 => 0.0,
@@ -235,7 +236,7 @@ fn of_length_1(random: &mut Random, near: impl Fn(f64) -> f64, scalar: Real) -> 
     drawn.map(|x| near(longer * (x / length)))
 }
 
-/// Runs a program in a type, and holds every step against its bound.
+/// Runs a program in a type and compares every step with its bound.
 fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl Fn(T) -> f64) {
     let size = [3.0, 1e-20, 1e-3, 40.0][usize::try_from(seed % 4).expect("small")];
     let range = |input| match input {
@@ -288,7 +289,7 @@ fn check<T: Arithmetic>(program: &Program, scalar: Real, seed: u64, to_f64: impl
 }
 
 #[test]
-fn no_value_is_beyond_what_is_said_of_it() {
+fn every_value_is_within_its_bound() {
     for seed in 0..300 {
         let program = drawn(seed);
         check::<f64>(&program, Real::F64, seed, |x| x);
@@ -298,11 +299,11 @@ fn no_value_is_beyond_what_is_said_of_it() {
 }
 
 #[test]
-fn a_bound_in_single_precision_tells_one_in_double() {
+fn bounds_in_single_precision_scale_to_double() {
     let ratio = Real::F64.roundoff() / Real::F32.roundoff();
     for seed in 0..300 {
         let program = drawn(seed);
-        // As far as angles of many turns, which are off by more than any sine can be.
+        // Up to angles of many turns, whose errors exceed any sine.
         let size = [3.0, 1e-20, 1e9][usize::try_from(seed % 3).expect("small")];
         let range = |_| Value::between(-size, size);
         let [single, double] = [Real::F32, Real::F64].map(|scalar| {
@@ -315,8 +316,8 @@ fn a_bound_in_single_precision_tells_one_in_double() {
             results(&program, &conditions)
         });
         for (k, (single, double)) in single.iter().zip(&double).enumerate() {
-            let told = ratio * single.value.error * (1.0 + 1e-9);
-            assert!(double.value.error <= told, "seed {seed}, step {k}");
+            let bound = ratio * single.value.error * (1.0 + 1e-9);
+            assert!(double.value.error <= bound, "seed {seed}, step {k}");
         }
     }
 }

@@ -1,21 +1,20 @@
-//! Equations of the paper broken in the runtime, and names in generated code.
+//! Wrong edits of the paper's equations in the runtime, and of names in generated code.
 //!
-//! In: nothing. Out: mutations, each noticed by a test that the checklist of the runtime names beside the
-//! equation. It never lists what other tests are for.
+//! Each is noticed by the test that the runtime's checklist names beside the equation.
 
 use super::{Mutation, Test};
 
-/// All of them, in the order of the checklist.
+/// All mutations of this file, in the order of the checklist.
 pub const EQUATIONS: &[Mutation] = &[
     Mutation {
-        name: "change of frame: the pole moved the other way",
+        name: "change of frame: the reference point moved the other way",
         file: "runtime/src/matrix/form.rs",
         from: "cross(m_r_s.translation(), u)",
         to: "cross(u, m_r_s.translation())",
         noticed_by: row("translation::shifted_frames_move_the_pole_alone::f64"),
     },
     Mutation {
-        name: "composition: Coriolis' term once",
+        name: "composition: half of the Coriolis term",
         file: "runtime/src/matrix/acceleration.rs",
         from: "let two = T::constant(2.0);",
         to: "let two = T::constant(1.0);",
@@ -47,7 +46,7 @@ pub const EQUATIONS: &[Mutation] = &[
         noticed_by: row("angles::rates_and_second_rates_are_derivatives::f64"),
     },
     Mutation {
-        name: "lines: the distance along, not across",
+        name: "lines: the distance along the line, not across",
         file: "runtime/src/paper/geometry.rs",
         from: "norm(cross(self.direction, sub(point, self.point)))",
         to: "dot(self.direction, sub(point, self.point)).abs()",

@@ -1,21 +1,21 @@
-//! What inverse kinematics can begin with.
+//! Checks of the arguments of inverse kinematics.
 //!
-//! In: limits, tolerances, a posture, targets, a start. Out: the targets with rotations in them, or the error of the
-//! call. It never looks at the robot.
+//! In: limits, tolerances, a rest configuration, targets, a start. Out: the targets with exact rotations, or the error of
+//! the call. It never evaluates the robot.
 
 use crate::error::{Error, finite};
+use crate::ik::Solver;
 use crate::matrix::Pose;
 use crate::matrix::rotation::{self, defect, from_quaternion, to_quaternion};
-use crate::reach::Reach;
 use crate::scalar::Real;
 
-/// How far a rotation may be from orthogonal in its last written digits, 10⁻⁶, or 3 √ε where that is more.
+/// Largest defect of a rotation that counts as rounding of printed digits: 10⁻⁶, or 3 √ε where that is more.
 fn tolerance<T: Real>() -> T {
     let least = T::constant(3.0) * T::EPSILON.sqrt();
     T::constant(1e-6).max(least)
 }
 
-/// The targets, each with the rotation of its unit quaternion where more than rounding keeps it from being one.
+/// The targets, each with the rotation of its unit quaternion where its matrix is not orthogonal to rounding.
 pub(super) fn targets<T: Real, const K: usize>(
     targets: &[Pose<T>; K],
 ) -> Result<[Pose<T>; K], Error> {
@@ -27,21 +27,21 @@ pub(super) fn targets<T: Real, const K: usize>(
         )?;
         rotation::check(target.rotation(), tolerance())?;
         if defect(target.rotation()) > T::constant(64.0) * T::EPSILON {
-            let turn = from_quaternion(to_quaternion(target.rotation()));
-            *target = Pose::new(turn, target.translation());
+            let rotation = from_quaternion(to_quaternion(target.rotation()));
+            *target = Pose::new(rotation, target.translation());
         }
     }
     Ok(checked)
 }
 
-/// Refuses limits that no number is within, and what is not a number.
+/// Rejects empty limits and NaN.
 pub(super) fn check<T: Real, const N: usize>(
-    reach: &Reach<T, N>,
+    solver: &Solver<T, N>,
     start: &[T; N],
 ) -> Result<(), Error> {
-    for (coordinate, [least, most]) in reach.limits.iter().enumerate() {
+    for (coordinate, [least, most]) in solver.limits.iter().enumerate() {
         let infinite = T::constant(f64::INFINITY);
-        // A NaN is not within anything.
+        // False for NaN.
         let holds_a_number = least <= most && *least < infinite && *most > -infinite;
         if !holds_a_number {
             return Err(Error::NoRange {
@@ -52,13 +52,16 @@ pub(super) fn check<T: Real, const N: usize>(
         }
     }
     finite("an entry of the start", start)?;
-    finite("an entry of the posture", reach.posture.iter().flatten())?;
-    finite("the radius", [&reach.radius])?;
+    finite(
+        "an entry of the rest configuration",
+        solver.rest.iter().flatten(),
+    )?;
+    finite("the length scale", [&solver.length_scale])?;
     for (quantity, tolerance) in [
-        ("the tolerance of angles", reach.turn),
-        ("the tolerance of distances", reach.shift),
+        ("the orientation tolerance", solver.orientation_tolerance),
+        ("the position tolerance", solver.position_tolerance),
     ] {
-        // It may be infinite, where nothing is asked.
+        // An infinite tolerance is allowed: any error is within it.
         if tolerance.to_f64().is_nan() {
             let value = f64::NAN;
             return Err(Error::NotFinite { quantity, value });

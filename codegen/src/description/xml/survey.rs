@@ -1,33 +1,62 @@
-//! What a file holds beside what is read, from the root element to the last attribute.
+//! Warns of everything in a file that is not read.
 //!
-//! In: the document, and the table of [`elements`](super::elements). Out: a warning for each kind of element,
-//! attribute or text that is left out, unless it has no mechanics, at the first of its kind; and where xacro left
-//! something. Time and memory are in proportion to the document. It never reads what the readers of links and
-//! joints read.
+//! There is one warning for each kind of element, attribute or text that the table of the format
+//! ([`elements`](super::elements)) does not name or marks as not modelled, at its first occurrence. Elements left by
+//! xacro are noted. Time and memory are proportional to the document.
 
 use std::collections::HashMap;
 
 use roxmltree::{Attribute, Node};
 
 use super::element::{MOST_WARNINGS, Reader};
-use super::elements::{self, Becomes, Content, Entry, Lost, Others, ROBOT, When};
+use super::elements::{Becomes, Content, Entry, Format, NotModelled, Others, When};
 use crate::error::Place;
 use crate::wording::{list, nearest, quoted};
 
-/// Attributes of XML itself, in any element.
+/// Attributes of XML itself, allowed in any element.
 const OF_XML: [&str; 3] = ["xmlns", "xml", "xsi"];
 
-/// How far up an element is named by what it stands in.
+/// Maximum number of tags that name an element without a name attribute: its own and those around it.
 const NAMED: usize = 3;
 
-/// Adds the warnings of everything in the root element.
-pub(super) fn survey<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) {
+/// Adds the warnings of the root element.
+pub(in crate::description) fn survey<'t>(
+    reader: &mut Reader<'_, 't>,
+    root: Node<'_, 't>,
+    format: &'static Format,
+) {
+    inside(reader, vec![(root, format.root)], format);
+}
+
+/// Adds the warnings of an included file's root element, whose children belong to an element with this content.
+pub(in crate::description) fn survey_included<'t>(
+    reader: &mut Reader<'_, 't>,
+    root: Node<'_, 't>,
+    content: &'static Content,
+    format: &'static Format,
+) {
+    let children = root.children().filter(Node::is_element);
+    let known = children.filter_map(|child| {
+        let entry = content.element(child.tag_name().name())?;
+        Some((child, entry.content?))
+    });
+    let mut known: Vec<_> = known.collect();
+    known.reverse();
+    inside(reader, known, format);
+}
+
+/// Adds the warnings of elements and their descendants; the last element of `open` comes first.
+fn inside<'a, 't: 'a>(
+    reader: &mut Reader<'_, 't>,
+    mut open: Vec<(Node<'a, 't>, &'static Content)>,
+    format: &'static Format,
+) {
     let mut survey = Survey {
         reader,
+        format,
         found: Vec::new(),
         known: HashMap::new(),
     };
-    let mut open = vec![(root, &ROBOT)];
     while let Some((node, content)) = open.pop() {
         survey.attributes(node, content);
         if content.others == Others::WarnedLikeText {
@@ -41,13 +70,13 @@ pub(super) fn survey<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) {
                     .map(|content| (child, content)),
             );
         }
-        // In the order of the text.
+        // Keeps the order of the text.
         open[before..].reverse();
     }
     survey.warn();
 }
 
-/// Things of one kind.
+/// The first occurrence of a kind, and the number of others.
 struct Found {
     place: Place,
     message: Message,
@@ -56,29 +85,30 @@ struct Found {
 }
 
 enum Message {
-    /// What it is, and where it stands.
+    /// The item, and its place in words.
     Ignored(String, String),
-    Lost(&'static Lost, String),
+    NotModelled(&'static NotModelled, String),
 }
 
-/// What makes things one kind.
+/// Items with the same key are of one kind.
 #[derive(PartialEq, Eq, Hash)]
 enum Key<'k> {
     Element(&'k str, &'k str),
     Attribute(&'k str, &'k str),
     Text(&'k str),
-    Lost(&'static str),
+    NotModelled(&'static str),
 }
 
 struct Survey<'s, 'r, 't> {
     reader: &'s mut Reader<'r, 't>,
+    format: &'static Format,
     found: Vec<Found>,
-    /// Where the things of each kind are in the list.
+    /// Indices of the kinds in `found`.
     known: HashMap<Key<'t>, usize>,
 }
 
 impl<'t> Survey<'_, '_, 't> {
-    /// Whether another thing of a kind is met; if so, it is counted.
+    /// Counts an item of a kind that was found before. True if it was, or if the maximum of warnings is reached.
     fn is_known(&mut self, key: &Key<'t>) -> bool {
         let known = self.known.get(key).copied();
         if let Some(known) = known {
@@ -97,15 +127,18 @@ impl<'t> Survey<'_, '_, 't> {
         });
     }
 
-    /// Looks at an element in another; what may stand in it, if that is to be looked at.
+    /// Surveys an element; returns its content if its children are to be surveyed.
     fn element(
         &mut self,
         node: Node<'_, 't>,
         content: &'static Content,
     ) -> Option<&'static Content> {
         let name = self.name(node);
+        if self.format.elsewhere.contains(&name) {
+            return None;
+        }
         let Some(entry) = content.element(name) else {
-            if content.others == Others::PassedOver {
+            if content.others == Others::Ignored {
                 return Some(content);
             }
             match name.strip_prefix("xacro:") {
@@ -114,13 +147,13 @@ impl<'t> Survey<'_, '_, 't> {
             }
             return None;
         };
-        if let Becomes::Lost(lost) = entry.becomes {
+        if let Becomes::NotModelled(mechanics) = entry.becomes {
             let value = node.attribute("value").or(node.text()).unwrap_or_default();
             if is_due(entry, value) {
-                self.lost(
+                self.not_modelled(
                     self.reader.place(node),
                     (format!("<{name}>"), "in"),
-                    lost,
+                    mechanics,
                     node.parent_element(),
                 );
             }
@@ -135,7 +168,7 @@ impl<'t> Survey<'_, '_, 't> {
         self.reader.left_by_xacro(place, name, &subject);
     }
 
-    /// An element that no row names.
+    /// Warns of an element without a row.
     fn ignored(&mut self, node: Node<'_, 't>, name: &'t str, content: &'static Content) {
         let parent = node.parent_element();
         let within = parent.map_or("", |parent| self.name(parent));
@@ -155,10 +188,10 @@ impl<'t> Survey<'_, '_, 't> {
             ))
         } else if let Some(meant) = meant(name, content.elements) {
             Some(format!("did you mean <{meant}>?"))
-        } else if let Some(home) = elements::home(name) {
+        } else if let Some(home) = self.format.home(name) {
             Some(home)
         } else {
-            bodies(node)
+            bodies(node, self.format.counted)
         };
         let within = format!("in {}", self.subject(parent));
         let message = Message::Ignored(format!("<{name}>"), within);
@@ -169,21 +202,21 @@ impl<'t> Survey<'_, '_, 't> {
         for attribute in node.attributes() {
             let name = self.attribute_name(&attribute);
             if let Some(entry) = content.attribute(name) {
-                if let Becomes::Lost(lost) = entry.becomes
+                if let Becomes::NotModelled(mechanics) = entry.becomes
                     && is_due(entry, attribute.value())
                 {
                     let place = self.attribute_place(&attribute);
-                    self.lost(
+                    self.not_modelled(
                         place,
                         (format!("attribute {}", quoted(name)), "of"),
-                        lost,
+                        mechanics,
                         Some(node),
                     );
                 }
                 continue;
             }
             let prefix = name.split(':').next().unwrap_or_default();
-            if content.others == Others::PassedOver || OF_XML.contains(&prefix) {
+            if content.others == Others::Ignored || OF_XML.contains(&prefix) {
                 continue;
             }
             let key = Key::Attribute(self.name(node), name);
@@ -208,7 +241,7 @@ impl<'t> Survey<'_, '_, 't> {
         }
     }
 
-    /// Text in an element whose values are attributes.
+    /// Warns of text in an element whose values are attributes.
     fn text(&mut self, node: Node<'_, 't>, content: &Content) {
         let is_text = |child: &Node<'_, 't>| {
             child.is_text() && child.text().is_some_and(|text| !text.trim().is_empty())
@@ -236,20 +269,20 @@ impl<'t> Survey<'_, '_, 't> {
         self.push(key, place, message, hint);
     }
 
-    fn lost(
+    fn not_modelled(
         &mut self,
         place: Place,
         (what, before): (String, &str),
-        lost: &'static Lost,
+        mechanics: &'static NotModelled,
         within: Option<Node<'_, 't>>,
     ) {
-        let key = Key::Lost(lost.what);
+        let key = Key::NotModelled(mechanics.what);
         if self.is_known(&key) {
             return;
         }
         let item = format!("{what} {before} {}", self.subject(within));
-        let hint = Some(lost.hint.to_owned());
-        self.push(key, place, Message::Lost(lost, item), hint);
+        let hint = Some(mechanics.hint.to_owned());
+        self.push(key, place, Message::NotModelled(mechanics, item), hint);
     }
 
     fn warn(self) {
@@ -264,11 +297,11 @@ impl<'t> Survey<'_, '_, 't> {
                     let more = more("other place", "other places");
                     format!("{what} {within}{more} is ignored")
                 }
-                Message::Lost(lost, item) => {
+                Message::NotModelled(mechanics, item) => {
                     format!(
                         "not modelled: {item}{}: {}",
                         more("other", "others"),
-                        lost.what
+                        mechanics.what
                     )
                 }
             };
@@ -276,7 +309,7 @@ impl<'t> Survey<'_, '_, 't> {
         }
     }
 
-    /// An element as messages call it.
+    /// The name of an element in messages.
     fn subject(&self, node: Option<Node<'_, 't>>) -> String {
         let mut text = String::new();
         let mut node = node;
@@ -285,12 +318,9 @@ impl<'t> Survey<'_, '_, 't> {
             let tag = self.name(at);
             let name = at.attribute("name").or(at.attribute("reference"));
             if let Some(name) = name {
-                let kind = match tag {
-                    "loop_joint" => "loop joint".to_owned(),
-                    "drake:joint" => "joint".to_owned(),
-                    "robot" | "link" | "joint" | "transmission" => tag.to_owned(),
-                    _ => format!("<{tag}>"),
-                };
+                let mut called = self.format.called.iter();
+                let word = called.find(|(known, _)| *known == tag);
+                let kind = word.map_or_else(|| format!("<{tag}>"), |(_, word)| (*word).to_owned());
                 text.extend([&kind, " ", &quoted(name)]);
                 return text;
             }
@@ -305,7 +335,7 @@ impl<'t> Survey<'_, '_, 't> {
         text.trim_end_matches(" of ").to_owned()
     }
 
-    /// The name of an element, as it is written.
+    /// The tag of an element, with its prefix, as in the file.
     fn name(&self, node: Node<'_, 't>) -> &'t str {
         let text = &self.reader.positions.text()[node.range()];
         let text = text.strip_prefix('<').unwrap_or(text);
@@ -313,7 +343,7 @@ impl<'t> Survey<'_, '_, 't> {
         &text[..text.find(ends).unwrap_or(text.len())]
     }
 
-    /// The name of an attribute, as it is written.
+    /// The name of an attribute, with its prefix, as in the file.
     fn attribute_name(&self, attribute: &Attribute<'_, 't>) -> &'t str {
         let text = &self.reader.positions.text()[attribute.range()];
         let ends = |c: char| c.is_ascii_whitespace() || c == '=';
@@ -325,7 +355,7 @@ impl<'t> Survey<'_, '_, 't> {
     }
 }
 
-/// Whether a warning is due for a value.
+/// True if a value causes the warning of its row.
 fn is_due(entry: &Entry, value: &str) -> bool {
     let value = value.trim();
     let mut numbers = value.split_ascii_whitespace().map(str::parse::<f64>);
@@ -339,7 +369,7 @@ fn is_due(entry: &Entry, value: &str) -> bool {
     }
 }
 
-/// The name that was probably meant: one that differs by a slip, or the longer or the shorter form of one that is read.
+/// The name that was probably meant: similar by spelling, or a longer or shorter form of a name that is read.
 fn meant(name: &str, entries: &'static [Entry]) -> Option<&'static str> {
     let known: Vec<_> = entries.iter().map(|entry| entry.name).collect();
     let local = name.rsplit(':').next().unwrap_or(name);
@@ -352,27 +382,25 @@ fn meant(name: &str, entries: &'static [Entry]) -> Option<&'static str> {
     })
 }
 
-/// That links, joints or inertias stand in an element that is ignored, as far as a glance tells.
-fn bodies(node: Node<'_, '_>) -> Option<String> {
+/// Counts mechanical elements in an ignored element, among its first nodes.
+fn bodies(node: Node<'_, '_>, counted: &'static [&'static str]) -> Option<String> {
     const GLANCE: usize = 1000;
     let names = node.descendants().skip(1).take(GLANCE);
-    let mut counts = [0_usize; 3];
+    let mut counts = vec![0_usize; counted.len()];
     for name in names
         .filter(Node::is_element)
         .map(|node| node.tag_name().name())
     {
-        let place = ["link", "joint", "inertial"]
-            .iter()
-            .position(|known| *known == name);
+        let place = counted.iter().position(|known| *known == name);
         if let Some(place) = place {
             counts[place] += 1;
         }
     }
-    let counts = counts.into_iter().zip(["link", "joint", "inertial"]);
+    let counts = counts.into_iter().zip(counted);
     let counts: Vec<_> = counts
         .filter(|(count, _)| *count > 0)
         .map(|(count, name)| format!("{count} <{name}>"))
         .collect();
     let found = list(counts.iter().map(String::as_str));
-    (!found.is_empty()).then(|| format!("so is what stands in it: {found}"))
+    (!found.is_empty()).then(|| format!("so are the elements in it: {found}"))
 }

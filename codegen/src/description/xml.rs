@@ -1,8 +1,12 @@
-//! XML, as far as a robot's description needs it.
+//! Parses XML in time and memory proportional to the text.
 //!
-//! In: a plain text. Out: a document whose reading took time and memory in proportion to the text, or
-//! one complaint. It never replaces entities, and never lets through what makes the XML reader
-//! slow: elements with hundreds of attributes, hundreds of namespaces.
+//! Entities are not replaced. Elements with many attributes and files with many namespaces are rejected, because the
+//! XML parser is slow on them.
+
+pub(super) mod element;
+pub(super) mod elements;
+pub(super) mod plain;
+pub(super) mod survey;
 
 use roxmltree::{Document, Error, ParsingOptions};
 
@@ -10,29 +14,25 @@ use crate::description::position::Positions;
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
 
-/// The most bytes of a file.
+/// Maximum size of a file in bytes.
 pub const LARGEST_FILE: usize = 64 << 20;
 
-/// The most nodes of a document (elements, attributes, pieces of text between them): with this
-/// many, the document takes some 150 MB.
+/// Maximum number of nodes of a document (elements, attributes, pieces of text). A document of this size takes about
+/// 150 MB.
 const MOST_NODES: u32 = 1_000_000;
 
-/// The most attributes of an element: each is compared with each.
+/// Maximum number of attributes of an element: the parser compares each with each.
 const MOST_ATTRIBUTES: usize = 32;
 
-/// The most declarations of namespaces: elements that declare one copy all those around them.
+/// Maximum number of namespace declarations: an element that declares one copies all outer ones.
 const MOST_NAMESPACES: usize = 64;
 
-/// What to do about a file that has yet to be expanded.
-pub(super) const XACRO: (&str, &str) = (
-    "this is a xacro file that has yet to be expanded to URDF",
-    "run: xacro robot.urdf.xacro > robot.urdf",
-);
-
-/// Parses a text whose places are those of the file, or pushes one complaint.
+/// Parses a text, or reports one error. `positions` are those of the file; `begins` is the hint for a text that is not
+/// XML: the beginning of a file of the format.
 pub(super) fn parse<'t>(
     text: &'t str,
     positions: &Positions<'_>,
+    begins: &str,
     errors: &mut Errors,
 ) -> Option<Document<'t>> {
     if text.trim().is_empty() {
@@ -51,13 +51,13 @@ pub(super) fn parse<'t>(
     match Document::parse_with_options(text, options) {
         Ok(document) => Some(document),
         Err(error) => {
-            complain(&error, positions, errors);
+            complain(&error, positions, begins, errors);
             None
         }
     }
 }
 
-/// Refuses what would take time or memory out of proportion; says where, and what.
+/// Rejects texts that would take disproportionate time or memory; returns the offset and the message.
 fn check_size(text: &str) -> Result<(), (usize, String)> {
     if text.len() > LARGEST_FILE {
         let message = format!("the file is larger than {} MB", LARGEST_FILE >> 20);
@@ -93,7 +93,7 @@ fn check_size(text: &str) -> Result<(), (usize, String)> {
             let message = format!("the file declares more than {MOST_NAMESPACES} namespaces");
             return Err((start, message));
         }
-        // An unfinished comment is for the XML reader to complain about.
+        // An unfinished comment is reported by the XML parser.
         let Some(next) = skipped else { break };
         at = next;
     }
@@ -104,7 +104,7 @@ fn find(text: &str, from: usize, word: &str) -> Option<usize> {
     text[from..].find(word).map(|offset| from + offset)
 }
 
-/// The equals signs outside quotes, up to the end of the tag.
+/// Counts the equals signs outside quotes, up to the end of the tag.
 fn count_attributes(tag: &str) -> usize {
     let mut quote = None;
     let mut count = 0;
@@ -120,13 +120,10 @@ fn count_attributes(tag: &str) -> usize {
     count
 }
 
-/// Says what the XML reader found.
-fn complain(error: &Error, positions: &Positions<'_>, errors: &mut Errors) {
+/// Reports an error of the XML parser.
+fn complain(error: &Error, positions: &Positions<'_>, begins: &str, errors: &mut Errors) {
     let found = error.pos();
-    let place = Place::File {
-        line: found.row,
-        column: found.col,
-    };
+    let place = positions.at(found.row, found.col);
     let end = positions.place(positions.text().trim_end().len());
     match error {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => errors.push_with_hint(
@@ -136,11 +133,8 @@ fn complain(error: &Error, positions: &Positions<'_>, errors: &mut Errors) {
         ),
         Error::UnexpectedCloseTag(expected, actual, _) => errors.push_with_hint(
             place,
-            format!("</{}> closes nothing", cut(actual)),
-            format!(
-                "the element that is open here ends with </{}>",
-                cut(expected)
-            ),
+            format!("</{}> has no matching start tag", cut(actual)),
+            format!("close the open element by </{}>", cut(expected)),
         ),
         Error::DtdDetected => {
             let offset = positions.text().find("<!DOCTYPE").unwrap_or(0);
@@ -151,18 +145,14 @@ fn complain(error: &Error, positions: &Positions<'_>, errors: &mut Errors) {
             );
         }
         Error::DuplicatedAttribute(name, _) => {
-            errors.push(place, format!("attribute {} is given twice", quoted(name)));
+            errors.push(place, format!("attribute {} occurs twice", quoted(name)));
         }
         Error::NodesLimitReached => errors.push(
             Place::Unknown,
             format!("the file has more than {MOST_NODES} elements"),
         ),
         Error::NoRootNode => errors.push(place, "the file has no element"),
-        Error::UnknownToken(_) => errors.push_with_hint(
-            place,
-            "this is not XML",
-            "a URDF file begins with <robot name=\"…\">",
-        ),
+        Error::UnknownToken(_) => errors.push_with_hint(place, "this is not XML", begins),
         other => {
             let detail = other.to_string().replace(&format!(" at {found}"), "");
             errors.push(place, format!("this is not well-formed XML: {detail}"));
@@ -170,7 +160,7 @@ fn complain(error: &Error, positions: &Positions<'_>, errors: &mut Errors) {
     }
 }
 
-/// A name of any length, cut to what fits a message.
+/// A name, shortened for a message.
 fn cut(name: &str) -> String {
     quoted(name).trim_matches('"').to_owned()
 }

@@ -1,18 +1,17 @@
-//! What the XML reader stumbles over, and every reader of robots passes over.
+//! Prepares a text for the XML parser by replacing constructs that other readers of robots accept.
 //!
-//! In: the text of a file. Out: a text of the same length, in which every element and attribute stands
-//! where it stood, without prefixes of namespaces that nobody declared, types of document, a
-//! declaration after blank lines, `--` in comments, and `&` that begins no reference. It never changes
-//! what a number or a name is: those are read from the file's own text.
+//! Undeclared namespace prefixes, document types, a declaration after blank lines, `--` in comments and `&` without a
+//! reference are replaced by text of the same length, so that all places stay the same. Numbers and names are read from
+//! the file's own text.
 
 use std::borrow::Cow;
 
-/// What `:` in the name of an element or an attribute is read as, so that `<drake:joint>` is no joint
-/// and needs no declaration.
-pub(super) const FOR_COLON: char = '.';
+/// Replaces `:` in names of elements and attributes, so that `<drake:joint>` differs from `<joint>` and needs no
+/// declaration.
+pub(in crate::description) const FOR_COLON: char = '.';
 
-/// The text as the XML reader gets it.
-pub(super) fn plain(text: &str) -> Cow<'_, str> {
+/// The text for the XML parser.
+pub(in crate::description) fn plain(text: &str) -> Cow<'_, str> {
     let mut copy = Copy { text, bytes: None };
     let mut at = 0;
     while let Some(start) = text[at..].find('<').map(|offset| at + offset) {
@@ -20,7 +19,7 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
         let rest = &text[start..];
         let end = |word: &str| rest.find(word).map(|offset| start + offset + word.len());
         let next = if let Some(inside) = rest.strip_prefix("<!--") {
-            // Its dashes are its own: `<!-->` does not end.
+            // The dashes of `<!--` belong to the start only: `<!-->` does not end the comment.
             let end = inside.find("-->").map(|offset| start + 4 + offset + 3);
             if end.is_some_and(|end| text[start + 4..end - 3].contains("--")) {
                 copy.blank(start, end);
@@ -41,7 +40,7 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
         } else {
             Some(copy.tag(start))
         };
-        // What does not end is for the XML reader to complain about.
+        // Unfinished constructs are reported by the XML parser.
         let Some(next) = next else {
             return copy.finish();
         };
@@ -51,7 +50,7 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
     copy.finish()
 }
 
-/// Where `<!DOCTYPE …>` ends, with what it declares.
+/// The end of `<!DOCTYPE …>`, including its declarations.
 fn end_of_type(text: &str) -> Option<usize> {
     let end = text.find('>')?;
     match text[..end].find('[') {
@@ -75,7 +74,7 @@ impl<'t> Copy<'t> {
         self.bytes.get_or_insert_with(|| text.as_bytes().to_vec())[at] = byte;
     }
 
-    /// Blanks as long as the text, on as many lines.
+    /// Replaces a range by blanks, keeping line breaks.
     fn blank(&mut self, start: usize, end: Option<usize>) {
         let Some(end) = end else { return };
         for (at, byte) in (start..end).zip(self.text[start..end].bytes()) {
@@ -88,7 +87,7 @@ impl<'t> Copy<'t> {
     fn outside_tags(&mut self, start: usize, end: usize) {
         for (at, byte) in (start..end).zip(self.text[start..end].bytes()) {
             match byte {
-                // Files of programs that end their texts so.
+                // Some programs end their texts with a zero byte.
                 b'\0' => self.put(at, b' '),
                 b'&' => self.ampersand(at),
                 _ => {}
@@ -96,7 +95,7 @@ impl<'t> Copy<'t> {
         }
     }
 
-    /// Changes a tag; says where it ends, or where another begins in it.
+    /// Changes a tag; returns its end, or the beginning of another tag in it.
     fn tag(&mut self, start: usize) -> usize {
         let mut quote = None;
         for (at, byte) in (start..).zip(self.text[start..].bytes()) {
@@ -113,7 +112,7 @@ impl<'t> Copy<'t> {
         self.text.len()
     }
 
-    /// An ampersand that begins no reference is a character like any other.
+    /// Replaces an ampersand that does not begin a reference.
     fn ampersand(&mut self, at: usize) {
         if reference(&self.text[at..]).is_none() {
             self.put(at, b'_');
@@ -123,14 +122,14 @@ impl<'t> Copy<'t> {
     fn finish(self) -> Cow<'t, str> {
         match self.bytes.map(String::from_utf8) {
             Some(Ok(copy)) => Cow::Owned(copy),
-            // Never: what is replaced is replaced by ASCII, whole characters at a time.
+            // Does not occur: whole characters are replaced by ASCII.
             Some(Err(_)) | None => Cow::Borrowed(self.text),
         }
     }
 }
 
-/// The value of an attribute with its references replaced, as far as they are any.
-pub(super) fn unescaped(value: &str) -> String {
+/// The value of an attribute with character references replaced; malformed ones are kept.
+pub(in crate::description) fn unescaped(value: &str) -> String {
     let mut text = String::with_capacity(value.len());
     let mut rest = value;
     while let Some(at) = rest.find('&') {
@@ -143,7 +142,7 @@ pub(super) fn unescaped(value: &str) -> String {
     text + rest
 }
 
-/// The reference that a text begins with: its length, and the character it stands for.
+/// The character reference at the beginning of a text: its length and its character.
 fn reference(text: &str) -> Option<(usize, char)> {
     const NAMED: [(&str, char); 5] = [
         ("&lt;", '<'),
@@ -152,7 +151,7 @@ fn reference(text: &str) -> Option<(usize, char)> {
         ("&quot;", '"'),
         ("&apos;", '\''),
     ];
-    // The longest is `&#x10FFFF;`, with a few leading zeros.
+    // Long enough for `&#x10FFFF;` with leading zeros.
     const LONGEST: usize = 16;
     if let Some((name, character)) = NAMED.iter().find(|(name, _)| text.starts_with(name)) {
         return Some((name.len(), *character));
@@ -170,7 +169,7 @@ fn reference(text: &str) -> Option<(usize, char)> {
 mod tests {
     use super::*;
 
-    /// The plain text, which is as long and has the same lines.
+    /// The prepared text; asserts that length and lines are the same.
     fn plained(text: &str) -> String {
         let plain = plain(text);
         assert_eq!(plain.len(), text.len());
@@ -179,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_plain_is_not_copied() {
+    fn well_formed_texts_are_not_copied() {
         for text in [
             "<?xml version=\"1.0\"?>\n<robot name=\"a:b\"><!-- a:b & c - d --></robot>\n",
             "<a b='<'/>",
@@ -204,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_before_the_root_is_blank() {
+    fn declarations_before_the_root_are_blanked() {
         assert_eq!(plained("\n\n<?xml?>\n<r/>"), "\n\n       \n<r/>");
         assert_eq!(plained("<!DOCTYPE r>\n<r/>"), "            \n<r/>");
         assert_eq!(
@@ -216,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn an_ampersand_alone_is_a_character() {
+    fn a_single_ampersand_is_a_character() {
         assert_eq!(
             plained("<a b=\"c & d &amp; &#49; &#x31; &#; &nbsp;\">e & f</a>"),
             "<a b=\"c _ d &amp; &#49; &#x31; _#; _nbsp;\">e _ f</a>"

@@ -1,4 +1,4 @@
-"""Inverse kinematics by TRAC-IK, of the arms and the limits of `cargo run --release -p homogen-examples --bin reach`.
+"""Inverse kinematics by TRAC-IK, of the arms and the limits of `cargo run --release -p homogen-examples --bin inverse_kinematics`.
 
 In: robots/*.urdf. Out: of ten thousand poses that each arm has at random coordinates within its limits, how many are
 found from the middle of them, and the time of a call. TRAC-IK (Beeson and Ames, 2015) runs two solvers in threads of

@@ -1,0 +1,28 @@
+//! Reads the bytes of a file, with a bound on its size.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::LARGEST_FILE;
+
+/// The bytes of a file, or the reason for an error, in the same words on every platform where possible.
+pub(super) fn load(path: &Path) -> Result<Vec<u8>, String> {
+    let reason = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        std::io::ErrorKind::PermissionDenied => "no permission".to_owned(),
+        _ => error.to_string(),
+    };
+    let file = File::open(path).map_err(reason)?;
+    if file.metadata().is_ok_and(|about| about.is_dir()) {
+        return Err("it is a folder".to_owned());
+    }
+    // A device may have no end.
+    let limit = LARGEST_FILE as u64 + 1;
+    let mut bytes = Vec::new();
+    file.take(limit).read_to_end(&mut bytes).map_err(reason)?;
+    if bytes.len() > LARGEST_FILE {
+        return Err(format!("it is larger than {} MB", LARGEST_FILE >> 20));
+    }
+    Ok(bytes)
+}

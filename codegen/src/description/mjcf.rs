@@ -1,0 +1,241 @@
+//! MJCF, the format of MuJoCo.
+//!
+//! Reads the text of a file and the files that it includes into a [`Description`] with the numbers of MuJoCo's
+//! compiler, as far as rigid bodies go. Each mistake is an error with file, line and column.
+//! Bodies become links, sites become massless links, the world is the fixed base, and frames are merged into the
+//! placements of what they contain. Elements of the solver, contacts and visuals are ignored. Other mechanics that are
+//! not modelled are reported as warnings. Time and memory are proportional to the text, and no missing number is
+//! guessed.
+
+mod actuator;
+mod assets;
+mod body;
+mod class;
+mod compiler;
+mod defaults;
+mod element;
+mod elements;
+mod equality;
+mod files;
+mod geom;
+mod inertial;
+mod joint;
+mod lost;
+mod mesh;
+mod names;
+mod orientation;
+mod reading;
+mod settings;
+mod shape;
+mod spatial;
+mod tree;
+mod values;
+
+use std::path::{Path, PathBuf};
+
+use proc_macro2::Span;
+
+use self::assets::Meshes;
+use self::class::Defaults;
+use self::element::Element;
+use self::files::{Parsed, Text};
+use self::lost::Noted;
+use self::names::Names;
+use self::reading::Mjcf;
+use self::settings::Compiler;
+use self::tree::Tree;
+use super::fingerprint::fingerprint;
+use super::xml::element::Reader;
+use super::xml::survey;
+use super::{Description, Name, Number, Source, Unmodelled, names as twice};
+use crate::error::{Errors, Place};
+use crate::expression::Double;
+
+#[doc(hidden)]
+pub use self::elements::page;
+
+/// True if the root element of a text is `<mujoco>`.
+#[must_use]
+pub fn is_meant(text: &str) -> bool {
+    let mut rest = text.trim_start_matches('\u{feff}').trim_start();
+    loop {
+        let end = match rest {
+            _ if rest.starts_with("<!--") => "-->",
+            _ if rest.starts_with("<?") => "?>",
+            _ if rest.starts_with("<!") => ">",
+            _ => break,
+        };
+        let Some(at) = rest.find(end) else {
+            return false;
+        };
+        rest = rest[at + end.len()..].trim_start();
+    }
+    rest.starts_with("<mujoco")
+}
+
+/// Reads the text of the file `file` in `folder`; `anchor` is the token that named the file, for the compiler.
+///
+/// A description returned together with errors is partial: good for counting joints, not for computing.
+pub fn read(
+    text: &str,
+    file: &str,
+    folder: Option<&Path>,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
+    errors.set_file(file, anchor);
+    let texts = files::load(text, file, folder, errors)?;
+    let plains = files::plains(&texts);
+    let parsed = files::parse(&texts, &plains, errors)?;
+    let mut found = Errors::new();
+    let (mut description, beside) = read_files(&parsed, file, folder, &mut found);
+    errors.append(found);
+    errors.warn(description.warnings.iter().cloned());
+    description.source = source(&texts, file, folder, anchor);
+    description.source.beside.extend(beside);
+    twice::check(&description, errors);
+    twice::check_loops(&description, errors);
+    Some(description)
+}
+
+/// The files from which a description was read, with their fingerprint.
+fn source(texts: &[Text], file: &str, folder: Option<&Path>, anchor: Option<Span>) -> Source {
+    let included = files::names(texts);
+    let paths = included.iter().map(|name| match folder {
+        Some(folder) => folder.join(name),
+        None => PathBuf::from(name),
+    });
+    Source {
+        file: Some(file.to_owned()),
+        anchor,
+        beside: paths.collect(),
+        hash: fingerprint(&files::bytes(texts)),
+        included,
+    }
+}
+
+/// Reads the parsed files; returns the paths of further files that were read, too.
+fn read_files<'a>(
+    files: &'a [Parsed<'a>],
+    file: &str,
+    folder: Option<&Path>,
+    errors: &mut Errors,
+) -> (Description, Vec<PathBuf>) {
+    let root = Element::root(files);
+    let mut mjcf = Mjcf {
+        reader: Reader {
+            positions: &files[0].positions,
+            errors: Errors::new(),
+            warnings: Vec::new(),
+            unmodelled: Unmodelled::default(),
+            is_of_version_1_0: false,
+            xacro: None,
+            call: None,
+        },
+        compiler: Compiler::default(),
+        defaults: Defaults::none(),
+        tree: Tree::default(),
+        loop_names: Names::default(),
+        meshes: Meshes::default(),
+        noted: Noted::default(),
+        folder: folder.map(Path::to_owned),
+        beside: Vec::new(),
+    };
+    for element in root.named("compiler") {
+        mjcf.read_compiler(element);
+    }
+    let mut gravity = None;
+    for element in root.named("option") {
+        mjcf.read_option(element, &mut gravity);
+    }
+    mjcf.read_defaults(root);
+    mjcf.list_meshes(root);
+    mjcf.read_tree(root);
+    mjcf.scale_masses();
+    let loops = mjcf.read_equalities(root);
+    mjcf.read_actuators(root);
+    mjcf.survey(root);
+    let name = mjcf.robot_name(root, file);
+    let warnings = std::mem::take(&mut mjcf.reader.warnings);
+    let mut warnings: Vec<_> = warnings.into_iter().chain(mjcf.noted.warnings()).collect();
+    warnings.sort_by_key(|warning| warning.place.order());
+    errors.append(mjcf.reader.errors);
+    if let Some(place) = mjcf.reader.xacro {
+        let hint = "replace each ${…} by its number: MuJoCo does not expand it either";
+        errors.push_with_hint(
+            place,
+            "this file contains ${…}, which is not expanded",
+            hint,
+        );
+    }
+    let description = Description {
+        name,
+        source: Source::default(),
+        links: mjcf.tree.links,
+        joints: mjcf.tree.joints.into(),
+        loops,
+        gravity,
+        warnings,
+        unmodelled: mjcf.reader.unmodelled,
+    };
+    (description, mjcf.beside)
+}
+
+impl<'a> Mjcf<'a> {
+    /// The name of the model, or of the file if the model has none.
+    fn robot_name(&mut self, root: Element<'a>, file: &str) -> Name {
+        let written = root.attribute("model").map(|written| self.word(written));
+        written
+            .filter(|name| !name.text.is_empty())
+            .unwrap_or_else(|| {
+                let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+                let stem = if matches!(stem, "" | "-") {
+                    "robot"
+                } else {
+                    stem
+                };
+                Name {
+                    text: stem.to_owned(),
+                    place: Place::Unknown,
+                }
+            })
+    }
+
+    /// Scales all masses and inertias so that the total mass is that of `settotalmass`.
+    fn scale_masses(&mut self) {
+        let Some(total) = self.compiler.total_mass else {
+            return;
+        };
+        let inertials = self
+            .tree
+            .links
+            .iter()
+            .filter_map(|link| link.inertial.as_ref());
+        let masses = inertials.map(|inertial| inertial.mass.exact());
+        let mass = masses.fold(Double::ZERO, |sum, mass| sum + mass);
+        if mass.is_zero() {
+            return;
+        }
+        let factor = total.exact() / mass;
+        let scale = |number: &mut Number| {
+            *number = spatial::to_number(number.exact() * factor, number.place);
+        };
+        let links = self.tree.links.iter_mut();
+        for inertial in links.filter_map(|link| link.inertial.as_mut()) {
+            scale(&mut inertial.mass);
+            inertial.inertia.iter_mut().for_each(scale);
+        }
+    }
+
+    /// Warns of what is not modelled, file by file.
+    fn survey(&mut self, root: Element<'a>) {
+        survey::survey(self.at(root), root.node, &elements::MJCF);
+        for (element, content) in elements::included(root) {
+            let reader = self.at(element);
+            survey::survey_included(reader, element.node, content, &elements::MJCF);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,188 @@
+//! `<mesh>` of the assets: volume, centre of mass and inertia tensor of a mesh.
+//!
+//! A file is opened only if its mass is needed, and each mesh is computed once.
+
+mod file;
+mod measure;
+
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use super::assets::Measured;
+use super::element::Element;
+use super::reading::Mjcf;
+use super::values::Attributes;
+use crate::description::Name;
+use crate::description::load::load;
+use crate::wording::{known, quoted};
+
+/// Maximum number of values in a mesh that is written in the XML file.
+const MOST_NUMBERS: usize = 10_000_000;
+
+/// Method for the inertia of a mesh: MuJoCo's `inertia`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum InertiaMethod {
+    /// Signed volumes, for a mesh without holes.
+    Exact,
+    /// Absolute volumes of pyramids.
+    Legacy,
+    /// Areas of faces.
+    Shell,
+    /// The convex hull.
+    Convex,
+}
+
+const INERTIA_METHODS: [(&str, InertiaMethod); 4] = [
+    ("exact", InertiaMethod::Exact),
+    ("legacy", InertiaMethod::Legacy),
+    ("shell", InertiaMethod::Shell),
+    ("convex", InertiaMethod::Convex),
+];
+
+/// Vertices, and the indices of the three vertices of each face.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Mesh {
+    corners: Vec<[f64; 3]>,
+    faces: Vec<[usize; 3]>,
+}
+
+impl<'a> Mjcf<'a> {
+    /// Collects the `<mesh>` elements by name.
+    pub(super) fn list_meshes(&mut self, root: Element<'a>) {
+        for section in root.named("asset") {
+            for element in section.named("mesh") {
+                let name = element.attribute("name").map(|name| self.word(name).text);
+                let stem = || {
+                    let file = self.word(element.attribute("file")?).text;
+                    let file = file.replace('\\', "/");
+                    let last = file.rsplit('/').next().unwrap_or_default();
+                    let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
+                    Some(stem.to_owned())
+                };
+                if let Some(name) = name.or_else(stem) {
+                    self.meshes.assets.insert(name, element);
+                }
+            }
+        }
+    }
+
+    /// The inertia of a named mesh at density 1.
+    pub(super) fn measured(&mut self, name: &Name, subject: &str) -> Option<Rc<Measured>> {
+        if let Some(known) = self.meshes.measured.get(&name.text) {
+            return known.clone();
+        }
+        let Some(&element) = self.meshes.assets.get(&name.text) else {
+            let message = format!(
+                "{subject} names a mesh that does not exist: {}",
+                quoted(&name.text)
+            );
+            let mut names: Vec<&str> = self.meshes.assets.keys().map(String::as_str).collect();
+            names.sort_unstable();
+            let hint = known(&name.text, "meshes", &names);
+            self.reader.errors.push_with_hint(name.place, message, hint);
+            return None;
+        };
+        let measured = self.measure(element, &name.text, subject).map(Rc::new);
+        self.meshes
+            .measured
+            .insert(name.text.clone(), measured.clone());
+        measured
+    }
+
+    fn measure(&mut self, element: Element<'a>, name: &str, subject: &str) -> Option<Measured> {
+        let what = format!("mesh {}", quoted(name));
+        let class = self.class(element.attribute("class"));
+        let attributes = Attributes {
+            own: element,
+            kind: "mesh",
+            class: class.unwrap_or_else(|| self.defaults.main()),
+        };
+        let method = self.choice(
+            attributes.get("inertia"),
+            &INERTIA_METHODS,
+            InertiaMethod::Legacy,
+            &what,
+        );
+        let read = if method == InertiaMethod::Convex {
+            Err("inertia=\"convex\" is not supported".to_owned())
+        } else {
+            self.corners(element, &what)
+        };
+        let measured = read.and_then(|(mut mesh, is_swapped)| {
+            let scale = self.numbers::<3>(attributes.get("scale"), &what);
+            let scale = scale.map_or([1.0; 3], |scale| scale.map(|factor| factor.value));
+            let origin = self.numbers::<3>(element.attribute("refpos"), &what);
+            let axes = self.numbers::<4>(element.attribute("refquat"), &what);
+            let origin = origin.map_or([0.0; 3], |origin| origin.map(|entry| entry.value));
+            let axes = axes.map_or([1.0, 0.0, 0.0, 0.0], |axes| axes.map(|entry| entry.value));
+            let edges = measure::twice_used(&mesh);
+            if method == InertiaMethod::Exact && edges {
+                return Err(
+                    "its faces are not consistently oriented, as inertia=\"exact\" requires"
+                        .to_owned(),
+                );
+            }
+            let is_mirrored = scale[0].signum() * scale[1].signum() * scale[2].signum() < 0.0;
+            mesh.place(origin, axes, scale, is_mirrored && !is_swapped);
+            mesh.measured(method)
+        });
+        match measured {
+            Ok(measured) => Some(measured),
+            Err(reason) => {
+                let message = format!("cannot compute the mass of {subject} from {what}: {reason}");
+                let hint = "give its body an <inertial>, or the geom mass=\"0\"";
+                self.refuse(element, message, hint);
+                None
+            }
+        }
+    }
+
+    /// Vertices and faces, and true if the faces of a mirrored mesh must not be reversed.
+    fn corners(&mut self, element: Element<'a>, what: &str) -> Result<(Mesh, bool), String> {
+        if element.attribute("builtin").is_some() || !element.named("plugin").is_empty() {
+            return Err("meshes generated by MuJoCo are not supported".to_owned());
+        }
+        if let Some(written) = element.attribute("file") {
+            let written = self.word(written).text;
+            return self.corners_of_file(element, &written);
+        }
+        let mut list = |name: &str| {
+            let written = element.attribute(name)?;
+            let numbers = self.list(written, 0..=MOST_NUMBERS, what)?;
+            Some(
+                numbers
+                    .iter()
+                    .map(|number| number.value)
+                    .collect::<Vec<f64>>(),
+            )
+        };
+        let corners = list("vertex").ok_or("it has neither file nor vertex")?;
+        let faces = list("face").ok_or("it has no face, and convex hulls are not computed")?;
+        file::of_numbers(&corners, &faces).map(|mesh| (mesh, false))
+    }
+
+    fn corners_of_file(
+        &mut self,
+        element: Element<'a>,
+        written: &str,
+    ) -> Result<(Mesh, bool), String> {
+        let folder = self.folder.clone();
+        let folder = folder.ok_or("a text without a file has no folder")?;
+        let mut name = written.replace('\\', "/");
+        if self.compiler.strip {
+            name = name.rsplit('/').next().unwrap_or_default().to_owned();
+        }
+        let meshes = folder.join(self.compiler.meshes.replace('\\', "/"));
+        // As in MuJoCo: relative to the first file, or else to the file that contains the element.
+        let beside = element.file().folder();
+        let paths: [PathBuf; 2] = [meshes.join(&name), meshes.join(beside).join(&name)];
+        let path = paths.iter().find(|path| path.exists()).unwrap_or(&paths[0]);
+        let bytes = load(path).map_err(|reason| format!("{}: {reason}", path.display()))?;
+        self.beside.push(path.clone());
+        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+        let is_msh = ending.eq_ignore_ascii_case("msh");
+        file::read(&bytes, ending)
+            .map(|mesh| (mesh, is_msh))
+            .map_err(|reason| format!("{}: {reason}", path.display()))
+    }
+}

@@ -1,0 +1,7 @@
+use homogen::Robot;
+
+#[derive(Robot)]
+#[robot(urdf = "rejected/arm.urdf", tip = "fore", generate(jacobian))]
+struct Arm;
+
+fn main() {}

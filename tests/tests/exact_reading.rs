@@ -24,8 +24,8 @@ const ALLOWED: [(&str, &str, &str); 30] = [
     ("chain/angle.rs", ".value", "decides what digits mean"),
     (
         "chain/merge/reader.rs",
+        "(angle)",
         "a nominal value of a field",
-        "described in the place of a field",
     ),
     ("chain/merge/reader.rs", "(sine)", "0 or 1"),
     ("chain/merge/reader.rs", "follow.", "printed in a report"),

@@ -60,7 +60,7 @@ class MujocoPeer:
             if model.jnt_type[joint] == FREE:
                 model.dof_armature[model.jnt_dofadr[joint] :][:6] = 0
 
-    def order(self, mimicked):
+    def order(self, mimic_names):
         """Finds the mimic joints by name, and the remaining entries of q and of the velocities."""
         model = self.model
         self.mimics = {}
@@ -68,7 +68,7 @@ class MujocoPeer:
             if model.eq_type[k] != mujoco.mjtEq.mjEQ_JOINT or model.eq_obj2id[k] < 0 or not model.eq_active0[k]:
                 continue
             mimic, mimicked = model.eq_obj1id[k], model.eq_obj2id[k]
-            if model.joint(mimic).name in mimicked and mimic not in self.mimics:
+            if model.joint(mimic).name in mimic_names and mimic not in self.mimics:
                 a, b = model.eq_data[k][:2]
                 y, x = (model.qpos0[model.jnt_qposadr[joint]] for joint in (mimic, mimicked))
                 self.mimics[mimic] = (mimicked, b, y + a - b * x)

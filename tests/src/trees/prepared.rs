@@ -232,7 +232,8 @@ impl<'r> Prepared<'r> {
             // For a small arm far from the base, frame 0 may lose too many digits.
             let far = case.in_frame_0() && refusal.contains("leave frame_0 out");
             let solves = case.function.solves();
-            let weightless = case.function.is_of_mass() && refusal.contains("has mass");
+            let weightless =
+                case.function.is_of_mass() && refusal.contains("no joint moves a mass");
             let states = || (0..self.states.len()).any(|state| self.least_pivot(state) < refusable);
             let described = || self.pivot_as_described() < refusable;
             let excused = || solves && (states() || described() || self.cancels());

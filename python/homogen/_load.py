@@ -12,7 +12,7 @@ _OPTIONS = dict(options())
 
 
 class DescriptionWarning(UserWarning):
-    """A doubt about a description: its place, and what is taken instead."""
+    """A warning about a description: its place, and the value that is used instead."""
 
 
 def load(

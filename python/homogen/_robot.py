@@ -162,7 +162,7 @@ class Robot:
             getattr(self, name).compile(single=dtype == np.float32, many=many)
 
     def check(self):
-        """What was read, merged, locked or left out, and every doubt, as text."""
+        """Report, as text: links and joints that were read, merged, locked or left out, and every warning."""
         return self._answer("check")
 
     def count(self, *functions, frames=()):

@@ -157,7 +157,7 @@ def test_mistakes_have_their_places():
         homogen.load(text)
 
 
-def test_doubts_are_warnings():
+def test_doubtful_input_is_a_warning():
     text = '<robot name="r"><link name="a"/><joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
     text += '<axis xyz="0 0 2"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint><link name="b"><inertial>'
     text += '<mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>'

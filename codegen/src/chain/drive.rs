@@ -152,7 +152,7 @@ pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Ve
         armature: request.models_armature(),
         has_rotor: &has_rotor,
     };
-    let mut warnings = description.unmodelled.doubts(&modelled);
+    let mut warnings = description.unmodelled.warnings(&modelled);
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
     let moving: Vec<&Joint> = moving.map(|branch| &description[branch.joint]).collect();
     let none = |is: fn(Part) -> bool| {

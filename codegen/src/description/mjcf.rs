@@ -47,7 +47,7 @@ use self::tree::Tree;
 use super::fingerprint::fingerprint;
 use super::xml::element::Reader;
 use super::xml::survey;
-use super::{Description, Name, Number, Source, Unmodelled, names as twice};
+use super::{Description, Name, Number, Source, names as twice};
 use crate::error::{Errors, Place};
 use crate::expression::Double;
 
@@ -123,15 +123,7 @@ fn read_files<'a>(
 ) -> (Description, Vec<PathBuf>) {
     let root = Element::root(files);
     let mut mjcf = Mjcf {
-        reader: Reader {
-            positions: &files[0].positions,
-            errors: Errors::new(),
-            warnings: Vec::new(),
-            unmodelled: Unmodelled::default(),
-            is_of_version_1_0: false,
-            xacro: None,
-            call: None,
-        },
+        reader: Reader::new(&files[0].positions),
         compiler: Compiler::default(),
         defaults: Defaults::none(),
         tree: Tree::default(),

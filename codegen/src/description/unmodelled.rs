@@ -85,7 +85,7 @@ impl Unmodelled {
 
     /// One warning for each kind.
     #[must_use]
-    pub fn doubts(&self, modelled: &Modelled<'_>) -> Vec<Complaint> {
+    pub fn warnings(&self, modelled: &Modelled<'_>) -> Vec<Complaint> {
         let friction = self.friction.iter().filter(|_| !modelled.friction);
         let friction: Vec<&Occurrence> = friction.collect();
         let mut words: Vec<&str> = Vec::new();

@@ -49,15 +49,7 @@ pub fn read(
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
     let plain = plain::plain(positions.text());
     let document = xml::parse(&plain, &positions, BEGINS, errors)?;
-    let mut reader = Reader {
-        positions: &positions,
-        errors: Errors::new(),
-        warnings: Vec::new(),
-        unmodelled: Unmodelled::default(),
-        is_of_version_1_0: false,
-        xacro: None,
-        call: None,
-    };
+    let mut reader = Reader::new(&positions);
     let mut description = robot(&mut reader, document.root_element());
     if description.is_some() {
         survey::survey(&mut reader, document.root_element(), &elements::URDF);

@@ -52,7 +52,7 @@ fn signs_are_counted() {
 }
 
 #[test]
-fn mistakes_and_doubts_are_told() {
+fn mistakes_and_warnings_are_reported() {
     let usage = homogen("check - --damping shoulder", ARM);
     assert_eq!(usage.code, 2);
     let message = "write JOINT=NUMBER";
@@ -67,8 +67,8 @@ fn mistakes_and_doubts_are_told() {
     assert_eq!(doubtful.code, 0);
     let any = "is requested, but no moving joint has it in the description";
     for what in ["friction", "armature"] {
-        let doubt = format!("{what} {any}");
-        assert!(doubtful.output.contains(&doubt), "{}", doubtful.output);
+        let warning = format!("{what} {any}");
+        assert!(doubtful.output.contains(&warning), "{}", doubtful.output);
     }
 }
 

@@ -5,7 +5,6 @@
 
 mod check;
 mod count;
-mod doubts;
 mod drives;
 mod eval;
 mod external;
@@ -13,6 +12,7 @@ mod formulation;
 mod generate;
 mod hostile;
 mod inspect;
+mod warnings;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -194,10 +194,10 @@ error: <stdin>:1:14: the robot has 5001 joints, and at most 5000 can be modelled
   hint: choose a base further out, or drop links that are not needed
 ";
     let longer = snake(5001);
-    let told = refused("check -", &longer);
-    assert!(told.starts_with(expected), "{told}");
+    let reported = refused("check -", &longer);
+    assert!(reported.starts_with(expected), "{reported}");
     // None of its joints has an axis: ten warnings of that are enough.
-    assert!(told.ends_with("and 990 more warnings\n"), "{told}");
+    assert!(reported.ends_with("and 990 more warnings\n"), "{reported}");
     let rest = json("check - --base l1 --drop l1000 --format json", &longer);
     assert_eq!(rest["joints"].as_array().map(Vec::len), Some(998));
 }

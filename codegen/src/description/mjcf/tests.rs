@@ -68,7 +68,7 @@ fn warnings(text: &str) -> Vec<String> {
         armature: true,
         has_rotor: &|_| true,
     };
-    let warnings = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
+    let warnings = [robot.warnings, robot.unmodelled.warnings(&modelled)].concat();
     let source = robot.source;
     let warnings = warnings.iter();
     warnings

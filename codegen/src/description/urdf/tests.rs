@@ -85,7 +85,7 @@ fn warnings(text: &str) -> Vec<String> {
         has_rotor: &|_| false,
     };
     let source = robot.source;
-    let warnings = [robot.warnings, robot.unmodelled.doubts(&modelled)].concat();
+    let warnings = [robot.warnings, robot.unmodelled.warnings(&modelled)].concat();
     let warnings = warnings.iter();
     warnings
         .map(|warning| source.errors().locate(warning))

@@ -50,6 +50,21 @@ pub(in crate::description) struct Reader<'r, 't> {
     pub(in crate::description) call: Option<Place>,
 }
 
+impl<'r, 't> Reader<'r, 't> {
+    /// A reader that has met nothing yet.
+    pub(in crate::description) fn new(positions: &'r Positions<'t>) -> Self {
+        Self {
+            positions,
+            errors: Errors::new(),
+            warnings: Vec::new(),
+            unmodelled: Unmodelled::default(),
+            is_of_version_1_0: false,
+            xacro: None,
+            call: None,
+        }
+    }
+}
+
 impl<'t> Reader<'_, 't> {
     /// The place of an element.
     pub(in crate::description) fn place(&self, node: Node<'_, 't>) -> Place {

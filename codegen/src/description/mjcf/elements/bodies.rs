@@ -3,6 +3,32 @@
 use super::lost::{GRAVCOMP, MOCAP, PLUGIN};
 use crate::description::xml::elements::{Content, Entry, Others, When};
 
+/// Elements in a body, whether directly or in a frame or a replicate there.
+static IN_BODIES: [Entry; 14] = [
+    Entry::read("body", "a link that moves by its joints").with(&BODY),
+    Entry::read("frame", "a placement of the elements inside").with(&FRAME),
+    Entry::read(
+        "replicate",
+        "copies of the elements inside, each placed by one more `offset` and `euler`",
+    )
+    .with(&REPLICATE),
+    Entry::read("inertial", "mass, centre of mass and inertia").with(&INERTIAL),
+    Entry::read("joint", "a joint; several of one body are in series").with(&JOINT),
+    Entry::read("freejoint", "a floating joint").with(&FREEJOINT),
+    Entry::read(
+        "geom",
+        "mass, if the body has no `<inertial>` or `inertiafromgeom` is true",
+    )
+    .with(&GEOM),
+    Entry::read("site", "a massless link with its name").with(&SITE),
+    Entry::ignored("camera", "visual"),
+    Entry::ignored("light", "visual"),
+    Entry::not_modelled("plugin", &PLUGIN),
+    Entry::read("attach", "an error: an attached model is not read"),
+    Entry::read("composite", "an error: its bodies are not read"),
+    Entry::read("flexcomp", "an error: its bodies are not read"),
+];
+
 /// A body, and the world.
 pub(super) static BODY: Content = Content {
     attributes: &[
@@ -20,30 +46,7 @@ pub(super) static BODY: Content = Content {
         Entry::ignored("simple", "a setting of the solver"),
         Entry::ignored("user", "user data"),
     ],
-    elements: &[
-        Entry::read("body", "a link that moves by its joints").with(&BODY),
-        Entry::read("frame", "a placement of the elements inside").with(&FRAME),
-        Entry::read(
-            "replicate",
-            "copies of the elements inside, each placed by one more `offset` and `euler`",
-        )
-        .with(&REPLICATE),
-        Entry::read("inertial", "mass, centre of mass and inertia").with(&INERTIAL),
-        Entry::read("joint", "a joint; several of one body are in series").with(&JOINT),
-        Entry::read("freejoint", "a floating joint").with(&FREEJOINT),
-        Entry::read(
-            "geom",
-            "mass, if the body has no `<inertial>` or `inertiafromgeom` is true",
-        )
-        .with(&GEOM),
-        Entry::read("site", "a massless link with its name").with(&SITE),
-        Entry::ignored("camera", "visual"),
-        Entry::ignored("light", "visual"),
-        Entry::not_modelled("plugin", &PLUGIN),
-        Entry::read("attach", "an error: an attached model is not read"),
-        Entry::read("composite", "an error: its bodies are not read"),
-        Entry::read("flexcomp", "an error: its bodies are not read"),
-    ],
+    elements: &IN_BODIES,
     others: Others::Warned,
 };
 
@@ -58,30 +61,7 @@ pub(super) static FRAME: Content = Content {
         Entry::read("zaxis", "the rotation; only one of these five"),
         Entry::read("euler", "the rotation; only one of these five"),
     ],
-    elements: &[
-        Entry::read("body", "a link that moves by its joints").with(&BODY),
-        Entry::read("frame", "a placement of the elements inside").with(&FRAME),
-        Entry::read(
-            "replicate",
-            "copies of the elements inside, each placed by one more `offset` and `euler`",
-        )
-        .with(&REPLICATE),
-        Entry::read("inertial", "mass, centre of mass and inertia").with(&INERTIAL),
-        Entry::read("joint", "a joint; several of one body are in series").with(&JOINT),
-        Entry::read("freejoint", "a floating joint").with(&FREEJOINT),
-        Entry::read(
-            "geom",
-            "mass, if the body has no `<inertial>` or `inertiafromgeom` is true",
-        )
-        .with(&GEOM),
-        Entry::read("site", "a massless link with its name").with(&SITE),
-        Entry::ignored("camera", "visual"),
-        Entry::ignored("light", "visual"),
-        Entry::not_modelled("plugin", &PLUGIN),
-        Entry::read("attach", "an error: an attached model is not read"),
-        Entry::read("composite", "an error: its bodies are not read"),
-        Entry::read("flexcomp", "an error: its bodies are not read"),
-    ],
+    elements: &IN_BODIES,
     others: Others::Warned,
 };
 
@@ -93,30 +73,7 @@ pub(super) static REPLICATE: Content = Content {
         Entry::read("sep", "text between a name and the number of the copy"),
         Entry::read("childclass", "the class of defaults of the elements inside"),
     ],
-    elements: &[
-        Entry::read("body", "a link that moves by its joints").with(&BODY),
-        Entry::read("frame", "a placement of the elements inside").with(&FRAME),
-        Entry::read(
-            "replicate",
-            "copies of the elements inside, each placed by one more `offset` and `euler`",
-        )
-        .with(&REPLICATE),
-        Entry::read("inertial", "mass, centre of mass and inertia").with(&INERTIAL),
-        Entry::read("joint", "a joint; several of one body are in series").with(&JOINT),
-        Entry::read("freejoint", "a floating joint").with(&FREEJOINT),
-        Entry::read(
-            "geom",
-            "mass, if the body has no `<inertial>` or `inertiafromgeom` is true",
-        )
-        .with(&GEOM),
-        Entry::read("site", "a massless link with its name").with(&SITE),
-        Entry::ignored("camera", "visual"),
-        Entry::ignored("light", "visual"),
-        Entry::not_modelled("plugin", &PLUGIN),
-        Entry::read("attach", "an error: an attached model is not read"),
-        Entry::read("composite", "an error: its bodies are not read"),
-        Entry::read("flexcomp", "an error: its bodies are not read"),
-    ],
+    elements: &IN_BODIES,
     others: Others::Warned,
 };
 

@@ -156,7 +156,7 @@ fn friction_and_armature_are_kept_and_noted() {
         armature: false,
         has_rotor: &|_| false,
     };
-    let noted: Vec<String> = (robot.unmodelled.doubts(&none).into_iter())
+    let noted: Vec<String> = (robot.unmodelled.warnings(&none).into_iter())
         .map(|warning| warning.message)
         .collect();
     assert_eq!(

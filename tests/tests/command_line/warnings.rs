@@ -1,5 +1,5 @@
-//! Every doubt that `homogen check` tells, each other command tells too, in words and as JSON; and what
-//! a robot cannot have is told with the reason wherever it is left out.
+//! Warnings of `homogen check`, which every other command reports too, as text and as JSON; functions that a robot cannot
+//! have, reported with the reason wherever they are left out.
 
 use homogen_cli::Answer;
 use homogen_codegen::{Builder, Function, Real};
@@ -20,21 +20,22 @@ fn parsed(answer: &Answer) -> Value {
     serde_json::from_str(&answer.output).expect("JSON")
 }
 
-/// The lines of standard error that tell doubts.
-fn doubts(text: &str) -> Vec<&str> {
+/// The lines of standard error with warnings and their hints.
+fn warnings(text: &str) -> Vec<&str> {
     let mut lines = text
         .lines()
         .skip_while(|line| !line.starts_with("warning: "));
-    let told = |line: &&str| line.starts_with("warning: ") || line.starts_with("  hint: ");
-    lines.by_ref().take_while(told).collect()
+    let is_of_warnings =
+        |line: &&str| line.starts_with("warning: ") || line.starts_with("  hint: ");
+    lines.by_ref().take_while(is_of_warnings).collect()
 }
 
 const STATES: &str = r#"{"states":[{"q":[0.5,1,0.25],"qd":[0,0,0],"tau":[1,0,0]}]}"#;
 
 #[test]
-fn all_commands_tell_them_in_the_same_words() {
+fn all_commands_report_them_in_the_same_words() {
     let checked = homogen("check -", ARM);
-    let wanted = doubts(&checked.output);
+    let wanted = warnings(&checked.output);
     assert_eq!(wanted.len(), 2, "{}", checked.output);
     for arguments in [
         "count - --functions gravity",
@@ -43,14 +44,14 @@ fn all_commands_tell_them_in_the_same_words() {
         "generate -",
     ] {
         assert_eq!(
-            doubts(&homogen(arguments, ARM).remarks),
+            warnings(&homogen(arguments, ARM).remarks),
             wanted,
             "{arguments}"
         );
     }
     let answer = eval("--function gravity", STATES);
     let remarks = answer.remarks.replace("states.json", "<stdin>");
-    assert_eq!(doubts(&remarks), wanted);
+    assert_eq!(warnings(&remarks), wanted);
 }
 
 #[test]
@@ -71,7 +72,7 @@ fn in_json_they_are_the_same_entries() {
 }
 
 #[test]
-fn a_doubt_about_one_function_is_told_where_that_function_is_asked_for() {
+fn a_warning_about_one_function_is_reported_where_that_function_is_requested() {
     // A hand of 10 t on links of 1 kg.
     let text = ARM.replace("mass value=\"0.5\"", "mass value=\"1e13\"");
     let unrefined = "--function forward_dynamics --formulation refined=0";
@@ -86,7 +87,7 @@ fn a_doubt_about_one_function_is_told_where_that_function_is_asked_for() {
     assert!(said.contains(lost), "{said}");
     let counted = parsed(&count("json"));
     let warnings = counted["warnings"].as_array().expect("a list");
-    let last = warnings.last().expect("a doubt");
+    let last = warnings.last().expect("a warning");
     assert!(
         last["message"]
             .as_str()
@@ -97,7 +98,7 @@ fn a_doubt_about_one_function_is_told_where_that_function_is_asked_for() {
 }
 
 #[test]
-fn what_is_left_out_is_told_with_the_reason() {
+fn functions_left_out_are_reported_with_the_reason() {
     let text = massless();
     let reason = "<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix \
                   is singular";
@@ -119,21 +120,21 @@ fn what_is_left_out_is_told_with_the_reason() {
             .as_str()
             .is_some_and(|hint| hint.starts_with("give"))
     );
-    // Whoever asks for nothing that is missing is told nothing.
+    // A request without missing functions reports nothing.
     let asked = homogen("count - --tip hand --functions gravity", &text);
     assert!(!asked.remarks.contains("left out"), "{}", asked.remarks);
 }
 
 #[test]
-fn a_file_tells_what_is_left_out_at_its_head_and_above_the_struct() {
+fn a_file_lists_functions_left_out_at_its_head_and_above_the_struct() {
     let answer = homogen("generate - --tip hand", &massless());
     let line = "Left out: `forward_dynamics`, `mass_matrix_inverse` and \
                 `forward_dynamics_derivatives` (<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix is singular).\n";
     for opening in ["// ", "/// "] {
-        let told = answer.output.matches(&format!("\n{opening}{line}")).count();
-        assert_eq!(told, 1, "{}", answer.output);
+        let count = answer.output.matches(&format!("\n{opening}{line}")).count();
+        assert_eq!(count, 1, "{}", answer.output);
     }
-    // With the runtime the robot as data tells it as well.
+    // With the runtime, `chain` lists them as well.
     let robot = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/quadruped.urdf");
     let built = Builder::from_urdf(robot)
         .runtime("::homogen")

@@ -192,7 +192,7 @@ impl Recipe {
             described::neutral(&module).numbers.into_pyobject(py)?,
         )?;
         let kinds = spaces.coordinates.iter().map(|entry| match entry.kind {
-            Kind::Slide => "slide",
+            Kind::Translation => "slide",
             Kind::Quaternion => "quaternion",
             _ => "turn",
         });

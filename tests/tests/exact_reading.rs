@@ -124,16 +124,16 @@ fn no_written_number_is_computed_in_f64() {
         FOLDERS.contains(&folder.trim_end_matches(".rs")) && !name.starts_with(BASE_PARAMETERS)
     });
     assert!(files.len() > 60, "{} files", files.len());
-    let mut complaints = Vec::new();
+    let mut diagnostics = Vec::new();
     for Source { name, code } in &files {
         for line in suspicious(code) {
             let mut allowed = ALLOWED.iter();
             if !allowed.any(|(file, part, _)| file == name && line.contains(part)) {
-                complaints.push(format!("{name}: {line}"));
+                diagnostics.push(format!("{name}: {line}"));
             }
         }
     }
-    assert!(complaints.is_empty(), "{complaints:#?}");
+    assert!(diagnostics.is_empty(), "{diagnostics:#?}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::{Price, run};
+use homogen_codegen::schedule::{OperationCount, run};
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 use homogen_tests::functions::{EveryFunction, evaluate};
@@ -196,8 +196,9 @@ fn the_cheapest_algorithm_is_chosen_of_those_that_are_accurate_enough() {
             ..Formulation::default()
         };
         let program = program_as(formulation, chain, &[function], FrameId::FIRST, Real::F64);
-        let price = Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")));
-        price.mul + price.add
+        let operation_count =
+            OperationCount::of(&program.unwrap_or_else(|errors| panic!("{errors}")));
+        operation_count.mul + operation_count.add
     };
     let of_robots = [
         ("panda_class/0", FACTORS, FACTORS),

@@ -111,16 +111,16 @@ fn calls(code: &str) -> Vec<&'static str> {
 fn no_function_is_called_whose_result_depends_on_the_platform() {
     let files = engine();
     assert!(files.len() > 80, "{} files", files.len());
-    let mut complaints = Vec::new();
+    let mut diagnostics = Vec::new();
     for Source { name, code } in &files {
         for function in calls(code) {
             let mut allowed = ALLOWED.iter();
             if !allowed.any(|(file, other, _)| (*file, *other) == (name, function)) {
-                complaints.push(format!("{name} calls {function}"));
+                diagnostics.push(format!("{name} calls {function}"));
             }
         }
     }
-    assert!(complaints.is_empty(), "{complaints:#?}");
+    assert!(diagnostics.is_empty(), "{diagnostics:#?}");
 }
 
 #[test]

@@ -152,8 +152,8 @@ pub(super) fn reach(body: &Body<'_>, range: &Range) -> f64 {
             let [lo, hi] = range.coordinate(coordinate);
             lo.abs().max(hi.abs())
         }
-        (Position::Posture(posture, first), _) => {
-            posture.reach(|entry| range.coordinate(first.plus(entry)))
+        (Position::Manifold(manifold, first), _) => {
+            manifold.reach(|entry| range.coordinate(first.plus(entry)))
         }
         (Position::Along { .. }, Motion::Revolute) | (Position::Taken, _) => 0.0,
     };
@@ -186,7 +186,7 @@ fn numbers<'g>(body: &Body<'g>) -> [Term<'g>; NUMBERS] {
         4..10 => inertia.second.0[k - 4],
         10..19 => rotation[k - 10],
         19..22 => body.placement.translation.0[k - 19],
-        _ => body.drive.armature,
+        _ => body.actuator.armature,
     })
 }
 

@@ -138,7 +138,7 @@ fn all_options_that_are_not_rust_are_errors() {
         .sin_cos("1 + 1")
         .parameter("a b", Target::Gravity);
     let errors = builder.to_tokens().expect_err("three mistakes");
-    assert_eq!(errors.complaints().len(), 3, "{errors}");
+    assert_eq!(errors.diagnostics().len(), 3, "{errors}");
 }
 
 #[test]
@@ -151,7 +151,7 @@ fn a_missing_file_is_an_error() {
 
 #[test]
 fn the_derive_writes_the_same() {
-    let derived = crate::door::derive(quote::quote! {
+    let derived = crate::front_end::derive(quote::quote! {
         #[robot(urdf = "../robots/two_link.urdf", tip = "tip")]
         #[robot(generate(forward_kinematics, inverse_dynamics, all_of(mass_matrix, bias)))]
         pub struct TwoLink;

@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::ACCELERATION,
     properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Driven).1.upper()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

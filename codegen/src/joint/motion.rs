@@ -22,8 +22,8 @@ impl Motion {
     #[must_use]
     pub fn of(movement: Movement, pitch: impl FnOnce() -> Expr) -> Self {
         match movement {
-            Movement::Turn => Self::Revolute,
-            Movement::Slide => Self::Prismatic,
+            Movement::Rotation => Self::Revolute,
+            Movement::Translation => Self::Prismatic,
             Movement::Helix => Self::Screw(pitch()),
         }
     }
@@ -32,8 +32,8 @@ impl Motion {
     #[must_use]
     pub const fn kind(self) -> Kind {
         match self {
-            Self::Prismatic => Kind::Slide,
-            Self::Revolute | Self::Screw(_) => Kind::Turn,
+            Self::Prismatic => Kind::Translation,
+            Self::Revolute | Self::Screw(_) => Kind::Rotation,
         }
     }
 

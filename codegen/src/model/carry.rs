@@ -8,13 +8,13 @@
 
 use std::iter::successors;
 
+use super::algorithm::{Algorithm, Congruence};
+use super::axis_rotation::{self, AxisRotation};
 use super::state::State;
-use super::turn::{self, Turn};
-use super::way::{Congruence, Way};
 use crate::chain::{BodyId, Position};
 use crate::expression::{Block, Numeral, Of, Term};
 use crate::formulation::Frame;
-use crate::joint::{Drive, Motion};
+use crate::joint::{ActuatorTerms, Motion};
 use crate::layout::{Bodies, Body};
 use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
@@ -41,7 +41,7 @@ pub struct Joint<'g> {
     /// The translation \[m\].
     pub slide: Term<'g>,
     /// The displacement of a joint without an axis of its own, in place of both.
-    pub posture: Option<Pose<Term<'g>>>,
+    pub displacement: Option<Pose<Term<'g>>>,
     /// True if the body before it, with the same frame, has the displacement of the joint.
     pub taken: bool,
     /// The axis of its frame; z for a joint with an axis of its own.
@@ -51,7 +51,7 @@ pub struct Joint<'g> {
     /// J of the body.
     pub inertia: Inertia<Term<'g>>,
     /// Armature, damping and friction.
-    pub drive: Drive<Term<'g>>,
+    pub actuator: ActuatorTerms<Term<'g>>,
     /// The change of frame of inertias.
     pub congruence: Congruence,
 }
@@ -65,7 +65,7 @@ impl<'g> Joint<'g> {
         bodies: &Bodies<'g>,
         k: BodyId,
         state: &State<'g>,
-        left: &List<BodyId, Option<Turn<'g>>>,
+        left: &List<BodyId, Option<AxisRotation<'g>>>,
         congruence: Congruence,
     ) -> Self {
         let body: &Body<'g> = &bodies.bodies[k];
@@ -74,12 +74,12 @@ impl<'g> Joint<'g> {
         let outer = body.parent.and_then(|parent| left[parent]);
         let angle = match left[k] {
             Some(_) => (zero, one),
-            None => turn::of_body(body, k, state, outer).sine_and_cosine(graph),
+            None => axis_rotation::of_body(body, k, state, outer).sine_and_cosine(graph),
         };
         let slide = body.motion.slide(|| state.q(k)).unwrap_or(zero);
-        let posture = match body.position {
-            Position::Posture(posture, first) => {
-                Some(posture.displacement(|entry| state.coordinate(first.plus(entry))))
+        let displacement = match body.position {
+            Position::Manifold(manifold, first) => {
+                Some(manifold.displacement(|entry| state.coordinate(first.plus(entry))))
             }
             Position::Along { .. } | Position::Taken => None,
         };
@@ -99,7 +99,7 @@ impl<'g> Joint<'g> {
             placement,
             angle,
             slide,
-            posture,
+            displacement,
             taken: matches!(body.position, Position::Taken),
             axis: body.axis,
             screw: body.motion.screw(Vector(axis)),
@@ -107,7 +107,7 @@ impl<'g> Joint<'g> {
                 Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
                 None => body.inertia,
             },
-            drive: body.drive,
+            actuator: body.actuator,
             congruence,
         }
     }
@@ -131,7 +131,7 @@ impl<'g> Joint<'g> {
             placement: Pose::identity(graph),
             angle: (zero, one),
             slide: zero,
-            posture: None,
+            displacement: None,
             screw,
             inertia,
             ..self
@@ -156,8 +156,8 @@ impl<'g> Joint<'g> {
         let zero = Vector::zero(self.slide.graph());
         self.placement.translation = zero;
         self.slide = zero.x();
-        if let Some(posture) = &mut self.posture {
-            posture.translation = zero;
+        if let Some(displacement) = &mut self.displacement {
+            displacement.translation = zero;
         }
     }
 
@@ -189,16 +189,18 @@ impl<'g> Joint<'g> {
 
     /// The rotation as a matrix.
     pub fn turn(&self) -> Rotation<Term<'g>> {
-        self.posture
-            .map_or_else(|| Rotation::about_z(self.angle), |posture| posture.rotation)
+        self.displacement.map_or_else(
+            || Rotation::about_z(self.angle),
+            |displacement| displacement.rotation,
+        )
     }
 
     /// The translation as a vector.
     pub fn offset(&self) -> Vector<Term<'g>> {
         let zero = self.slide.graph().constant(0.0);
         let along_z = || Vector([zero, zero, self.slide]);
-        self.posture
-            .map_or_else(along_z, |posture| posture.translation)
+        self.displacement
+            .map_or_else(along_z, |displacement| displacement.translation)
     }
 
     /// A vector in the parent's axes, from the body's.
@@ -232,8 +234,8 @@ impl<'g> Joint<'g> {
 
     /// J of the body in its parent's frame.
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
-        let moved = match self.posture {
-            Some(posture) => inertia.change_frame(posture),
+        let moved = match self.displacement {
+            Some(displacement) => inertia.change_frame(displacement),
             None => self.rotated(inertia).translate(self.offset()),
         };
         moved.change_frame(self.placement)
@@ -278,23 +280,23 @@ pub fn in_frame_0<'g, J: FromIterator<Joint<'g>>>(joints: &[Joint<'g>]) -> J {
 pub(super) fn left<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
-    way: Way,
-) -> List<BodyId, Option<Turn<'g>>> {
-    turn::left_to_carried(bodies, state, way.angles, |k| {
+    algorithm: Algorithm,
+) -> List<BodyId, Option<AxisRotation<'g>>> {
+    axis_rotation::left_to_carried(bodies, state, algorithm.angles, |k| {
         let mut carried = bodies
             .bodies
             .iter()
             .filter(|body| body.parent == Some(k))
             .peekable();
-        carried.peek().is_some() && carried.all(turn::is_parallel)
+        carried.peek().is_some() && carried.all(axis_rotation::is_parallel)
     })
 }
 
 /// All joints, in the order of the bodies.
-pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Joints<'g> {
-    let left = left(bodies, state, way);
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, algorithm: Algorithm) -> Joints<'g> {
+    let left = left(bodies, state, algorithm);
     let all = bodies.bodies.ids();
-    all.map(|k| Joint::new(bodies, k, state, &left, way.congruence))
+    all.map(|k| Joint::new(bodies, k, state, &left, algorithm.congruence))
         .collect()
 }
 
@@ -397,8 +399,13 @@ impl<'g> Path<'g> {
 }
 
 /// The path to a frame.
-pub fn path<'g>(bodies: &Bodies<'g>, frame: FrameId, state: &State<'g>, way: Way) -> Path<'g> {
-    path_beyond(bodies, None, frame, state, way)
+pub fn path<'g>(
+    bodies: &Bodies<'g>,
+    frame: FrameId,
+    state: &State<'g>,
+    algorithm: Algorithm,
+) -> Path<'g> {
+    path_beyond(bodies, None, frame, state, algorithm)
 }
 
 /// The path to a frame from a body that carries it, or from the base; its first placement is relative to that.
@@ -407,18 +414,18 @@ pub fn path_beyond<'g>(
     from: Option<BodyId>,
     frame: FrameId,
     state: &State<'g>,
-    way: Way,
+    algorithm: Algorithm,
 ) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
     let inwards = || {
         let all = successors(last, |&k| bodies.bodies[k].parent);
         all.take_while(|&k| Some(k) != from)
     };
-    let left = turn::left_to_carried(bodies, state, way.angles, |k| {
+    let left = axis_rotation::left_to_carried(bodies, state, algorithm.angles, |k| {
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
-        Some(k) != from && next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
+        Some(k) != from && next.is_some_and(|next| axis_rotation::is_parallel(&bodies.bodies[next]))
     });
-    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left, way.congruence));
+    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left, algorithm.congruence));
     let mut joints: Vec<Joint<'g>> = joints.collect();
     joints.reverse();
     Path {

@@ -68,7 +68,7 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
     if let Some(asked) = writing.asked {
         let mut head = documentation::head(module, asked);
         for (generated, name) in module.functions.iter().zip(&symbols) {
-            head.extend(documentation::price(generated, name));
+            head.extend(documentation::operation_count(generated, name));
         }
         text.push_str(&comment(&head));
         text.push('\n');

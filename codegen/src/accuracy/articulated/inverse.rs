@@ -9,16 +9,16 @@ use super::Articulated;
 use super::inertias::{SPOILT, TRUST, errors};
 use super::recursion::Steps;
 use super::sizes::Pair;
-use crate::accuracy::promise::{Accuracy, Means, Worst, beside_diagonal};
+use crate::accuracy::error_bounds::{Accuracy, RoundingModel, Worst, beside_diagonal};
 use crate::accuracy::solved::{UNCERTAIN, underflow};
 use crate::list::List;
 
 impl Articulated<'_> {
     /// Bounds the inverse of the mass matrix, and its product with a column.
     #[must_use]
-    pub fn inverse(&self, means: Means) -> Accuracy {
-        beside_diagonal(self.chain, &self.steps(), means, |scalar| {
-            Steps::of(self, means, scalar)?.shares()
+    pub fn inverse(&self, rounding: RoundingModel) -> Accuracy {
+        beside_diagonal(self.chain, &self.steps(), rounding, |scalar| {
+            Steps::of(self, rounding, scalar)?.shares()
         })
     }
 }
@@ -60,19 +60,19 @@ impl Steps<'_, '_> {
             lost[parent] = lost[parent].most(arrived);
         }
         // The error of each joint's unit force, on its whole path to the base.
-        let mut ways = List::new();
+        let mut losses = List::new();
         for (k, link) in links.numbered() {
-            let before = link.parent.map_or(0.0, |parent| ways[parent]);
-            ways.push(before + shares[k]);
+            let before = link.parent.map_or(0.0, |parent| losses[parent]);
+            losses.push(before + shares[k]);
         }
-        let longest = ways.iter().copied().fold(0.0, f64::max);
+        let longest = losses.iter().copied().fold(0.0, f64::max);
         if !is_within(longest, SPOILT) {
             return Err(UNCERTAIN);
         }
         let count: f64 = links.iter().map(|_| 1.0).sum();
         let products = (2.0 * count + 6.0) * roundoff + vanishes;
         let row = |own| TRUST * (self.spoilt + own + longest + products);
-        underflows.map(|_| ways.into_iter().map(row).collect())
+        underflows.map(|_| losses.into_iter().map(row).collect())
     }
 }
 

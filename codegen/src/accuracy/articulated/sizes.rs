@@ -33,7 +33,7 @@ impl Link {
         let number = |term: Term<'_>| term.value().map(Double::to_f64);
         let reach = reach(body, range);
         let [xx, yy, zz, ..] = body.inertia.second.0.map(number);
-        let [armature, damping, friction] = body.drive.map(number).entries();
+        let [armature, damping, friction] = body.actuator.map(number).entries();
         Some(Self {
             parent: body.parent,
             velocity: body.velocity,

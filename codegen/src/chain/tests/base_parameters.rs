@@ -209,7 +209,7 @@ fn actuator_parameters_are_grouped_with_links_or_alone() {
         chain
             .spaces()
             .names(Space::BaseParameters)
-            .any(|leader| leader == name)
+            .any(|leading| leading == name)
     };
     let parts = ["armature", "damping", "friction"];
     let alone: Vec<[bool; 3]> = (1..=6)

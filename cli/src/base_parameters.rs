@@ -58,16 +58,16 @@ const fn unit(entry: &Entry) -> &'static str {
         Kind::Moment(0)
         | Kind::Actuator {
             order: 2,
-            slides: true,
+            translates: true,
         } => "kg",
         Kind::Moment(1) => "kg m",
         Kind::Actuator {
             order: 1,
-            slides: true,
+            translates: true,
         } => "N s/m",
         Kind::Actuator {
             order: 0,
-            slides: true,
+            translates: true,
         } => "N",
         Kind::Actuator { order: 1, .. } => "N m s",
         Kind::Actuator { order: 0, .. } => "N m",
@@ -83,7 +83,7 @@ fn in_json(robot: &str, chain: &Chain, base: &Found) -> Value {
         });
         let leading = &parameters[group.leading()];
         json!({
-            "leader": leading.name,
+            "leading": leading.name,
             "unit": unit(leading),
             "value": group.value,
             "members": members.collect::<Value>(),

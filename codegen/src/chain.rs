@@ -384,14 +384,14 @@ fn parameters(link: &str) -> impl Iterator<Item = Entry> {
 
 /// The identified parameters of a joint's armature, damping and friction, in the order of [`ActuatorTerms::entries`].
 fn of_actuator(joint: &Joint) -> impl Iterator<Item = Entry> {
-    let slides = matches!(joint.motion, Motion::Prismatic);
+    let translates = matches!(joint.motion, Motion::Prismatic);
     let parts = [Part::Armature, Part::Damping, Part::Friction];
     parts
         .into_iter()
         .zip([2, 1, 0])
         .map(move |(part, order)| Entry {
             name: format!("{}.{}", joint.name, part.word()),
-            kind: Kind::Actuator { order, slides },
+            kind: Kind::Actuator { order, translates },
             range: None,
         })
 }

@@ -56,7 +56,7 @@ pub(crate) enum Motion {
     /// q̇ alone.
     Coasting,
     /// q̇ and q̈.
-    Driven,
+    Accelerated,
 }
 
 /// W, H and J of a link.
@@ -241,7 +241,7 @@ impl Dense {
 
     /// τ of the whole motion, with the external wrenches.
     pub(crate) fn driving_torques(&self) -> List<VelocityId, Approximate> {
-        self.less_external(self.torques(Motion::Driven))
+        self.less_external(self.torques(Motion::Accelerated))
     }
 
     /// τ less the torques of the external wrenches.
@@ -272,7 +272,7 @@ impl Dense {
     fn columns_of_regressor(&self) -> &List<ParameterId, List<VelocityId, Approximate>> {
         let found = || {
             self.configuration
-                .regressor(&self.rates(Motion::Driven), |_| true)
+                .regressor(&self.rates(Motion::Accelerated), |_| true)
         };
         self.regressor.get_or_init(found)
     }
@@ -282,7 +282,7 @@ impl Dense {
         &self,
         is_wanted: impl Fn(ParameterId) -> bool,
     ) -> (Columns<Approximate>, Columns<f64>) {
-        let rates = self.rates(Motion::Driven);
+        let rates = self.rates(Motion::Accelerated);
         (
             self.configuration.regressor(&rates, &is_wanted),
             self.configuration.regressor_sizes(&rates, &is_wanted),
@@ -317,7 +317,7 @@ impl Dense {
 
     /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, with the external wrenches.
     pub(crate) fn torque_derivatives(&self) -> [Square<VelocityId, Approximate>; 2] {
-        self.derivatives_at(&self.rates(Motion::Driven))
+        self.derivatives_at(&self.rates(Motion::Accelerated))
     }
 
     /// The same at computed accelerations.
@@ -365,7 +365,7 @@ impl Dense {
         let (first, second) = match motion {
             Motion::Rest => (nothing(), nothing()),
             Motion::Coasting => (qd, nothing()),
-            Motion::Driven => (qd, qdd),
+            Motion::Accelerated => (qd, qdd),
         };
         Rates { first, second }
     }

@@ -79,11 +79,10 @@ impl Layout {
     }
 
     fn sliding(chain: &Chain, all: &[Sliding]) -> Vec<Sliding> {
-        let slides = chain
-            .joints
-            .iter()
-            .any(|joint| joint.motion.slides() && matches!(joint.position, Position::Along { .. }));
-        if slides {
+        let translates = chain.joints.iter().any(|joint| {
+            joint.motion.translates() && matches!(joint.position, Position::Along { .. })
+        });
+        if translates {
             all.to_vec()
         } else {
             vec![Sliding::AsDescribed]

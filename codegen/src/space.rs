@@ -94,7 +94,7 @@ pub enum Kind {
         /// Derivative of the coordinate that it is multiplied by; 0 means the sign of the velocity.
         order: u8,
         /// True for a prismatic joint.
-        slides: bool,
+        translates: bool,
     },
 }
 

@@ -440,7 +440,7 @@ pub const fn order_name(order: Order) -> &'static str {
 /// All mistakes as one exception.
 #[expect(clippy::needless_pass_by_value, reason = "as `map_err` hands it over")]
 pub fn refused(errors: Errors) -> PyErr {
-    let told = errors.to_string();
-    let told = told.trim_end();
-    PyValueError::new_err(told.strip_prefix("error: ").unwrap_or(told).to_owned())
+    let reported = errors.to_string();
+    let reported = reported.trim_end();
+    PyValueError::new_err(reported.strip_prefix("error: ").unwrap_or(reported).to_owned())
 }

@@ -16,7 +16,7 @@
 //! }
 //! let [inertia, damping] = fit.parameters().expect("both are excited");
 //! assert!((inertia - 2.0).abs() < 1e-14 && (damping - 0.5).abs() < 1e-14);
-//! assert!(fit.excitation() < 3.0);
+//! assert!(fit.condition() < 3.0);
 //! ```
 
 use crate::paper::singular_values;

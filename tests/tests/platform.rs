@@ -27,11 +27,11 @@ const ALLOWED: [(&str, &str, &str); 27] = [
         "of a scalar of the graph",
     ),
     (
-        "chain/turn.rs",
+        "chain/axis_rotation.rs",
         "atan2",
         "an initial value; a step in doubles gives the same result everywhere",
     ),
-    ("chain/turn.rs", "sin_cos", "of a double"),
+    ("chain/axis_rotation.rs", "sin_cos", "of a double"),
     ("check/closing.rs", "sin_cos", "of a double"),
     (
         "check/robot/matrices.rs",
@@ -47,7 +47,11 @@ const ALLOWED: [(&str, &str, &str); 27] = [
     ("description/mjcf/spatial.rs", "sin_cos", "of a double"),
     ("dense/approximate.rs", "sin_cos", "of a double"),
     ("dense/matrix.rs", "sin_cos", "of our own arithmetic"),
-    ("dense/posture.rs", "sin_cos", "of a double and its error"),
+    (
+        "dense/configuration.rs",
+        "sin_cos",
+        "of a double and its error",
+    ),
     ("plan/measured.rs", "sin_cos", "of a double"),
     ("expand/review.rs", "sin_cos", "of a double"),
     (
@@ -62,9 +66,9 @@ const ALLOWED: [(&str, &str, &str); 27] = [
     ),
     ("expression/graph.rs", "sin_cos", "of a double"),
     ("expression/term.rs", "sin_cos", "of a scalar of the graph"),
-    ("joint/posture.rs", "sin_cos", "of a scalar of the graph"),
+    ("joint/manifold.rs", "sin_cos", "of a scalar of the graph"),
     (
-        "joint/posture/steps.rs",
+        "joint/manifold/steps.rs",
         "sin_cos",
         "of a scalar of the graph",
     ),

@@ -27,7 +27,7 @@ pub(super) fn functions(module: &Module, layouts: &Layouts) -> Value {
             "of": generated.frame.as_deref().map(visible),
             "sentence": sentence(module, generated),
             "arguments": arguments.into_iter().map(Variable::name).collect::<Value>(),
-            "price": shown(operation_count(generated, signs)),
+            "count": shown(operation_count(generated, signs)),
             "layout": layout,
             "lines": code.lines().count(),
             "code": packed(&code),

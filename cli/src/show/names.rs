@@ -230,7 +230,7 @@ fn data(meaning: &Meaning) -> Value {
         Meaning::Cosine(rotation) => angle(rotation, false),
         Meaning::Part(number) => json!({ "kind": "part", "index": number }),
         Meaning::Table => json!({ "kind": "table" }),
-        Meaning::LoopIndex => json!({ "kind": "round" }),
+        Meaning::LoopIndex => json!({ "kind": "loop" }),
     }
 }
 
@@ -253,7 +253,7 @@ pub(super) fn letters() -> Value {
         (matrix.letter.to_owned(), data)
     });
     let forms = QUANTITY_KINDS.iter().map(
-        |form| json!({ "letter": form.letter, "subscript": form.subscript, "tells": form.sentence }),
+        |form| json!({ "letter": form.letter, "subscript": form.subscript, "sentence": form.sentence }),
     );
     json!({
         "matrices": matrices.collect::<Map<String, Value>>(),

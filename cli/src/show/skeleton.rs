@@ -119,7 +119,7 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
                 Manifold::Spherical => "spherical",
                 Manifold::Floating => "floating",
             };
-            json!({ "coordinate": coordinate.index(), "posture": manifold })
+            json!({ "coordinate": coordinate.index(), "manifold": manifold })
         }
         Position::Taken => Value::Null,
     };
@@ -135,8 +135,8 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         "parent": joint.parent.map(Id::index),
         "place": place(&chain.graph, joint.placement),
         "axis": joint.axis.0.map(number),
-        "turns": rotates,
-        "slides": translates,
+        "rotates": rotates,
+        "translates": translates,
         "by": by,
         "velocity": joint.velocity.index(),
     })
@@ -146,8 +146,8 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
 fn entries(entries: &[Entry], variable: Variable) -> impl Iterator<Item = Value> {
     entries.iter().map(move |entry| {
         let kind = match entry.kind {
-            Kind::Rotation => "turn",
-            Kind::Translation => "slide",
+            Kind::Rotation => "rotation",
+            Kind::Translation => "translation",
             Kind::Quaternion => "quaternion",
             _ => "parameter",
         };

@@ -258,7 +258,7 @@ fn every_function_is_there_as_it_is_printed() {
         let inspected = answer(inspected.map(OsString::from), &mut SCARA.as_bytes());
         assert_eq!(text, inspected.output, "{name}");
         assert_eq!(own["lines"], text.lines().count());
-        let mul = own["price"]["mul"].as_u64().expect("a number");
+        let mul = own["count"]["mul"].as_u64().expect("a number");
         assert!(text.contains(&format!("\n/// {mul} mul, ")), "{name}");
     }
 }
@@ -276,7 +276,7 @@ fn options_of_other_commands_hold() {
     let options = "--floating --lock lift=-0.05 --functions gravity --scalar f32";
     let (_, data) = page(options, SCARA);
     assert_eq!(data["report"]["locked"][0]["q"], -0.05);
-    assert_eq!(data["skeleton"]["bodies"][0]["by"]["posture"], "floating");
+    assert_eq!(data["skeleton"]["bodies"][0]["by"]["manifold"], "floating");
     let code = unpacked(data["functions"][0]["code"].as_str().expect("text"));
     assert!(code.contains("f32; 10]"), "{code}");
     let refused = show("--lock nothing", SCARA);

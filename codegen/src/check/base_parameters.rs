@@ -81,7 +81,7 @@ pub fn judge_base_parameters(chain: &Chain) -> Result<(), Errors> {
         let dense = Dense::of(robot, state);
         let (regressor, sizes) = dense.regressor_and_sizes(is_wanted);
         let at = Seen {
-            torques: dense.torques(Motion::Driven),
+            torques: dense.torques(Motion::Accelerated),
             regressor,
             sizes,
         };

@@ -154,7 +154,7 @@ impl Dense {
 
     /// τ of the actuated velocities for the motion of the state, where λ balances the others: by the normal equations.
     pub(crate) fn actuated(&self, zero_pivot: f64) -> Vec<Scalar> {
-        let needed = self.torques(Motion::Driven);
+        let needed = self.torques(Motion::Accelerated);
         let rows = self.residual_rates();
         let Equations { moved, matrix } = self.by_passive(&rows);
         let passive = self.passive(&needed);

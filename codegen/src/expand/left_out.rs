@@ -61,9 +61,9 @@ mod tests {
             "center_of_mass_jacobian".to_owned(),
             &unknown,
         );
-        let told = left_out
+        let reported = left_out
             .iter()
             .map(|left_out| (left_out.functions.len(), left_out.is_fault));
-        assert_eq!(told.collect::<Vec<_>>(), [(1, true), (2, false)]);
+        assert_eq!(reported.collect::<Vec<_>>(), [(1, true), (2, false)]);
     }
 }

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::ACCELERATION,
     properties: &[Property::Frame],
-    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Driven).1.upper()),
+    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Accelerated).1.upper()),
     algorithms: Definition::one_way,
     dense,
     build,

@@ -39,12 +39,12 @@ impl Motion {
 
     /// True if the body keeps its orientation.
     #[must_use]
-    pub const fn slides(self) -> bool {
+    pub const fn translates(self) -> bool {
         matches!(self, Self::Prismatic)
     }
 
     /// Translation along the axis at a coordinate, if there is one.
-    pub fn slide<'g>(self, q: impl FnOnce() -> Term<'g>) -> Option<Term<'g>> {
+    pub fn translation<'g>(self, q: impl FnOnce() -> Term<'g>) -> Option<Term<'g>> {
         match self {
             Self::Revolute => None,
             Self::Prismatic => Some(q()),

@@ -94,13 +94,13 @@ impl Body<'_> {
     /// True if its only motion is a translation.
     #[must_use]
     pub const fn translates_alone(&self) -> bool {
-        self.has_own_axis() && self.motion.slides()
+        self.has_own_axis() && self.motion.translates()
     }
 
     /// True if its only motion is a rotation, or a screw motion.
     #[must_use]
     pub const fn rotates_alone(&self) -> bool {
-        self.has_own_axis() && !self.motion.slides()
+        self.has_own_axis() && !self.motion.translates()
     }
 }
 

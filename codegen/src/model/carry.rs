@@ -39,7 +39,7 @@ pub struct Joint<'g> {
     /// Sine and cosine of the rotation.
     pub angle: (Term<'g>, Term<'g>),
     /// The translation \[m\].
-    pub slide: Term<'g>,
+    pub translation: Term<'g>,
     /// The displacement of a joint without an axis of its own, in place of both.
     pub displacement: Option<Pose<Term<'g>>>,
     /// True if the body before it, with the same frame, has the displacement of the joint.
@@ -76,7 +76,7 @@ impl<'g> Joint<'g> {
             Some(_) => (zero, one),
             None => axis_rotation::of_body(body, k, state, outer).sine_and_cosine(graph),
         };
-        let slide = body.motion.slide(|| state.q(k)).unwrap_or(zero);
+        let translation = body.motion.translation(|| state.q(k)).unwrap_or(zero);
         let displacement = match body.position {
             Position::Manifold(manifold, first) => {
                 Some(manifold.displacement(|entry| state.coordinate(first.plus(entry))))
@@ -98,7 +98,7 @@ impl<'g> Joint<'g> {
             from_root: false,
             placement,
             angle,
-            slide,
+            translation,
             displacement,
             taken: matches!(body.position, Position::Taken),
             axis: body.axis,
@@ -115,7 +115,7 @@ impl<'g> Joint<'g> {
     /// The joint with all its matrices in frame 0, for a pose of its body: M L M⁻¹ and M J Mᵗ, as in the paper (eqs. 8
     /// and 17).
     fn in_frame_0(self, pose: Pose<Term<'g>>) -> Self {
-        let graph = self.slide.graph();
+        let graph = self.translation.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
         let index = self.body.into();
         let screw = self.screw.change_frame(pose);
@@ -130,7 +130,7 @@ impl<'g> Joint<'g> {
             frame: Frame::Base,
             placement: Pose::identity(graph),
             angle: (zero, one),
-            slide: zero,
+            translation: zero,
             displacement: None,
             screw,
             inertia,
@@ -153,9 +153,9 @@ impl<'g> Joint<'g> {
 
     /// Keeps the origin of a body at the root at that of frame 0; it only rotates there.
     fn stay(&mut self) {
-        let zero = Vector::zero(self.slide.graph());
+        let zero = Vector::zero(self.translation.graph());
         self.placement.translation = zero;
-        self.slide = zero.x();
+        self.translation = zero.x();
         if let Some(displacement) = &mut self.displacement {
             displacement.translation = zero;
         }
@@ -197,8 +197,8 @@ impl<'g> Joint<'g> {
 
     /// The translation as a vector.
     pub fn offset(&self) -> Vector<Term<'g>> {
-        let zero = self.slide.graph().constant(0.0);
-        let along_z = || Vector([zero, zero, self.slide]);
+        let zero = self.translation.graph().constant(0.0);
+        let along_z = || Vector([zero, zero, self.translation]);
         self.displacement
             .map_or_else(along_z, |displacement| displacement.translation)
     }
@@ -263,7 +263,7 @@ pub(super) fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>
     let mut found: Vec<(Joint<'g>, Pose<Term<'g>>)> = Vec::with_capacity(joints.len());
     for &joint in joints {
         let outer = (found.iter().rev()).find(|(outer, _)| Some(outer.body) == joint.parent);
-        let base = || Pose::identity(joint.slide.graph());
+        let base = || Pose::identity(joint.translation.graph());
         let pose = joint.pose(outer.map_or_else(base, |&(_, pose)| pose));
         found.push((joint, pose));
     }

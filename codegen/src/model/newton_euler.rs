@@ -147,7 +147,7 @@ pub fn seen<'g>(
         Some(displacement) => {
             let moved = placed.move_pole(displacement.translation);
             let rotated = moved.rotate(displacement.rotation.transposed());
-            (rotated, Vector::zero(joint.slide.graph()))
+            (rotated, Vector::zero(joint.translation.graph()))
         }
         None => (placed.rotate(joint.turn().transposed()), joint.offset()),
     }

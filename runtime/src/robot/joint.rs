@@ -2,7 +2,7 @@
 //!
 //! In: a placement, a screw or another type of motion, an inertia. Out: a [`Joint`] of a
 //! [`Chain`](crate::Chain), as a constant, and the numbers of coordinates and velocities of each [`Motion`].
-//! [`crate::generic`] and [`posture`](super::posture) compute the motion itself.
+//! [`crate::generic`] and [`manifold`](super::manifold) compute the motion itself.
 
 use super::actuator::{JointActuator, VELOCITIES};
 use crate::matrix::{Inertia, Pose, Screw};
@@ -82,7 +82,7 @@ impl Joint {
         }
     }
 
-    /// The same joint as a mimic joint: it moves by `multiplier` times the coordinate of joint `leader`, and is
+    /// The same joint as a mimic joint: it moves by `multiplier` times the coordinate of joint `mimicked`, and is
     /// at its placement where that coordinate is zero.
     #[inline]
     #[must_use]

@@ -6,8 +6,8 @@
 //! [`Chain::integrate`](crate::Chain::integrate) does the same for a whole robot.
 //!
 //! ```
-//! use homogen::robot::posture::{log, turn};
-//! let half: [f64; 4] = turn([0.0, 0.0, core::f64::consts::PI]);
+//! use homogen::robot::manifold::{exp, log};
+//! let half: [f64; 4] = exp([0.0, 0.0, core::f64::consts::PI]);
 //! assert!((half[2] - 1.0).abs() < 1e-15 && half[3].abs() < 1e-15);
 //! assert!((log(half)[2].abs() - core::f64::consts::PI).abs() < 1e-15);
 //! ```
@@ -36,7 +36,7 @@ pub fn times<T: Scalar>([ax, ay, az, aw]: [T; 4], [bx, by, bz, bw]: [T; 4]) -> [
 /// The inverse rotation of a quaternion x, y, z, w of unit length.
 #[inline]
 #[must_use]
-pub fn back<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 4] {
+pub fn inverse<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 4] {
     [-x, -y, -z, w]
 }
 
@@ -80,7 +80,7 @@ fn moderate<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
 /// v = ω sin(φ/2)/φ and w = cos(φ/2), φ = ‖ω‖.
 #[inline]
 #[must_use]
-pub fn turn<T: Scalar>(omega: [T; 3]) -> [T; 4] {
+pub fn exp<T: Scalar>(omega: [T; 3]) -> [T; 4] {
     let angle = angle(omega);
     let ([sine], [cosine]) = T::sin_cos_all([T::constant(0.5) * angle]);
     let [x, y, z] = scale(sine / angle, omega);
@@ -105,7 +105,7 @@ pub fn log<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 3] {
 /// V = 1 + ω̲ (1 − cos φ)/φ² + ω̲² (φ − sin φ)/φ³, φ = ‖ω‖ (§ 5).
 #[inline]
 #[must_use]
-pub fn way<T: Scalar>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
+pub fn displacement<T: Scalar>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
     let (half, two) = (T::constant(0.5), T::constant(2.0));
     let angle = angle(omega);
     let ([sine, half_sine], _) = T::sin_cos_all([angle, half * angle]);
@@ -144,7 +144,7 @@ pub fn motion<T: Scalar>(quaternion: [T; 4], t: [T; 3]) -> ([T; 3], [T; 3]) {
 #[must_use]
 pub fn integrate_planar<T: Scalar>([x, y, angle]: [T; 3], [vx, vy, wz]: [T; 3]) -> [T; 3] {
     let zero = T::constant(0.0);
-    let [ahead, aside, _] = way([zero, zero, wz], [vx, vy, zero]);
+    let [ahead, aside, _] = displacement([zero, zero, wz], [vx, vy, zero]);
     let ([sine], [cosine]) = T::sin_cos_all([angle]);
     [
         x + (cosine * ahead - sine * aside),
@@ -157,7 +157,7 @@ pub fn integrate_planar<T: Scalar>([x, y, angle]: [T; 3], [vx, vy, wz]: [T; 3]) 
 #[inline]
 #[must_use]
 pub fn integrate_spherical<T: Scalar>(q: [T; 4], omega: [T; 3]) -> [T; 4] {
-    let [x, y, z, w] = times(q, turn(omega));
+    let [x, y, z, w] = times(q, exp(omega));
     let square = x * x + y * y + z * z + w * w;
     // 1/√(1 + ε) to the first order; the rest is below rounding.
     let correction = T::constant(1.5) - T::constant(0.5) * square;
@@ -171,7 +171,7 @@ pub fn integrate_floating<T: Scalar>(q: [T; 7], motion: [T; 6]) -> [T; 7] {
     let ([x, y, z, qx, qy, qz, qw], [vx, vy, vz, wx, wy, wz]) = (q, motion);
     let omega = [wx, wy, wz];
     let turned = from_quaternion([qw, qx, qy, qz]);
-    let gone = product(&turned, way(omega, [vx, vy, vz]));
+    let gone = product(&turned, displacement(omega, [vx, vy, vz]));
     let [x, y, z] = add([x, y, z], gone);
     let [qx, qy, qz, qw] = integrate_spherical([qx, qy, qz, qw], omega);
     [x, y, z, qx, qy, qz, qw]
@@ -194,7 +194,7 @@ pub fn difference_planar<T: Scalar>(from: [T; 3], to: [T; 3]) -> [T; 3] {
 #[inline]
 #[must_use]
 pub fn difference_spherical<T: Scalar>(from: [T; 4], to: [T; 4]) -> [T; 3] {
-    log(times(back(from), to))
+    log(times(inverse(from), to))
 }
 
 /// The step v, ω of a floating joint from `from` to `to`, ‖ω‖ ≤ π.
@@ -205,7 +205,7 @@ pub fn difference_floating<T: Scalar>(from: [T; 7], to: [T; 7]) -> [T; 6] {
     let [to_x, to_y, to_z, to_quaternion @ ..] = to;
     let turned = from_quaternion([qw, qx, qy, qz]);
     let seen = transposed_product(&turned, sub([to_x, to_y, to_z], [x, y, z]));
-    let turn = times(back([qx, qy, qz, qw]), to_quaternion);
+    let turn = times(inverse([qx, qy, qz, qw]), to_quaternion);
     let ([wx, wy, wz], [vx, vy, vz]) = motion(turn, seen);
     [vx, vy, vz, wx, wy, wz]
 }

@@ -1,7 +1,7 @@
 //! Integration and difference of configurations of a whole robot, and normalised quaternions.
 //!
 //! In: a [`Chain`], coordinates, and velocities times a duration. Out: coordinates, or velocities times a
-//! duration. [`posture`] has the same for planar, spherical and floating joints alone.
+//! duration. [`manifold`] has the same for planar, spherical and floating joints alone.
 
 use super::chain::Chain;
 use super::joint::Motion;

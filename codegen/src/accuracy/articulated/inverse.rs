@@ -49,8 +49,8 @@ impl Steps<'_, '_> {
             let pushed = whole.times(6.0 * roundoff).plus(Pair::both(vanishes));
             let found = self.carried(k, whole, pushed)?;
             let own = Pair::new(errors(&found, 0..3), errors(&found, 3..6));
-            let [turns, slides] = mobility.bodies[parent].map(f64::sqrt);
-            shares[k] = own.dot(Pair::new(turns, slides));
+            let [rotations, translations] = mobility.bodies[parent].map(f64::sqrt);
+            shares[k] = own.dot(Pair::new(rotations, translations));
             let arrived = lost[k].at_distance(link.reach).plus(own);
             let most = self.outboard[parent].whole.times(SPOILT);
             if !(is_within(arrived.angular, most.angular) && is_within(arrived.linear, most.linear))

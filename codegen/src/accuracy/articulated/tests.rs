@@ -68,8 +68,8 @@ fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
         let exact = chain.articulated(|_| [[0.0; 6]; 6]);
         let pairs = chain.bodies.iter().zip(chain.mobility());
         let speeds: Vec<f64> = pairs
-            .map(|(body, [turns, slides])| {
-                body.sizes[0] * turns.sqrt() + body.sizes[1] * slides.sqrt()
+            .map(|(body, [rotations, translations])| {
+                body.sizes[0] * rotations.sqrt() + body.sizes[1] * translations.sqrt()
             })
             .collect();
         assert!(

@@ -74,8 +74,8 @@ impl Energies {
         // The same seed for all robots: the result must not change with a comment in a file.
         let mut random = Random(0);
         let mut drawn = |kind: Kind, angle: f64| {
-            let slides = matches!(kind, Kind::Translation);
-            let largest = if slides { 3.0 * length } else { angle };
+            let translates = matches!(kind, Kind::Translation);
+            let largest = if translates { 3.0 * length } else { angle };
             Double::from(largest * (2.0 * random.unit() - 1.0))
         };
         let mut energies = Self {

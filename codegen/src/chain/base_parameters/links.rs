@@ -99,11 +99,11 @@ impl<'c> Links<'c> {
                 Position::Manifold(..) | Position::Taken
             )
         });
-        let (slides, turns): (Vec<BodyId>, Vec<BodyId>) =
-            in_own_frame.partition(|&body| joints[body].motion.slides());
+        let (translates, turns): (Vec<BodyId>, Vec<BodyId>) =
+            in_own_frame.partition(|&body| joints[body].motion.translates());
         let pairs = turns.windows(2).map(|pair| (pair[0], Some(pair[1])));
-        let slides = slides.into_iter().map(|slide| (slide, None));
-        slides.chain(pairs).collect()
+        let translates = translates.into_iter().map(|slide| (slide, None));
+        translates.chain(pairs).collect()
     }
 
     /// Number of states for each body: the largest of any link that its joint moves.

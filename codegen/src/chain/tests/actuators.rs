@@ -109,21 +109,21 @@ fn actuators_of_a_file_are_modelled_if_requested() {
     let other = "r.urdf:2:127: not modelled: attribute \"D\" of the <dynamics> of joint \"j\": other dynamics";
     let gear = "r.urdf:4:20: not modelled: the reduction of transmission \"t\"";
     let rotor = "r.urdf:5:1: not modelled: the rotor of transmission \"t\"";
-    let told = |warnings: &[&str]| warnings.iter().map(|&warning| warning.to_owned()).collect();
+    let reported = |warnings: &[&str]| warnings.iter().map(|&warning| warning.to_owned()).collect();
     let nothing = Request::default();
-    let expected = (vec![NOTHING], told(&[other, friction, gear, rotor]));
+    let expected = (vec![NOTHING], reported(&[other, friction, gear, rotor]));
     assert_eq!(modelled(&nothing), expected);
     let asked = Request {
         friction: true,
         ..Request::default()
     };
-    let expected = (vec![[0.0, 0.5, 0.25]], told(&[other, gear, rotor]));
+    let expected = (vec![[0.0, 0.5, 0.25]], reported(&[other, gear, rotor]));
     assert_eq!(modelled(&asked), expected);
     let asked = Request {
         rotors: true,
         ..Request::default()
     };
-    let expected = (vec![[4.0, 0.0, 0.0]], told(&[other, friction]));
+    let expected = (vec![[4.0, 0.0, 0.0]], reported(&[other, friction]));
     assert_eq!(modelled(&asked), expected);
 }
 
@@ -210,14 +210,14 @@ fn a_rotor_of_no_joint_is_reported_although_rotors_are_requested() {
         ..Request::default()
     };
     let chain = build(&read_file(&text), &asked).expect("a chain");
-    let told: Vec<&str> = chain
+    let reported: Vec<&str> = chain
         .report
         .warnings
         .iter()
-        .map(|told| told.message.as_str())
+        .map(|reported| reported.message.as_str())
         .collect();
     let lost = "not modelled: the rotor of transmission \"t\", which has no single joint";
-    assert!(told.contains(&lost), "{told:?}");
+    assert!(reported.contains(&lost), "{reported:?}");
 }
 
 #[test]

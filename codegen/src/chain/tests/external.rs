@@ -97,8 +97,8 @@ fn generated_code_documents_links_and_frame() {
             .join("; ")
     };
     let own = facts("tip: tool, external(finger, h)");
-    let told = "; what the surroundings exert on `finger` and `h`, in the link's frame; ";
-    assert!(own.contains(told), "{own}");
+    let reported = "; what the surroundings exert on `finger` and `h`, in the link's frame; ";
+    assert!(own.contains(reported), "{own}");
     let base = facts("tip: tool, external(finger, frame = 0)");
     assert!(
         base.contains("; what the surroundings exert on `finger`, in frame 0; "),

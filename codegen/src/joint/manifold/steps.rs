@@ -1,6 +1,6 @@
 //! Integration, difference and normalisation of the coordinates of one joint.
 //!
-//! The formulas and the order of operations are those of `homogen::robot::posture`, which explains them: generated
+//! The formulas and the order of operations are those of `homogen::robot::manifold`, which explains them: generated
 //! files round as the runtime does. There are no branches, and accuracy is kept near 0 and near half a revolution.
 
 use super::{Manifold, rotation_matrix};

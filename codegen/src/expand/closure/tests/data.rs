@@ -38,20 +38,20 @@ fn a_robot_with_loops_has_a_mechanism() {
     let (item, library) = (Item::named_after("four bar"), Library::default());
     let text = Source::new("", &print(&module(), &item, &library)).to_string();
     assert!(
-        text.contains("pub const fn mechanism() -> ::homogen::Mechanism<3, 0, 2, 3, 3> {"),
+        text.contains("pub const fn closed_loops() -> ::homogen::ClosedLoopRobot<3, 0, 2, 3, 3> {"),
         "{text}"
     );
     for (name, row) in [("pin.x", 0), ("pin.y", 1)] {
         assert!(text.contains(&format!("\"{name}\"")), "{text}");
         assert!(
-            text.contains(&format!("::homogen::Row::Along({row})")),
+            text.contains(&format!("::homogen::ResidualKind::Along({row})")),
             "{text}"
         );
     }
     let mut open = module();
     open.data.loops.loops.clear();
     let text = Source::new("", &print(&open, &item, &library)).to_string();
-    assert!(!text.contains("mechanism"), "{text}");
+    assert!(!text.contains("closed_loops"), "{text}");
 }
 
 #[test]

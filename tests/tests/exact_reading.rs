@@ -28,7 +28,7 @@ const ALLOWED: [(&str, &str, &str); 30] = [
         "a nominal value of a field",
     ),
     ("chain/merge/reader.rs", "(sine)", "0 or 1"),
-    ("chain/merge/reader.rs", "follow.", "printed in a report"),
+    ("chain/merge/reader.rs", "law.", "printed in a report"),
     (
         "chain/merge/reader.rs",
         "Double::to_f64",

@@ -318,7 +318,7 @@ impl Builder {
     /// use homogen_codegen::{Builder, Function::InverseDynamics};
     ///
     /// Builder::from_urdf("arm.urdf")
-    ///     .formulation(Formulation { parameters: Parameters::Raw, ..Formulation::default() })
+    ///     .formulation(Formulation::default().with_parameters(Parameters::Raw))
     ///     .generate([InverseDynamics])
     ///     .write("arm.rs")?;
     /// # Ok(())

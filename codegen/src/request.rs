@@ -22,7 +22,8 @@ use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 use crate::schedule::Length;
 
-/// A request of the user.
+/// A request of the user, as all front ends pass it on; [`Builder`](crate::Builder) sets it.
+#[doc(hidden)]
 #[derive(Clone, Debug, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a key of its own")]
 pub struct Request {

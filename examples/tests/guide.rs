@@ -107,17 +107,10 @@ fn the_counts_of_formulations_are_current() {
         let (angles, parameters) = (Angles::Merged, Parameters::Raw);
         [
             plain,
-            Formulation { angles, ..plain },
-            Formulation {
-                parameters,
-                ..plain
-            },
-            Formulation { frame, ..plain },
-            Formulation {
-                frame,
-                parameters,
-                ..plain
-            },
+            plain.with_angles(angles),
+            plain.with_parameters(parameters),
+            plain.with_frame(frame),
+            plain.with_frame(frame).with_parameters(parameters),
         ]
     };
     for (name, robot, tip, function) in [

@@ -109,10 +109,7 @@ fn velocities_are_within_their_bounds_by_the_kinetic_energy() {
 /// Accelerations with a printed bound are finite and within it, at torques of accelerations in the range.
 fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
     let request = Request {
-        formulation: Formulation {
-            forward: form,
-            ..Formulation::default()
-        },
+        formulation: Formulation::default().with_forward(form),
         ..Request::default()
     };
     let function = Function::ForwardDynamics;

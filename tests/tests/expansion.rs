@@ -220,13 +220,11 @@ fn every_front_end_gives_the_same_code() {
 
 #[test]
 fn every_front_end_gives_the_same_formulation() {
-    let formulation = Formulation {
-        parameters: Parameters::Raw,
-        forward: Some(Forward::Articulated),
-        products: Products::Unfused,
-        sines: Sines::Platform,
-        ..Formulation::default()
-    };
+    let formulation = Formulation::default()
+        .with_parameters(Parameters::Raw)
+        .with_forward(Forward::Articulated)
+        .with_products(Products::Unfused)
+        .with_sines(Sines::Platform);
     let formulated = front_ends("raw, articulated, unfused, platform_sines", formulation);
     assert!(!formulated.contains("mul_add") && !formulated.contains("sin_cos_all"));
     assert!(formulated != front_ends("", Formulation::default()));

@@ -172,11 +172,9 @@ fn unfused_code_gives_the_bits_of_the_program() {
     let State { q, qd, qdd } = &state;
     let plain = interpreted(Formulation::default(), &state);
     assert_eq!(bits(Plain.inverse_dynamics(q, qd, qdd)), bits(plain));
-    let in_frame_0 = Formulation {
-        frame: Frame::Base,
-        parameters: Parameters::Raw,
-        ..Formulation::default()
-    };
+    let in_frame_0 = Formulation::default()
+        .with_frame(Frame::Base)
+        .with_parameters(Parameters::Raw);
     let in_frame_0 = interpreted(in_frame_0, &state);
     assert_eq!(
         bits(InFrame0.inverse_dynamics(q, qd, qdd)),
@@ -191,10 +189,7 @@ fn the_cheapest_algorithm_is_chosen_of_those_that_are_accurate_enough() {
     const FACTORS: Forward = Forward::UNREFINED;
     const REFINED: Forward = Forward::MassMatrix { refinements: 1 };
     let cost = |chain: &Chain, function, forward| {
-        let formulation = Formulation {
-            forward,
-            ..Formulation::default()
-        };
+        let formulation = Formulation::default().with_forward(forward);
         let program = program_as(formulation, chain, &[function], FrameId::FIRST, Real::F64);
         let operation_count =
             OperationCount::of(&program.unwrap_or_else(|errors| panic!("{errors}")));

@@ -353,18 +353,9 @@ mod tests {
         let default = Formulation::default();
         let formulations = [
             default,
-            Formulation {
-                frame: Frame::Base,
-                ..default
-            },
-            Formulation {
-                angles: Angles::Merged,
-                ..default
-            },
-            Formulation {
-                forward: Some(Forward::Articulated),
-                ..default
-            },
+            default.with_frame(Frame::Base),
+            default.with_angles(Angles::Merged),
+            default.with_forward(Forward::Articulated),
         ];
         let mut met = BTreeSet::new();
         for (name, text) in robots {

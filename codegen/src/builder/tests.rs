@@ -54,10 +54,7 @@ fn a_file_needs_nothing_but_core_and_sines() {
 
 #[test]
 fn the_sines_of_the_platform_are_those_of_libm_unless_others_are_named() {
-    let formulation = Formulation {
-        sines: Sines::Platform,
-        ..Formulation::default()
-    };
+    let formulation = Formulation::default().with_sines(Sines::Platform);
     let builder = arm(as_asked).formulation(formulation);
     for (scalar, call) in [
         (Real::F32, "= ::libm::sincosf(q_1);\n"),
@@ -122,10 +119,7 @@ fn every_option_reaches_the_stages() {
         .strict()
         .lock("shoulder")
         .lock_at("elbow", 0.5)
-        .formulation(Formulation {
-            products: Products::Unfused,
-            ..Formulation::default()
-        })
+        .formulation(Formulation::default().with_products(Products::Unfused))
         .parameter("field", Target::Gravity);
     let errors = builder.to_tokens().expect_err("as asked");
     assert_eq!(errors.to_string(), "error: as asked\n");

@@ -213,10 +213,7 @@ fn warning(
             ..Algorithm::PLAIN
         };
         let error = least_error(chain, worst, functions, scalar, [algorithm]).worst;
-        let form = Formulation {
-            forward: Some(forward),
-            ..Formulation::default()
-        };
+        let form = Formulation::default().with_forward(forward);
         let by = format!("{name} with {}", form.words().concat());
         let hint = "leave the form out".to_owned();
         (error, LIMIT, by, hint)

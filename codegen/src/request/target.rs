@@ -26,6 +26,7 @@ pub struct Parameter {
 
 /// A number that a struct field can replace.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Target {
     /// Mass of a link \[kg\]; one number. The inertia about the centre of mass stays as described; a link without one
     /// is a point mass at its origin.

@@ -77,13 +77,11 @@ pub fn cases(chain: &Chain, seed: u64, effort: Effort) -> Vec<Case> {
 }
 
 fn formulation(chain: &Chain, function: Function, random: &mut Random) -> Formulation {
-    let mut formulation = Formulation {
-        frame: *random.choose(&[Frame::Link, Frame::Base]),
-        parameters: *random.choose(&[Parameters::Regrouped, Parameters::Raw]),
-        angles: *random.choose(&[Angles::Apart, Angles::Merged]),
-        products: *random.choose(&[Products::Fused, Products::Unfused]),
-        ..Formulation::default()
-    };
+    let mut formulation = Formulation::default()
+        .with_frame(*random.choose(&[Frame::Link, Frame::Base]))
+        .with_parameters(*random.choose(&[Parameters::Regrouped, Parameters::Raw]))
+        .with_angles(*random.choose(&[Angles::Apart, Angles::Merged]))
+        .with_products(*random.choose(&[Products::Fused, Products::Unfused]));
     if function == Function::ForwardDynamics {
         formulation.forward = Some(forward(chain, random));
         if formulation.check().is_err() {

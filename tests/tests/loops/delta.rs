@@ -3,7 +3,7 @@
 use std::array::from_fn;
 use std::f64::consts::TAU;
 
-use homogen::loop_closure::{Outcome, project, regularity};
+use homogen::loop_closure::{ClosureOutcome, project, regularity};
 
 use super::{difference, largest};
 
@@ -112,7 +112,7 @@ fn projection_finds_the_forward_kinematics() {
         let q = closed(p);
         let start = from_fn(|k| q[k] + [0.05, -0.04, 0.03][k % 3]);
         let found = project(&Delta, &start, 1e-15);
-        assert_eq!(found.outcome, Outcome::Closed, "{found:?}");
+        assert_eq!(found.outcome, ClosureOutcome::Closed, "{found:?}");
         let platform = [found.q[9], found.q[10], found.q[11]];
         assert!(difference(&found.q, &closed(platform)) < 1e-13, "{found:?}");
     }

@@ -1,6 +1,6 @@
 //! A four-bar linkage, compared with its triangles, and its energy over time.
 
-use homogen::loop_closure::{Outcome, project, project_rates};
+use homogen::loop_closure::{ClosureOutcome, project, project_rates};
 
 use super::{difference, largest, step};
 
@@ -42,7 +42,7 @@ fn triangles_close_the_loop() {
         let q = closed(crank);
         assert!(largest(&FourBar.constraint(&q)) < 3e-16, "{crank}");
         let found = project(&FourBar, &[q[0] + 0.05, q[1] - 0.1, q[2] + 0.1], 1e-15);
-        assert_eq!(found.outcome, Outcome::Closed, "{found:?}");
+        assert_eq!(found.outcome, ClosureOutcome::Closed, "{found:?}");
         assert!(
             difference(&found.q, &closed(found.q[0])) < 1e-13,
             "{found:?}"

@@ -1,7 +1,7 @@
 //! A leg with a rod across the knee's two joints and a foot moved by a crank, like Cassie's: compared with formulas by
 //! hand, and on a floating base.
 
-use homogen::loop_closure::{Outcome, project, project_by, project_rates};
+use homogen::loop_closure::{ClosureOutcome, project, project_by, project_rates};
 
 use super::{largest, step};
 
@@ -91,7 +91,7 @@ fn lengths(q: &[f64; 7]) -> [f64; 2] {
 /// A configuration in which both rods have their length.
 fn closed() -> [f64; 7] {
     let found = project(&Leg, &[0.1, -0.2, 0.3, 0.4, 0.2, 0.3, -0.2], 1e-15);
-    assert_eq!(found.outcome, Outcome::Closed, "{found:?}");
+    assert_eq!(found.outcome, ClosureOutcome::Closed, "{found:?}");
     found.q
 }
 
@@ -149,7 +149,7 @@ fn the_position_of_a_floating_base_does_not_matter_to_rods() {
         _ => standing[k - 7] + 0.02,
     });
     let found = project_by(&FreeLeg, &start, 1e-15, |q, v| FreeLeg.integrate(q, v));
-    assert_eq!(found.outcome, Outcome::Closed, "{found:?}");
+    assert_eq!(found.outcome, ClosureOutcome::Closed, "{found:?}");
     // No step moved the base, and its distance costs the rods no accuracy.
     assert_eq!(found.q[..7], start[..7]);
     let jacobian = FreeLeg.constraint_jacobian(&found.q);

@@ -1,6 +1,6 @@
 //! The slider-crank, compared with the closed form of Part II.
 
-use homogen::loop_closure::{Outcome, project, project_rates, regularity};
+use homogen::loop_closure::{ClosureOutcome, project, project_rates, regularity};
 use homogen::worked_examples::slider_crank::{SliderCrank, State};
 
 use super::{difference, largest};
@@ -113,7 +113,7 @@ fn states_are_projected_onto_the_loop() {
         let expected = of(LENGTHS.state(alpha, 1.0, 0.0).q);
         let start = [alpha, expected[1] + 0.2, expected[2] - 0.05];
         let found = project(&Mechanism, &start, 1e-14);
-        assert_eq!(found.outcome, Outcome::Closed, "{alpha}: {found:?}");
+        assert_eq!(found.outcome, ClosureOutcome::Closed, "{alpha}: {found:?}");
         assert!(found.steps < 12, "{found:?}");
         let closed = of(LENGTHS.state(found.q[0], 0.0, 0.0).q);
         assert!(
@@ -142,13 +142,13 @@ homogen::chain! {
 fn loops_that_cannot_close_are_out_of_reach() {
     for start in [[0.3, 0.4], [-1.2, -0.7], [2.0, 0.1]] {
         let found = project(&TooShort, &start, 1e-12);
-        assert_eq!(found.outcome, Outcome::OutOfReach, "{found:?}");
+        assert_eq!(found.outcome, ClosureOutcome::OutOfReach, "{found:?}");
         // They are nearest with the crank down and the slider below.
         let left: f64 = (0.88 * 0.88 - 0.35 * 0.35) / 0.7;
         assert!((found.residual - left).abs() < 1e-7, "{found:?} {left}");
     }
     let found = project(&TooShort, &[f64::NAN, 0.0], 1e-12);
-    assert_eq!(found.outcome, Outcome::Stalled);
+    assert_eq!(found.outcome, ClosureOutcome::Stalled);
 }
 
 #[test]

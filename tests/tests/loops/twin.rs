@@ -3,7 +3,7 @@
 
 use std::array::from_fn;
 
-use homogen::loop_closure::{Outcome, project};
+use homogen::loop_closure::{ClosureOutcome, project};
 use homogen::{ClosedLoopRobot, generic, robot};
 use homogen_tests::states::{Random, State};
 
@@ -169,8 +169,8 @@ fn projection_by_data_agrees_with_generated_code() {
         project(&FourBar, &start, 1e-14),
         project(&closed_loops, &start, 1e-14),
     ];
-    assert_eq!(generated.outcome, Outcome::Closed);
-    assert_eq!(data.outcome, Outcome::Closed);
+    assert_eq!(generated.outcome, ClosureOutcome::Closed);
+    assert_eq!(data.outcome, ClosureOutcome::Closed);
     assert!(
         difference(&generated.q, &data.q) < 1e-12,
         "{generated:?} {data:?}"

@@ -357,10 +357,8 @@ fn every_type_of_joint_can_have_an_actuator() {
         // Without the mimic joint there are articulated bodies as well.
         let alone = Request {
             drop: vec![named("c")],
-            formulation: crate::formulation::Formulation {
-                forward: Some(crate::formulation::Forward::Articulated),
-                ..Default::default()
-            },
+            formulation: crate::formulation::Formulation::default()
+                .with_forward(crate::formulation::Forward::Articulated),
             ..request
         };
         generate(

@@ -152,10 +152,7 @@ fn a_form_is_given_up_only_if_it_loses_digits_in_every_layout() {
     let chain = chain::build(&description, &Request::default()).expect("a tree");
     let mut measure = Measure::of(&chain, &[ForwardDynamics], 1.0, Real::F64);
     let mut worst = |forward| {
-        let formulation = Formulation {
-            forward,
-            ..Formulation::default()
-        };
+        let formulation = Formulation::default().with_forward(forward);
         let (processor, functions) = (Processor::Portable, &[ForwardDynamics]);
         let found = cheapest(
             processor,
@@ -239,10 +236,7 @@ fn the_faster_form_is_a_key_away_and_its_warning_states_the_loss() {
         warnings(&heavy, Formulation::default(), true),
         Ok(Vec::new())
     );
-    let faster = Formulation {
-        forward: Some(Forward::UNREFINED),
-        ..Formulation::default()
-    };
+    let faster = Formulation::default().with_forward(Forward::UNREFINED);
     let reported = warnings(&heavy, faster, false).expect("doubted only");
     let [of_dynamics, of_inverse] = &reported[..] else {
         panic!("{reported:?}");

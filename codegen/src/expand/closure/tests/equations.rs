@@ -105,14 +105,8 @@ fn actuated_joints_make_the_required_motion() {
 fn every_algorithm_gives_the_same() {
     let algorithms = [
         Formulation::default(),
-        Formulation {
-            angles: Angles::Merged,
-            ..Formulation::default()
-        },
-        Formulation {
-            frame: Frame::Base,
-            ..Formulation::default()
-        },
+        Formulation::default().with_angles(Angles::Merged),
+        Formulation::default().with_frame(Frame::Base),
     ];
     let four_bar = FOUR_BAR.to_owned() + PIN;
     for text in [

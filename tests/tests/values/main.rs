@@ -3,10 +3,10 @@
 //!
 //! One program, as are the other three: tests share what is instantiated of the library, and run side by side.
 
+mod actuators;
 mod agreement;
 mod derivatives;
 mod driven_joints;
-mod drives;
 mod eval_reference;
 mod external;
 mod forward_dynamics;

@@ -6,7 +6,7 @@ use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::Evaluation;
 use homogen_codegen::formulation::Forward;
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::{FrameId, Variable};
@@ -133,19 +133,21 @@ impl Case {
 
     fn program(&self, chain: &Chain, scalar: Real) -> Program {
         let functions = [self.function];
-        let way = |forward| Way {
+        let algorithm = |forward| Algorithm {
             forward,
-            ..Way::PLAIN
+            ..Algorithm::PLAIN
         };
-        let by = |layout, way| program_by(chain, &functions, FrameId::FIRST, layout, way);
+        let by =
+            |layout, algorithm| program_by(chain, &functions, FrameId::FIRST, layout, algorithm);
         match self.algorithm {
             Algorithm::Generated => program(chain, &functions, FrameId::FIRST, scalar)
                 .unwrap_or_else(|errors| panic!("{}: {errors}", self.name)),
-            Algorithm::WithLayout(layout) => by(layout, Way::PLAIN),
-            Algorithm::Refined(refinements) => {
-                by(Layout::DESCRIBED, way(Forward::MassMatrix { refinements }))
-            }
-            Algorithm::Articulated => by(Layout::DESCRIBED, way(Forward::Articulated)),
+            Algorithm::WithLayout(layout) => by(layout, Algorithm::PLAIN),
+            Algorithm::Refined(refinements) => by(
+                Layout::DESCRIBED,
+                algorithm(Forward::MassMatrix { refinements }),
+            ),
+            Algorithm::Articulated => by(Layout::DESCRIBED, algorithm(Forward::Articulated)),
         }
     }
 }
@@ -180,7 +182,7 @@ impl Bench {
                 &[torques],
                 FrameId::FIRST,
                 Layout::DESCRIBED,
-                Way::PLAIN,
+                Algorithm::PLAIN,
             );
             (link_frames::truth(&chain, torques, FrameId::FIRST), sizes)
         };

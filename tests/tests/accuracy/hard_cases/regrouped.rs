@@ -2,7 +2,7 @@
 
 use homogen_codegen::Function::{self, InverseDynamics};
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::space::FrameId;
 use homogen_tests::metrics;
@@ -45,8 +45,15 @@ fn regrouped_par() {
 fn assert_no_worse<T: Tested>(label: &str) {
     const FUNCTIONS: [Function; 1] = [InverseDynamics];
     let bench = Bench::new(label, InverseDynamics);
-    let [raw, base] = [Layout::DESCRIBED, BASE]
-        .map(|layout| program_by(&bench.chain, &FUNCTIONS, FrameId::FIRST, layout, Way::PLAIN));
+    let [raw, base] = [Layout::DESCRIBED, BASE].map(|layout| {
+        program_by(
+            &bench.chain,
+            &FUNCTIONS,
+            FrameId::FIRST,
+            layout,
+            Algorithm::PLAIN,
+        )
+    });
     let mut worst: f64 = 0.0;
     for arguments in states(120, 7, |_, _| ()) {
         let found = metrics::results::<T>(&base, &arguments);

@@ -22,14 +22,13 @@ const TOP_HEAVY: &str = r#"<robot name="pole"><link name="base"/>
 /// The method as the builder writes it, and as `inspect` shows it, in a formulation.
 #[test]
 fn inspect_shows_the_formulation_that_the_builder_takes() {
-    let formulation = Formulation {
-        frame: Frame::Base,
-        parameters: Parameters::Raw,
-        forward: Some(Forward::MassMatrix { refinements: 1 }),
-        angles: Angles::Merged,
-        products: Products::Unfused,
-        sines: Sines::Platform,
-    };
+    let formulation = Formulation::default()
+        .with_frame(Frame::Base)
+        .with_parameters(Parameters::Raw)
+        .with_forward(Forward::MassMatrix { refinements: 1 })
+        .with_angles(Angles::Merged)
+        .with_products(Products::Unfused)
+        .with_sines(Sines::Platform);
     let words = "frame-0,raw,refined=1,merged,unfused,platform-sines";
     let arm = "../robots/two_link.urdf";
     let shown = homogen(

@@ -12,7 +12,7 @@ const LENGTHS: SliderCrank = SliderCrank {
 
 homogen::chain! {
     /// A crank and a slider on the ground, and a rod on the crank.
-    pub struct Mechanism {
+    pub struct ClosedLoopRobot {
         gravity: [0.0, -9.81, 0.0],
         generate(
             constraint, constraint_jacobian, constraint_bias, constrained_forward_dynamics,
@@ -43,9 +43,9 @@ fn residuals_rates_and_accelerations_of_the_closed_form_are_zero() {
     for alpha in angles() {
         let State { q, qd, qdd } = LENGTHS.state(alpha, 2.5, -7.0);
         let [q, qd, qdd] = [q, qd, qdd].map(of);
-        assert!(largest(&Mechanism.constraint(&q)) < 2e-16, "{alpha}");
-        let jacobian = Mechanism.constraint_jacobian(&q);
-        let bias = Mechanism.constraint_bias(&q, &qd);
+        assert!(largest(&ClosedLoopRobot.constraint(&q)) < 2e-16, "{alpha}");
+        let jacobian = ClosedLoopRobot.constraint_jacobian(&q);
+        let bias = ClosedLoopRobot.constraint_bias(&q, &qd);
         for (row, bias) in jacobian.iter().zip(bias) {
             let product = |x: &[f64; 3]| row.iter().zip(x).map(|(j, x)| j * x).sum::<f64>();
             assert!(product(&qd).abs() < 1e-15, "{alpha}");
@@ -60,7 +60,9 @@ fn accelerations_are_those_of_the_closed_form() {
         let State { q, qd, .. } = LENGTHS.state(alpha, 4.0, 0.0);
         let (q, qd) = (of(q), of(qd));
         let tau = [0.7, 0.0, 3.0];
-        let found = Mechanism.constrained_forward_dynamics(&q, &qd, &tau).qdd;
+        let found = ClosedLoopRobot
+            .constrained_forward_dynamics(&q, &qd, &tau)
+            .qdd;
         let expected = of(LENGTHS.state(alpha, 4.0, found[0]).qdd);
         let size = largest(&found);
         assert!(
@@ -68,7 +70,7 @@ fn accelerations_are_those_of_the_closed_form() {
             "{found:?} {expected:?}"
         );
         // The power of all bodies, as in an open tree, is that of the torques.
-        let torques = Mechanism.inverse_dynamics(&q, &qd, &expected);
+        let torques = ClosedLoopRobot.inverse_dynamics(&q, &qd, &expected);
         let power: f64 = torques.iter().zip(&qd).map(|(tau, qd)| tau * qd).sum();
         let input: f64 = tau.iter().zip(&qd).map(|(tau, qd)| tau * qd).sum();
         assert!((power - input).abs() < 1e-13 * size, "{power} {input}");
@@ -80,10 +82,10 @@ fn a_force_on_the_slider_balances_a_torque_of_the_crank() {
     // At rest, the torque of the crank that balances a force depends on the rod's angle.
     let State { q, .. } = LENGTHS.state(0.9, 0.0, 0.0);
     let q = of(q);
-    let gravity = Mechanism.inverse_dynamics(&q, &[0.0; 3], &[0.0; 3]);
-    let j = Mechanism.constraint_jacobian(&q);
+    let gravity = ClosedLoopRobot.inverse_dynamics(&q, &[0.0; 3], &[0.0; 3]);
+    let j = ClosedLoopRobot.constraint_jacobian(&q);
     // First with the gravity torques at all joints: the pin transmits no force.
-    let lambda = Mechanism.constrained_forward_dynamics(&q, &[0.0; 3], &gravity);
+    let lambda = ClosedLoopRobot.constrained_forward_dynamics(&q, &[0.0; 3], &gravity);
     let lambda = lambda.multipliers;
     assert!(
         largest(&lambda) < 1e-14,
@@ -94,7 +96,7 @@ fn a_force_on_the_slider_balances_a_torque_of_the_crank() {
     // The derivative of the slider's position by the angle of the crank, as in the paper.
     let x_by_alpha = -0.12 * 0.9_f64.sin() - 0.12 * 0.9_f64.cos() * (-sine / along);
     let tau = [gravity[0] + 5.0 * x_by_alpha, gravity[1], gravity[2] - 5.0];
-    let found = Mechanism.constrained_forward_dynamics(&q, &[0.0; 3], &tau);
+    let found = ClosedLoopRobot.constrained_forward_dynamics(&q, &[0.0; 3], &tau);
     assert!(largest(&found.qdd) < 1e-12, "in balance: {found:?}");
     let lambda = found.multipliers;
     let by_pin: Vec<f64> = (0..3)
@@ -112,7 +114,7 @@ fn states_are_projected_onto_the_loop() {
     for alpha in angles() {
         let expected = of(LENGTHS.state(alpha, 1.0, 0.0).q);
         let start = [alpha, expected[1] + 0.2, expected[2] - 0.05];
-        let found = project(&Mechanism, &start, 1e-14);
+        let found = project(&ClosedLoopRobot, &start, 1e-14);
         assert_eq!(found.outcome, Outcome::Closed, "{alpha}: {found:?}");
         assert!(found.steps < 12, "{found:?}");
         let closed = of(LENGTHS.state(found.q[0], 0.0, 0.0).q);
@@ -120,7 +122,7 @@ fn states_are_projected_onto_the_loop() {
             difference(&found.q, &closed) < 1e-13,
             "{found:?} {closed:?}"
         );
-        let jacobian = Mechanism.constraint_jacobian(&found.q);
+        let jacobian = ClosedLoopRobot.constraint_jacobian(&found.q);
         let qd = project_rates(&jacobian, &[1.0, -0.3, 0.2]);
         let expected = of(LENGTHS.state(found.q[0], qd[0], 0.0).qd);
         assert!(difference(&qd, &expected) < 1e-14, "{qd:?} {expected:?}");
@@ -154,7 +156,7 @@ fn loops_that_cannot_close_are_out_of_reach() {
 #[test]
 fn singular_configurations_are_reported() {
     let q = of(LENGTHS.state(0.7, 0.0, 0.0).q);
-    let regular = regularity(&Mechanism.constraint_jacobian(&q));
+    let regular = regularity(&ClosedLoopRobot.constraint_jacobian(&q));
     assert_eq!(regular.rank, 2);
     // Crank and rod of one length, upright: the paper's rank is one less.
     let folded =

@@ -41,20 +41,18 @@ mod run;
 
 pub use columns::Columns;
 pub use error::{BatchError, ColumnsError};
-pub use packed::{AsAlone, AsFused, Number, Packed, Packs, Rounding};
+pub use packed::{Number, Packed, Packs};
 pub use run::Vectors;
 
-use core::marker::PhantomData;
 
 use crate::robot;
 use error::check;
 
 /// A robot whose functions take slices of states.
 #[derive(Debug)]
-pub struct Batch<'a, R: ?Sized, M = AsAlone> {
+pub struct Batch<'a, R: ?Sized> {
     robot: &'a R,
     most: Vectors,
-    rounding: PhantomData<M>,
 }
 
 impl<'a, R: ?Sized> Batch<'a, R> {
@@ -65,29 +63,9 @@ impl<'a, R: ?Sized> Batch<'a, R> {
         Self {
             robot,
             most: Vectors::Bits512,
-            rounding: PhantomData,
         }
     }
-}
 
-impl<'a, R: ?Sized> Batch<'a, R, AsFused> {
-    /// The functions of a robot for many states, with products fused with sums if the processor at run time has the
-    /// instruction. Results are then bit for bit those of the functions of one state of [`Fused`](crate::Fused)
-    /// numbers.
-    ///
-    /// The robot needs the key `batch`: functions that are not inlined call a library routine for every product.
-    #[inline]
-    #[must_use]
-    pub const fn fused(robot: &'a R) -> Self {
-        Self {
-            robot,
-            most: Vectors::Bits512,
-            rounding: PhantomData,
-        }
-    }
-}
-
-impl<'a, R: ?Sized, M> Batch<'a, R, M> {
     /// The same in registers of at most this length, for processors whose clock slows down with longer ones.
     #[inline]
     #[must_use]
@@ -99,7 +77,7 @@ impl<'a, R: ?Sized, M> Batch<'a, R, M> {
     /// The same for column-major states.
     #[inline]
     #[must_use]
-    pub const fn columns(self) -> Columns<'a, R, M> {
+    pub const fn columns(self) -> Columns<'a, R> {
         Columns::of(self.robot, self.most)
     }
 }
@@ -123,7 +101,7 @@ macro_rules! batch {
         batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*] $result);
     };
     (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*] $result:ty) => {
-        impl<R: robot::Batched + Sync + ?Sized, M: Rounding> Batch<'_, R, M> {
+        impl<R: robot::Batched + Sync + ?Sized> Batch<'_, R> {
             #[$noun]
             ///
             #[doc = concat!("[`", stringify!($name), "`](robot::", stringify!($name), ") of each state.")]
@@ -139,21 +117,19 @@ macro_rules! batch {
             where
                 R: robot::$name<$($length,)* T::Plain, Q>
                     + robot::$name<$($length,)* T::Narrow, Q>
-                    + robot::$name<$($length,)* M::Narrow<T>, Q>
-                    + robot::$name<$($length,)* M::Wide<T>, Q>
+                    + robot::$name<$($length,)* T::Wide, Q>
                     + robot::$name<$($length,)* T::InShort, Q>
-                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
-                    + robot::$name<$($length,)* M::InWide<T>, Q>,
+                    + robot::$name<$($length,)* T::InNarrow, Q>
+                    + robot::$name<$($length,)* T::InWide, Q>,
             {
                 /// The states of a call, or a part of them.
-                struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
+                struct States<'a, R: ?Sized, T, $(const $size: usize),*> {
                     robot: &'a R,
                     $($argument: &'a [robot::list_of!($argument)],)*
                     results: &'a mut [$result],
-                    rounding: PhantomData<M>,
                 }
 
-                impl<R: ?Sized, M, T: Number, $(const $size: usize),*> States<'_, R, M, T, $($size),*> {
+                impl<R: ?Sized, T: Number, $(const $size: usize),*> States<'_, R, T, $($size),*> {
                     #[inline(always)]
                     fn by<K: Packs<T>>(self, processor: K::Processor)
                     where
@@ -173,17 +149,16 @@ macro_rules! batch {
                     }
                 }
 
-                impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
-                    for States<'_, R, M, T, $($size),*>
+                impl<R, T: Number, $(const $size: usize),*> run::Work
+                    for States<'_, R, T, $($size),*>
                 where
                     R: robot::Batched + Sync + ?Sized
                         + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
-                        + robot::$name<$($length,)* M::Narrow<T>, Q>
-                        + robot::$name<$($length,)* M::Wide<T>, Q>
+                        + robot::$name<$($length,)* T::Wide, Q>
                         + robot::$name<$($length,)* T::InShort, Q>
-                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
-                        + robot::$name<$($length,)* M::InWide<T>, Q>,
+                        + robot::$name<$($length,)* T::InNarrow, Q>
+                        + robot::$name<$($length,)* T::InWide, Q>,
                 {
                     #[cfg(feature = "rayon")]
                     fn states(&self) -> usize {
@@ -194,10 +169,10 @@ macro_rules! batch {
                     fn split(self, at: usize) -> (Self, Self) {
                         $(let $argument = self.$argument.split_at(at);)*
                         let results = self.results.split_at_mut(at);
-                        let Self { robot, rounding, .. } = self;
+                        let Self { robot, .. } = self;
                         (
-                            Self { robot, $($argument: $argument.0,)* results: results.0, rounding },
-                            Self { robot, $($argument: $argument.1,)* results: results.1, rounding },
+                            Self { robot, $($argument: $argument.0,)* results: results.0 },
+                            Self { robot, $($argument: $argument.1,)* results: results.1 },
                         )
                     }
 
@@ -205,7 +180,7 @@ macro_rules! batch {
                 }
 
                 check(&[$((stringify!($argument), $argument.len()),)* ("results", results.len())])?;
-                let work = States { robot: self.robot, $($argument,)* results, rounding: self.rounding };
+                let work = States { robot: self.robot, $($argument,)* results };
                 run::run(work, self.most);
                 Ok(())
             }

@@ -43,11 +43,11 @@ pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
 pub use robot::mechanism::{Mechanism, Residual, Row};
 pub use robot::payload::Payload;
-#[cfg(feature = "std")]
-pub use scalar::Fused;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use scalar::{Lane, Pack};
-pub use scalar::{Real, Scalar, trigonometry};
+#[doc(hidden)]
+pub use scalar::dispatch;
+pub use scalar::{Real, Scalar, rounding, trigonometry};
 
 #[cfg(feature = "derive")]
 pub use homogen_macros::{Robot, chain};

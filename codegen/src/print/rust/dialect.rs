@@ -23,6 +23,17 @@ use crate::space::Variable;
 /// Maximum number of sines and cosines in one statement; more are split for readability.
 const ON_ONE_LINE: usize = 4;
 
+/// Names of equations that are compiled for several kinds of processor.
+#[derive(Clone, Debug)]
+pub(super) struct Equations {
+    /// The robot, which they are no method of.
+    pub robot: Ident,
+    /// The struct with their arguments.
+    pub name: Ident,
+    /// The generic parameter for the rounding of their products.
+    pub rounding: Ident,
+}
+
 /// Dialect of one output.
 #[derive(Clone, Debug)]
 pub(super) struct Dialect {
@@ -48,6 +59,10 @@ pub(super) struct Dialect {
     bare: bool,
     /// Type of the struct's fields, unless the user declared them.
     fields: Option<Real>,
+    /// Names of equations that are compiled for several kinds of processor.
+    pub equations: Option<Equations>,
+    /// Type of the rounding of products in sums; `None` for that of the target.
+    rounding: Option<TokenStream>,
 }
 
 impl Dialect {
@@ -80,6 +95,8 @@ impl Dialect {
             inlined: false,
             bare: false,
             fields: made.then_some(real),
+            equations: None,
+            rounding: None,
         }
     }
 
@@ -139,6 +156,30 @@ impl Dialect {
             inlined: true,
             ..self.clone()
         }
+    }
+
+    /// Dialect of equations that are compiled for several kinds of processor, which are generic over the rounding of
+    /// their products.
+    pub fn of_equations(&self) -> Self {
+        let mut names = self.names.clone();
+        let [robot, name, rounding] =
+            ["robot", "Equations", "R"].map(|wish| ident(&names.alone(wish)));
+        Self {
+            names,
+            rounding: Some(rounding.to_token_stream()),
+            equations: Some(Equations {
+                robot,
+                name,
+                rounding,
+            }),
+            ..self.clone()
+        }
+    }
+
+    /// The robot in a function.
+    pub fn this(&self) -> TokenStream {
+        let robot = self.equations.as_ref().map(|equations| &equations.robot);
+        robot.map_or_else(|| quote! { self }, ToTokens::to_token_stream)
     }
 
     /// Dialect of the robot as data, in `f64`.
@@ -211,7 +252,11 @@ impl Dialect {
         match &self.world {
             World::Runtime(runtime) => {
                 let name = ident(&names.fresh("mul_add"));
-                let statement = quote! { let #name = <#number as #runtime::Scalar>::mul_add; };
+                let function = match &self.rounding {
+                    Some(rounding) => quote! { mul_add_by::<#rounding> },
+                    None => quote! { mul_add },
+                };
+                let statement = quote! { let #name = <#number as #runtime::Scalar>::#function; };
                 (Some(name), statement)
             }
             World::Core(_) | World::Lanes(_) => (None, TokenStream::new()),
@@ -253,19 +298,23 @@ impl Dialect {
             World::Lanes(path) => quote! { #path::number::Number },
             World::Core(_) => TokenStream::new(),
         };
+        let sin_cos_all = match &self.rounding {
+            Some(rounding) => quote! { sin_cos_all_by::<#rounding, _> },
+            None => quote! { sin_cos_all },
+        };
         match &self.world {
             World::Runtime(_) | World::Lanes(_) if self.sines == Sines::Platform => {
                 one_by_one(&quote! { #number::sin_cos }, sines, cosines, angles)
             }
             World::Runtime(_) | World::Lanes(_) if angles.len() <= ON_ONE_LINE => quote! {
-                let ([#(#sines),*], [#(#cosines),*]) = #number::sin_cos_all([#(#angles),*]);
+                let ([#(#sines),*], [#(#cosines),*]) = #number::#sin_cos_all([#(#angles),*]);
             },
             World::Runtime(_) | World::Lanes(_) => {
                 let [a, s, c] =
                     ["angles", "sines", "cosines"].map(|name| ident(&names.fresh(name)));
                 quote! {
                     let #a = [#(#angles),*];
-                    let (#s, #c) = #number::sin_cos_all(#a);
+                    let (#s, #c) = #number::#sin_cos_all(#a);
                     let [#(#sines),*] = #s;
                     let [#(#cosines),*] = #c;
                 }

@@ -30,6 +30,8 @@ pub struct Explained {
     pub text: TokenStream,
     /// Names with their meanings, except fields and names of the language.
     pub meanings: Vec<(String, Meaning)>,
+    /// True if the code reads fields of the robot.
+    pub reads_robot: bool,
 }
 
 /// Body of a function with these fields, to be put between braces.
@@ -58,6 +60,7 @@ pub(super) fn explained(
         statements,
         results,
         meanings,
+        reads_robot,
     } = body(
         (&generated.program, module.length),
         (&arguments, returns),
@@ -71,6 +74,7 @@ pub(super) fn explained(
     Explained {
         text: quote! { #statements #result },
         meanings,
+        reads_robot,
     }
 }
 

@@ -12,6 +12,7 @@ use super::body::{Body, Returns, VALUES, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
+use super::dispatch;
 use super::item::{Declaration, Item};
 use super::lengths::{array, literal};
 use super::method;
@@ -57,7 +58,7 @@ pub(super) fn prepared(
     let mut beside = TokenStream::new();
     for (generated, name) in prepared.functions.iter().zip(of_methods(module)) {
         let fields = Fields::Computed(&prepared.names);
-        let body = method::computation((generated, fields), module, &inside);
+        let body = dispatch::computation((generated, fields), module, &own, &inside);
         let about = documentation::of_function(
             module,
             generated,

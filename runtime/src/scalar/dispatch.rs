@@ -1,0 +1,103 @@
+//! Choice of the processor's instructions when the program runs.
+//!
+//! In: [`Work`], which is generic over the rounding of its products. Out: its result, computed with AVX-512 or with
+//! AVX2 and FMA if the processor has them, with products fused with sums then.
+//!
+//! Only x86 with the feature `std` chooses; where the target itself has fused products, nothing is left to choose.
+
+use super::rounding::Rounding;
+
+/// Equations to be compiled for several kinds of processor: a function of a robot with its arguments.
+///
+/// Internal: generated code implements it for each function that is long enough.
+pub trait Work {
+    /// The result.
+    type Output;
+
+    /// Computes the result. It must be inlined, since only what is inlined is compiled for the processor that was
+    /// found.
+    fn run<R: Rounding>(self) -> Self::Output;
+}
+
+#[cfg(not(all(
+    feature = "std",
+    any(target_arch = "x86", target_arch = "x86_64"),
+    not(target_feature = "fma")
+)))]
+pub(super) use here::at_hand;
+#[cfg(all(
+    feature = "std",
+    any(target_arch = "x86", target_arch = "x86_64"),
+    not(target_feature = "fma")
+))]
+pub(super) use x86::at_hand;
+
+/// Targets without a choice.
+#[cfg(not(all(
+    feature = "std",
+    any(target_arch = "x86", target_arch = "x86_64"),
+    not(target_feature = "fma")
+)))]
+mod here {
+    use super::Work;
+    use crate::scalar::rounding::OfTarget;
+
+    /// Does the work by the instructions of the target.
+    #[expect(
+        clippy::inline_always,
+        reason = "nothing may come between a function and its equations"
+    )]
+    #[inline(always)]
+    pub(in crate::scalar) fn at_hand<W: Work>(work: W) -> W::Output {
+        work.run::<OfTarget>()
+    }
+}
+
+/// Processors with more instructions than their target.
+#[cfg(all(
+    feature = "std",
+    any(target_arch = "x86", target_arch = "x86_64"),
+    not(target_feature = "fma")
+))]
+mod x86 {
+    use pulp::NullaryFnOnce;
+    use pulp::x86::{V3, V4};
+
+    use super::Work;
+    use crate::scalar::rounding::{Fused, OfTarget};
+
+    /// Work in which products are fused with sums.
+    struct Fusing<W>(W);
+
+    impl<W: Work> NullaryFnOnce for Fusing<W> {
+        type Output = W::Output;
+
+        #[expect(
+            clippy::inline_always,
+            reason = "only what is inlined is compiled for the processor that was found"
+        )]
+        #[inline(always)]
+        fn call(self) -> W::Output {
+            self.0.run::<Fused>()
+        }
+    }
+
+    /// Does the work by the instructions of this processor.
+    #[inline]
+    pub(in crate::scalar) fn at_hand<W: Work>(work: W) -> W::Output {
+        if let Some(processor) = V4::try_new() {
+            processor.vectorize(Fusing(work))
+        } else if let Some(processor) = V3::try_new() {
+            processor.vectorize(Fusing(work))
+        } else {
+            of_target(work)
+        }
+    }
+
+    /// Does the work by the instructions of the target, in a function of its own, so that the others do not save the
+    /// registers that it needs.
+    #[inline(never)]
+    fn of_target<W: Work>(work: W) -> W::Output {
+        work.run::<OfTarget>()
+    }
+}

@@ -129,7 +129,7 @@ pub trait Scalar:
         reason = "registers of batches are compiled for the processor that was found if all is inlined"
     )]
     #[inline(always)]
-    fn dispatch<W: Work>(work: W) -> W::Output {
+    fn dispatch<W: Work<Self>>(work: W) -> W::Output {
         work.run::<OfTarget>()
     }
 }

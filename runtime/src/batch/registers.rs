@@ -174,7 +174,7 @@ macro_rules! register {
             }
 
             #[inline(always)]
-            fn dispatch<W: Work>(work: W) -> W::Output {
+            fn dispatch<W: Work<Self>>(work: W) -> W::Output {
                 work.run::<$rounding>()
             }
         }

@@ -7,10 +7,10 @@
 
 use super::rounding::Rounding;
 
-/// Equations to be compiled for several kinds of processor: a function of a robot with its arguments.
+/// Equations on numbers `T` to be compiled for several kinds of processor: a function of a robot with its arguments.
 ///
-/// Internal: generated code implements it for each function that is long enough.
-pub trait Work {
+/// Internal: generated code implements it for each function.
+pub trait Work<T> {
     /// The result.
     type Output;
 
@@ -48,7 +48,7 @@ mod here {
         reason = "nothing may come between a function and its equations"
     )]
     #[inline(always)]
-    pub(in crate::scalar) fn at_hand<W: Work>(work: W) -> W::Output {
+    pub(in crate::scalar) fn at_hand<T, W: Work<T>>(work: W) -> W::Output {
         work.run::<OfTarget>()
     }
 }
@@ -60,6 +60,7 @@ mod here {
     not(target_feature = "fma")
 ))]
 mod x86 {
+    use core::marker::PhantomData;
     use pulp::NullaryFnOnce;
     use pulp::x86::{V3, V4};
 
@@ -67,9 +68,9 @@ mod x86 {
     use crate::scalar::rounding::{Fused, OfTarget};
 
     /// Work in which products are fused with sums.
-    struct Fusing<W>(W);
+    struct Fusing<T, W>(W, PhantomData<T>);
 
-    impl<W: Work> NullaryFnOnce for Fusing<W> {
+    impl<T, W: Work<T>> NullaryFnOnce for Fusing<T, W> {
         type Output = W::Output;
 
         #[expect(
@@ -84,11 +85,11 @@ mod x86 {
 
     /// Does the work by the instructions of this processor.
     #[inline]
-    pub(in crate::scalar) fn at_hand<W: Work>(work: W) -> W::Output {
+    pub(in crate::scalar) fn at_hand<T, W: Work<T>>(work: W) -> W::Output {
         if let Some(processor) = V4::try_new() {
-            processor.vectorize(Fusing(work))
+            processor.vectorize(Fusing(work, PhantomData))
         } else if let Some(processor) = V3::try_new() {
-            processor.vectorize(Fusing(work))
+            processor.vectorize(Fusing(work, PhantomData))
         } else {
             of_target(work)
         }
@@ -97,7 +98,7 @@ mod x86 {
     /// Does the work by the instructions of the target, in a function of its own, so that the others do not save the
     /// registers that it needs.
     #[inline(never)]
-    fn of_target<W: Work>(work: W) -> W::Output {
+    fn of_target<T, W: Work<T>>(work: W) -> W::Output {
         work.run::<OfTarget>()
     }
 }

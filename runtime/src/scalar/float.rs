@@ -79,7 +79,7 @@ macro_rules! implement {
             }
 
             #[inline(always)]
-            fn dispatch<W: Work>(work: W) -> W::Output {
+            fn dispatch<W: Work<Self>>(work: W) -> W::Output {
                 at_hand(work)
             }
 

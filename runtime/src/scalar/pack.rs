@@ -196,7 +196,7 @@ impl<T: Lane, const L: usize> Scalar for Pack<T, L> {
     }
 
     #[inline(always)]
-    fn dispatch<W: Work>(work: W) -> W::Output {
+    fn dispatch<W: Work<Self>>(work: W) -> W::Output {
         at_hand(work)
     }
 }

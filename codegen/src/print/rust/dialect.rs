@@ -158,15 +158,22 @@ impl Dialect {
         }
     }
 
-    /// Dialect of equations that are compiled for several kinds of processor, which are generic over the rounding of
-    /// their products.
-    pub fn of_equations(&self) -> Self {
+    /// Dialect of equations that are compiled for several kinds of processor, with the runtime: generic over the
+    /// rounding of their products, or unfused on every processor if they are to be reproducible.
+    pub fn of_equations(&self, reproducible: bool) -> Self {
+        let World::Runtime(runtime) = &self.world else {
+            return self.clone();
+        };
         let mut names = self.names.clone();
         let [robot, name, rounding] =
             ["robot", "Equations", "R"].map(|wish| ident(&names.alone(wish)));
         Self {
             names,
-            rounding: Some(rounding.to_token_stream()),
+            rounding: Some(if reproducible {
+                quote! { #runtime::rounding::Unfused }
+            } else {
+                rounding.to_token_stream()
+            }),
             equations: Some(Equations {
                 robot,
                 name,

@@ -1,7 +1,7 @@
 //! Functions that are compiled for several kinds of processor, one of which is chosen when the program runs.
 //!
 //! In: a function with its equations. Out: a body that hands the equations to the runtime, generic over the rounding
-//! of their products. Short functions are compiled for the target alone.
+//! of their products. The choice takes less than a nanosecond, so that the shortest functions gain as well.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -17,10 +17,6 @@ use super::results::result_type;
 use super::world::World;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
-use crate::schedule::Price;
-
-/// Minimum number of products, sums, quotients and roots of a function that is compiled for several kinds of processor.
-const LEAST: usize = 150;
 
 /// Argument of equations.
 pub(super) struct Argument {
@@ -39,22 +35,11 @@ pub(super) fn computation(
     item: &Item,
     dialect: &Dialect,
 ) -> TokenStream {
-    let inside = match &dialect.world {
-        World::Runtime(_) if is_long(&generated.price) => dialect.of_equations(),
-        World::Runtime(_) | World::Core(_) | World::Lanes(_) => {
-            return method::computation((generated, fields), module, dialect);
-        }
-    };
+    let inside = dialect.of_equations(module.reproducible);
     let body = method::explained((generated, fields), module, &inside);
     let lengths = known(&module.spaces);
     let result = result_type(&generated.functions, &lengths, &inside);
-    let (_, own, _) = item.generics.split_for_impl();
-    let robot = &item.ident;
-    let robot = body.reads_robot.then(|| Argument {
-        name: inside.this(),
-        value: quote! { self },
-        of: quote! { &#robot #own },
-    });
+    let robot = body.reads_robot.then(|| robot(item, &inside));
     let arguments = generated.arguments(&module.spaces).into_iter();
     let arguments = arguments.map(|argument| {
         let name = inside.argument(argument).into_token_stream();
@@ -67,19 +52,33 @@ pub(super) fn computation(
     });
     let arguments: Vec<_> = robot.into_iter().chain(arguments).collect();
     // Every parameter must be named by an argument.
-    let (mut generics, bound) = if body.reads_robot {
-        (item.generics.clone(), dialect.bound())
+    let generics = if body.reads_robot {
+        with_number(&item.generics, dialect)
     } else {
-        (Generics::default(), dialect.bound_inside())
+        with_number(&Generics::default(), dialect)
     };
-    let bound = bound.map(|bound| -> GenericParam { parse_quote! { #bound } });
-    generics.params.extend(bound);
     dispatched((&arguments, &generics), Some(&result), &body.text, &inside)
 }
 
-/// True if a function is long enough to gain by the choice, which takes 2 ns.
-fn is_long(price: &Price) -> bool {
-    price.mul + price.add + price.div + price.sqrt >= LEAST
+/// The robot as an argument of equations.
+pub(super) fn robot(item: &Item, inside: &Dialect) -> Argument {
+    let (_, own, _) = item.generics.split_for_impl();
+    let robot = &item.ident;
+    Argument {
+        name: inside.this(),
+        value: quote! { self },
+        of: quote! { &#robot #own },
+    }
+}
+
+/// Generic parameters with the type of numbers, unless it is one of them or is known.
+pub(super) fn with_number(generics: &Generics, dialect: &Dialect) -> Generics {
+    let mut generics = generics.clone();
+    let is_new = generics.params.is_empty();
+    let bound = if is_new { dialect.bound_inside() } else { dialect.bound() };
+    let bound = bound.map(|bound| -> GenericParam { parse_quote! { #bound } });
+    generics.params.extend(bound);
+    generics
 }
 
 /// Statements that choose the processor and compute, with the result; in other dialects the equations themselves.
@@ -106,7 +105,7 @@ pub(super) fn dispatched(
     quote! {
         #about
         struct #name<A>(A);
-        impl #parameters #runtime::dispatch::Work for #name<#types> #bounds {
+        impl #parameters #runtime::dispatch::Work<#number> for #name<#types> #bounds {
             type Output = #result;
             #[inline(always)]
             fn run<#rounding: #runtime::rounding::Rounding>(self) #returned {

@@ -34,16 +34,7 @@ pub struct Explained {
     pub reads_robot: bool,
 }
 
-/// Body of a function with these fields, to be put between braces.
-pub(super) fn computation(
-    of: (&GeneratedFunction, Fields<'_>),
-    module: &Module,
-    dialect: &Dialect,
-) -> TokenStream {
-    explained(of, module, dialect).text
-}
-
-/// The same with the meanings of its names.
+/// Body of a function with these fields, to be put between braces, with the meanings of its names.
 pub(super) fn explained(
     (generated, fields): (&GeneratedFunction, Fields<'_>),
     module: &Module,

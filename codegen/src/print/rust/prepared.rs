@@ -32,6 +32,7 @@ pub(super) fn prepared(
         return <(TokenStream, TokenStream)>::default();
     };
     let own = of(item, dialect);
+    let inside = dialect.of_equations(module.reproducible);
     let Body {
         statements,
         results,
@@ -40,17 +41,25 @@ pub(super) fn prepared(
         (&prepared.once, module.length),
         (&[], Returns::Arrays),
         (Fields::Own(&module.parameters), &module.spaces),
-        dialect,
+        &inside,
     );
     let results = results.numbers();
     let (values, visibility) = (ident(VALUES), &item.visibility);
     let name = &own.ident;
     let about = doc(&documentation::of_prepare(&prepared.price));
     let signature = signature(item, dialect);
+    let (_, arguments, _) = own.generics.split_for_impl();
+    let generics = dispatch::with_number(&item.generics, dialect);
+    let computation = dispatch::dispatched(
+        (&[dispatch::robot(item, &inside)], &generics),
+        Some(&quote! { #name #arguments }),
+        &quote! { #statements #name { #values: [#(#results),*] } },
+        &inside,
+    );
     let prepare = quote! {
         #about
         #[must_use]
-        #visibility #signature { #statements #name { #values: [#(#results),*] } }
+        #visibility #signature { #computation }
     };
 
     let inside = dialect.of_prepared();

@@ -130,7 +130,7 @@ pub trait Scalar:
     )]
     #[inline(always)]
     fn dispatch<W: Work<Self>>(work: W) -> W::Output {
-        work.run::<OfTarget>()
+        work.rounded::<OfTarget>()
     }
 }
 

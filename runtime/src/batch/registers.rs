@@ -175,7 +175,7 @@ macro_rules! register {
 
             #[inline(always)]
             fn dispatch<W: Work<Self>>(work: W) -> W::Output {
-                work.run::<$rounding>()
+                work.rounded::<$rounding>()
             }
         }
 

@@ -5,18 +5,35 @@
 //!
 //! Only x86 with the feature `std` chooses; where the target itself has fused products, nothing is left to choose.
 
-use super::rounding::Rounding;
+use super::rounding::{Rounding, Unfused};
 
 /// Equations on numbers `T` to be compiled for several kinds of processor: a function of a robot with its arguments.
 ///
 /// Internal: generated code implements it for each function.
-pub trait Work<T> {
+pub trait Work<T>: Sized {
     /// The result.
     type Output;
+
+    /// True if no product is fused with a sum, so that results have the same bits on every processor.
+    const REPRODUCIBLE: bool = false;
 
     /// Computes the result. It must be inlined, since only what is inlined is compiled for the processor that was
     /// found.
     fn run<R: Rounding>(self) -> Self::Output;
+
+    /// Computes the result with this rounding, or with none fused if it is reproducible.
+    #[expect(
+        clippy::inline_always,
+        reason = "only what is inlined is compiled for the processor that was found"
+    )]
+    #[inline(always)]
+    fn rounded<R: Rounding>(self) -> Self::Output {
+        if Self::REPRODUCIBLE {
+            self.run::<Unfused>()
+        } else {
+            self.run::<R>()
+        }
+    }
 }
 
 #[cfg(not(all(
@@ -49,7 +66,7 @@ mod here {
     )]
     #[inline(always)]
     pub(in crate::scalar) fn at_hand<T, W: Work<T>>(work: W) -> W::Output {
-        work.run::<OfTarget>()
+        work.rounded::<OfTarget>()
     }
 }
 
@@ -79,7 +96,7 @@ mod x86 {
         )]
         #[inline(always)]
         fn call(self) -> W::Output {
-            self.0.run::<Fused>()
+            self.0.rounded::<Fused>()
         }
     }
 
@@ -99,6 +116,6 @@ mod x86 {
     /// registers that it needs.
     #[inline(never)]
     fn of_target<T, W: Work<T>>(work: W) -> W::Output {
-        work.run::<OfTarget>()
+        work.rounded::<OfTarget>()
     }
 }

@@ -7,8 +7,10 @@
     reason = "only what is inlined is compiled for the processor that was found"
 )]
 
+use super::Scalar;
+
 /// Rounding of `factor · other + term`.
-pub trait Rounding {
+pub trait Rounding: Sized {
     /// True if product and sum are rounded once.
     const FUSES: bool;
 
@@ -19,6 +21,20 @@ pub trait Rounding {
     /// `factor · other + term` in single precision.
     #[must_use]
     fn f32(factor: f32, other: f32, term: f32) -> f32;
+
+    /// `factor · other + term` of any number.
+    #[inline(always)]
+    #[must_use]
+    fn mul_add<T: Scalar>(factor: T, other: T, term: T) -> T {
+        factor.mul_add_by::<Self>(other, term)
+    }
+
+    /// The sines and the cosines of all angles \[rad\] of any number.
+    #[inline(always)]
+    #[must_use]
+    fn sin_cos_all<T: Scalar, const N: usize>(angles: [T; N]) -> ([T; N], [T; N]) {
+        T::sin_cos_all_by::<Self, N>(angles)
+    }
 }
 
 /// Rounded once if the target has the instruction and the feature `std` gives access to it, otherwise twice.

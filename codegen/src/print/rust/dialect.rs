@@ -32,6 +32,8 @@ pub(super) struct Equations {
     pub name: Ident,
     /// The generic parameter for the rounding of their products.
     pub rounding: Ident,
+    /// True if they have the same bits on every processor.
+    pub reproducible: bool,
 }
 
 /// Dialect of one output.
@@ -61,8 +63,6 @@ pub(super) struct Dialect {
     fields: Option<Real>,
     /// Names of equations that are compiled for several kinds of processor.
     pub equations: Option<Equations>,
-    /// Type of the rounding of products in sums; `None` for that of the target.
-    rounding: Option<TokenStream>,
 }
 
 impl Dialect {
@@ -96,7 +96,6 @@ impl Dialect {
             bare: false,
             fields: made.then_some(real),
             equations: None,
-            rounding: None,
         }
     }
 
@@ -158,26 +157,21 @@ impl Dialect {
         }
     }
 
-    /// Dialect of equations that are compiled for several kinds of processor, with the runtime: generic over the
-    /// rounding of their products, or unfused on every processor if they are to be reproducible.
+    /// Dialect of equations that are compiled for several kinds of processor, with the runtime.
     pub fn of_equations(&self, reproducible: bool) -> Self {
-        let World::Runtime(runtime) = &self.world else {
+        if !matches!(self.world, World::Runtime(_)) {
             return self.clone();
-        };
+        }
         let mut names = self.names.clone();
         let [robot, name, rounding] =
             ["robot", "Equations", "R"].map(|wish| ident(&names.alone(wish)));
         Self {
             names,
-            rounding: Some(if reproducible {
-                quote! { #runtime::rounding::Unfused }
-            } else {
-                rounding.to_token_stream()
-            }),
             equations: Some(Equations {
                 robot,
                 name,
                 rounding,
+                reproducible,
             }),
             ..self.clone()
         }
@@ -259,12 +253,11 @@ impl Dialect {
         match &self.world {
             World::Runtime(runtime) => {
                 let name = ident(&names.fresh("mul_add"));
-                let function = match &self.rounding {
-                    Some(rounding) => quote! { mul_add_by::<#rounding> },
-                    None => quote! { mul_add },
+                let function = match &self.equations {
+                    Some(Equations { rounding, .. }) => quote! { #rounding::mul_add::<#number> },
+                    None => quote! { <#number as #runtime::Scalar>::mul_add },
                 };
-                let statement = quote! { let #name = <#number as #runtime::Scalar>::#function; };
-                (Some(name), statement)
+                (Some(name.clone()), quote! { let #name = #function; })
             }
             World::Core(_) | World::Lanes(_) => (None, TokenStream::new()),
         }
@@ -305,23 +298,23 @@ impl Dialect {
             World::Lanes(path) => quote! { #path::number::Number },
             World::Core(_) => TokenStream::new(),
         };
-        let sin_cos_all = match &self.rounding {
-            Some(rounding) => quote! { sin_cos_all_by::<#rounding, _> },
-            None => quote! { sin_cos_all },
+        let together = match &self.equations {
+            Some(Equations { rounding, .. }) => rounding.to_token_stream(),
+            None => number.clone(),
         };
         match &self.world {
             World::Runtime(_) | World::Lanes(_) if self.sines == Sines::Platform => {
                 one_by_one(&quote! { #number::sin_cos }, sines, cosines, angles)
             }
             World::Runtime(_) | World::Lanes(_) if angles.len() <= ON_ONE_LINE => quote! {
-                let ([#(#sines),*], [#(#cosines),*]) = #number::#sin_cos_all([#(#angles),*]);
+                let ([#(#sines),*], [#(#cosines),*]) = #together::sin_cos_all([#(#angles),*]);
             },
             World::Runtime(_) | World::Lanes(_) => {
                 let [a, s, c] =
                     ["angles", "sines", "cosines"].map(|name| ident(&names.fresh(name)));
                 quote! {
                     let #a = [#(#angles),*];
-                    let (#s, #c) = #number::#sin_cos_all(#a);
+                    let (#s, #c) = #together::sin_cos_all(#a);
                     let [#(#sines),*] = #s;
                     let [#(#cosines),*] = #c;
                 }

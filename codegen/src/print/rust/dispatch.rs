@@ -88,11 +88,13 @@ pub(super) fn dispatched(
     equations: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
-    let (World::Runtime(runtime), Some(Equations { name, rounding, .. })) =
-        (&dialect.world, &dialect.equations)
-    else {
+    let (World::Runtime(runtime), Some(names)) = (&dialect.world, &dialect.equations) else {
         return equations.clone();
     };
+    let Equations { name, rounding, .. } = names;
+    let reproducible = names.reproducible.then(|| {
+        quote! { const REPRODUCIBLE: ::core::primitive::bool = true; }
+    });
     let about = "Compiled for several kinds of processor, one of which is chosen at run time.";
     let about = doc(&[about.to_owned()]);
     let (parameters, _, bounds) = generics.split_for_impl();
@@ -107,6 +109,7 @@ pub(super) fn dispatched(
         struct #name<A>(A);
         impl #parameters #runtime::dispatch::Work<#number> for #name<#types> #bounds {
             type Output = #result;
+            #reproducible
             #[inline(always)]
             fn run<#rounding: #runtime::rounding::Rounding>(self) #returned {
                 let Self(#names) = self;

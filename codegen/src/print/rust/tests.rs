@@ -165,6 +165,7 @@ pub(crate) fn module(scalar: Real) -> Module {
         batch: false,
         length: Length::default(),
         scalar,
+        reproducible: false,
         sines: Sines::default(),
         parameters: Vec::new(),
         prepared: None,

@@ -118,4 +118,55 @@ mod x86 {
     fn of_target<T, W: Work<T>>(work: W) -> W::Output {
         work.rounded::<OfTarget>()
     }
+
+    #[cfg(test)]
+    mod tests {
+        use super::{Fusing, V3, V4, Work, at_hand, of_target};
+        use crate::scalar::rounding::Rounding;
+        use core::marker::PhantomData;
+
+        /// (1 + ε)(1 − ε) − 1, which is 0 if the product is rounded, and −ε² otherwise.
+        struct Product<const REPRODUCIBLE: bool>;
+
+        impl<const REPRODUCIBLE: bool> Work<f64> for Product<REPRODUCIBLE> {
+            type Output = f64;
+            const REPRODUCIBLE: bool = REPRODUCIBLE;
+
+            #[expect(clippy::inline_always, reason = "as in generated code")]
+            #[inline(always)]
+            fn run<R: Rounding>(self) -> f64 {
+                R::mul_add(1.0 + f64::EPSILON, 1.0 - f64::EPSILON, -1.0)
+            }
+        }
+
+        const FUSED: f64 = -f64::EPSILON * f64::EPSILON;
+
+        #[test]
+        fn every_kind_of_processor_with_the_instruction_fuses() {
+            let [v3, v4] = [V3::try_new().is_some(), V4::try_new().is_some()];
+            if let Some(processor) = V4::try_new() {
+                let found = processor.vectorize(Fusing(Product::<false>, PhantomData));
+                assert_eq!(found, FUSED);
+            }
+            if let Some(processor) = V3::try_new() {
+                let found = processor.vectorize(Fusing(Product::<false>, PhantomData));
+                assert_eq!(found, FUSED);
+            }
+            assert_eq!(of_target(Product::<false>), 0.0);
+            let expected = if v3 || v4 { FUSED } else { 0.0 };
+            assert_eq!(at_hand(Product::<false>), expected);
+        }
+
+        #[test]
+        fn reproducible_work_is_unfused_on_every_processor() {
+            if let Some(processor) = V4::try_new() {
+                assert_eq!(processor.vectorize(Fusing(Product::<true>, PhantomData)), 0.0);
+            }
+            if let Some(processor) = V3::try_new() {
+                assert_eq!(processor.vectorize(Fusing(Product::<true>, PhantomData)), 0.0);
+            }
+            assert_eq!(of_target(Product::<true>), 0.0);
+            assert_eq!(at_hand(Product::<true>), 0.0);
+        }
+    }
 }

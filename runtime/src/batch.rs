@@ -5,7 +5,7 @@
 //! [`Batch`] computes one state per SIMD lane, in the widest registers that are found at run time: AVX-512, AVX2 or
 //! SSE4.2. On other architectures than x86, and for functions that are not inlined completely, it uses
 //! [`Pack`](crate::Pack)s, which the compiler vectorises for the target. With the feature `rayon` it runs on all cores.
-//! None of this changes a bit of a result: products are fused with sums exactly where the target's code fuses them.
+//! None of this changes a bit of a result: products are fused with sums exactly where a single call fuses them.
 //!
 //! ```
 //! use homogen::batch::Batch;
@@ -29,7 +29,7 @@
 //! [`Columns`] takes column-major states, as in tables and Fortran arrays: a slice for each coordinate.
 //!
 //! A robot with the key `batch` has these methods itself, `arm.gravity_batch(&q, &mut tau)`, and its functions are
-//! compiled once for each length of registers. Without the key they are compiled for the target alone.
+//! compiled once for each length of registers. Without the key they compute with packs.
 
 mod columns;
 mod error;
@@ -43,7 +43,6 @@ pub use columns::Columns;
 pub use error::{BatchError, ColumnsError};
 pub use packed::{Number, Packed, Packs};
 pub use run::Vectors;
-
 
 use crate::robot;
 use error::check;
@@ -66,7 +65,8 @@ impl<'a, R: ?Sized> Batch<'a, R> {
         }
     }
 
-    /// The same in registers of at most this length, for processors whose clock slows down with longer ones.
+    /// The same in registers of at most this length, for processors whose clock slows down with longer ones. Functions
+    /// that are not inlined choose by themselves.
     #[inline]
     #[must_use]
     pub const fn at_most(mut self, most: Vectors) -> Self {

@@ -43,10 +43,10 @@ pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
 pub use robot::mechanism::{Mechanism, Residual, Row};
 pub use robot::payload::Payload;
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use scalar::{Lane, Pack};
 #[doc(hidden)]
 pub use scalar::dispatch;
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use scalar::{Lane, Pack};
 pub use scalar::{Real, Scalar, rounding, trigonometry};
 
 #[cfg(feature = "derive")]

@@ -15,12 +15,15 @@ struct Random(u64);
 
 impl Random {
     fn next(&mut self) -> f64 {
-        self.0 = (self.0.wrapping_mul(6_364_136_223_846_793_005)).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = (self.0.wrapping_mul(6_364_136_223_846_793_005))
+            .wrapping_add(1_442_695_040_888_963_407);
         f64::from(u32::try_from(self.0 >> 32).expect("32 bits")) / f64::from(u32::MAX) * 3.0 - 1.5
     }
 
     fn list<const N: usize>(&mut self) -> Vec<[f64; N]> {
-        (0..STATES).map(|_| std::array::from_fn(|_| self.next())).collect()
+        (0..STATES)
+            .map(|_| std::array::from_fn(|_| self.next()))
+            .collect()
     }
 }
 

@@ -45,13 +45,11 @@ pub struct Implementation {
 pub const ALONE: &str = "alone";
 
 /// Ours: one state a call, and batches in registers of each length.
-pub const OURS: [Implementation; 6] = [
+pub const OURS: [Implementation; 4] = [
     way(ALONE, "one state at a time", Color::Black),
     way("target", "batch, vectors of the build", Color::Grey),
-    way("avx2", "batch, AVX2", Color::Sky),
-    way("avx2_fused", "batch, AVX2, fused", Color::Blue),
-    way("avx512", "batch, AVX-512", Color::Green),
-    way("avx512_fused", "batch, AVX-512, fused", Color::Purple),
+    way("avx2", "batch, AVX2", Color::Blue),
+    way("avx512", "batch, AVX-512", Color::Purple),
 ];
 
 /// Other programs.

@@ -63,10 +63,7 @@ pub struct Columns<'a, R: ?Sized> {
 
 impl<'a, R: ?Sized> Columns<'a, R> {
     pub(super) const fn of(robot: &'a R, most: Vectors) -> Self {
-        Self {
-            robot,
-            most,
-        }
+        Self { robot, most }
     }
 }
 

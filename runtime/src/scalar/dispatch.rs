@@ -160,10 +160,16 @@ mod x86 {
         #[test]
         fn reproducible_work_is_unfused_on_every_processor() {
             if let Some(processor) = V4::try_new() {
-                assert_eq!(processor.vectorize(Fusing(Product::<true>, PhantomData)), 0.0);
+                assert_eq!(
+                    processor.vectorize(Fusing(Product::<true>, PhantomData)),
+                    0.0
+                );
             }
             if let Some(processor) = V3::try_new() {
-                assert_eq!(processor.vectorize(Fusing(Product::<true>, PhantomData)), 0.0);
+                assert_eq!(
+                    processor.vectorize(Fusing(Product::<true>, PhantomData)),
+                    0.0
+                );
             }
             assert_eq!(of_target(Product::<true>), 0.0);
             assert_eq!(at_hand(Product::<true>), 0.0);

@@ -36,7 +36,9 @@ impl Folder {
     /// True if the name of a symbol of an object contains the text.
     pub fn has_symbol(object: &Path, text: &str) -> bool {
         let bytes = fs::read(object).expect("an object");
-        bytes.windows(text.len()).any(|part| part == text.as_bytes())
+        bytes
+            .windows(text.len())
+            .any(|part| part == text.as_bytes())
     }
 
     /// Writes the header, the source, and a program that calls all of its functions.
@@ -180,7 +182,11 @@ impl C {
     pub fn clones(&self) -> bool {
         let version = output(Command::new(self.name).arg("-dumpversion"));
         let version = String::from_utf8_lossy(&version.stdout);
-        let major = version.trim().split('.').next().and_then(|major| major.parse().ok());
+        let major = version
+            .trim()
+            .split('.')
+            .next()
+            .and_then(|major| major.parse().ok());
         let is_new = major.is_some_and(|major: u32| major >= 12);
         cfg!(all(target_arch = "x86_64", target_os = "linux")) && self.is_gcc() && is_new
     }

@@ -75,8 +75,14 @@ pub(super) fn robot(item: &Item, inside: &Dialect) -> Argument {
 pub(super) fn with_number(generics: &Generics, dialect: &Dialect) -> Generics {
     let mut generics = generics.clone();
     let is_new = generics.params.is_empty();
-    let bound = if is_new { dialect.bound_inside() } else { dialect.bound() };
-    let bound = bound.map(|bound| -> GenericParam { parse_quote! { #bound } });
+    let bound = if is_new {
+        dialect.bound_inside()
+    } else {
+        dialect.bound()
+    };
+    let bound = bound.map(|bound| -> GenericParam {
+        parse_quote! { #bound }
+    });
     generics.params.extend(bound);
     generics
 }

@@ -99,7 +99,11 @@ fn in_quadrant<R: Rounding>(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
 
     // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the sign of a zero r is kept by subtracting.
     let cubic = z * r;
-    let sine = r - R::f64(-cubic, series::<R>(&SINE, z, z_squared), R::f64(half, low, -low));
+    let sine = r - R::f64(
+        -cubic,
+        series::<R>(&SINE, z, z_squared),
+        R::f64(half, low, -low),
+    );
 
     // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + the rounding error of 1 − r²/2).
     let leading = 1.0 - half;

@@ -44,6 +44,17 @@ chain! {
 )]
 struct Arm;
 
+/// The same arm, without fused products on any processor.
+#[derive(Robot)]
+#[robot(
+    urdf = "../robots/panda_class.urdf",
+    tip = "link8",
+    generate(inverse_dynamics),
+    batch,
+    reproducible
+)]
+struct Reproducible;
+
 /// The same arm behind a call that is not marked as inlined.
 struct Called(Arm);
 
@@ -265,6 +276,8 @@ fn functions_in_registers_and_functions_not_inlined_give_the_bits_of_each_state(
     compare_inverse_dynamics!(Arm, f32);
     compare_inverse_dynamics!(Called(Arm), f64);
     compare_inverse_dynamics!(Called(Arm), f32);
+    compare_inverse_dynamics!(Reproducible, f64);
+    compare_inverse_dynamics!(Reproducible, f32);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum}
 use homogen_codegen::chain::Chain;
 use homogen_codegen::description::LARGEST_FILE;
 use homogen_codegen::description::{self, Description, Source, inline};
-use homogen_codegen::error::{Complaint, Errors, Place};
+use homogen_codegen::error::{Diagnostic, Errors, Place};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, Setting, SettingForm};
@@ -57,7 +57,7 @@ fn argument(setting: &'static Setting) -> Arg {
     argument = argument.value_name(setting.value);
     match setting.form {
         SettingForm::Gravity => argument.allow_hyphen_values(true),
-        SettingForm::Drive(_, Some(_)) => argument
+        SettingForm::Actuator(_, Some(_)) => argument
             .action(ArgAction::Append)
             .num_args(0..=1)
             .require_equals(true)
@@ -71,7 +71,7 @@ fn argument(setting: &'static Setting) -> Arg {
         }
         SettingForm::Names(_)
         | SettingForm::Positions(_)
-        | SettingForm::Drive(..)
+        | SettingForm::Actuator(..)
         | SettingForm::Loops => argument.action(ArgAction::Append),
         _ => argument,
     }
@@ -224,7 +224,7 @@ pub(super) fn warnings(chain: &Chain) -> String {
 }
 
 /// Warnings about a description, as printed on standard error.
-pub(super) fn warnings_of(source: &Source, warnings: &[Complaint]) -> String {
+pub(super) fn warnings_of(source: &Source, warnings: &[Diagnostic]) -> String {
     let errors = source.errors();
     let mut text = String::new();
     for warning in warnings {

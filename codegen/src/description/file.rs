@@ -8,7 +8,7 @@ use proc_macro2::Span;
 
 use super::load::load;
 use super::{Description, denavit_hartenberg, mjcf, urdf};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 
 /// Reads a file: `.dh` as a table; `.urdf` and `.xml` as XML; other endings as what the text looks like. XML with the
 /// root element of MuJoCo is MJCF, other XML is URDF.
@@ -107,7 +107,7 @@ fn text_in(
     };
     if is_table {
         denavit_hartenberg::read(text, file, anchor, errors)
-    } else if mjcf::is_meant(text) {
+    } else if mjcf::is_mjcf(text) {
         mjcf::read(text, file, folder, anchor, errors)
     } else {
         urdf::read(text, file, anchor, errors)
@@ -115,7 +115,7 @@ fn text_in(
 }
 
 /// The warning, or error, for bytes that are UTF-8 only up to `valid`.
-fn encoding_warning(bytes: &[u8], valid: usize) -> Complaint {
+fn encoding_warning(bytes: &[u8], valid: usize) -> Diagnostic {
     let place = std::str::from_utf8(&bytes[..valid]).map_or(Place::Unknown, |text| {
         super::position::Positions::new(text).place(valid)
     });
@@ -124,7 +124,7 @@ fn encoding_warning(bytes: &[u8], valid: usize) -> Complaint {
     } else {
         "the file is not UTF-8"
     };
-    Complaint {
+    Diagnostic {
         place,
         message: message.to_owned(),
         hint: Some("save it as UTF-8".to_owned()),

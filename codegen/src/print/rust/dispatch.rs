@@ -12,9 +12,9 @@ use super::comments::doc;
 use super::dialect::{Dialect, Equations};
 use super::item::Item;
 use super::lengths::known;
+use super::library::Library;
 use super::method;
 use super::results::result_type;
-use super::world::World;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
 
@@ -94,7 +94,7 @@ pub(super) fn dispatched(
     equations: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
-    let (World::Runtime(runtime), Some(names)) = (&dialect.world, &dialect.equations) else {
+    let (Library::Runtime(runtime), Some(names)) = (&dialect.library, &dialect.equations) else {
         return equations.clone();
     };
     let Equations { name, rounding, .. } = names;

@@ -293,6 +293,12 @@ impl Builder {
         self.with(|asked| asked.scalar = scalar)
     }
 
+    /// The same bits on every processor: no product is fused with a sum, and vectors are still chosen at run time. A
+    /// file for `core` alone is always so.
+    pub fn reproducible(self) -> Self {
+        self.with(|asked| asked.reproducible = true)
+    }
+
     /// Adds functions of slices of states, `gravity_batch` beside `gravity`, on the widest vectors of the processor at
     /// run time. It needs [`runtime`](Self::runtime), with its feature `batch`.
     pub fn batch(self) -> Self {

@@ -41,6 +41,8 @@ pub struct Module {
     pub length: Length,
     /// Scalar type.
     pub scalar: Real,
+    /// True if results have the same bits on every processor.
+    pub reproducible: bool,
     /// Source of sines and cosines.
     pub sines: Sines,
     /// Fields that programs read, in the order in which [`Input::Parameter`](crate::expression::Input) counts them.

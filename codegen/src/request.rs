@@ -79,6 +79,8 @@ pub struct Request {
     pub prepare: bool,
     /// The type of numbers in the generated code.
     pub scalar: Real,
+    /// The same bits on every processor: no product is fused with a sum.
+    pub reproducible: bool,
     /// The sines and cosines that the generated code calls.
     pub trigonometry: Trigonometry,
     /// Struct fields whose numbers stay free at run time.

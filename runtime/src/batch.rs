@@ -5,7 +5,7 @@
 //! [`Batch`] computes one state per SIMD lane, in the widest registers that are found at run time: AVX-512, AVX2 or
 //! SSE4.2. On other architectures than x86, and for functions that are not inlined completely, it uses
 //! [`Pack`](crate::Pack)s, which the compiler vectorises for the target. With the feature `rayon` it runs on all cores.
-//! None of this changes a bit of a result: products are fused with sums exactly where the target's code fuses them.
+//! None of this changes a bit of a result: products are fused with sums exactly where a single call fuses them.
 //!
 //! ```
 //! use homogen::batch::Batch;
@@ -29,7 +29,7 @@
 //! [`Columns`] takes column-major states, as in tables and Fortran arrays: a slice for each coordinate.
 //!
 //! A robot with the key `batch` has these methods itself, `arm.gravity_batch(&q, &mut tau)`, and its functions are
-//! compiled once for each length of registers. Without the key they are compiled for the target alone.
+//! compiled once for each length of registers. Without the key they compute with packs.
 
 mod columns;
 mod error;
@@ -41,20 +41,17 @@ mod run;
 
 pub use columns::Columns;
 pub use error::{BatchError, ColumnsError};
-pub use packed::{AsAlone, AsFused, Number, Packed, Packs, Rounding};
+pub use packed::{Number, Packed, Packs};
 pub use run::Vectors;
-
-use core::marker::PhantomData;
 
 use crate::robot;
 use error::check;
 
 /// A robot whose functions take slices of states.
 #[derive(Debug)]
-pub struct Batch<'a, R: ?Sized, M = AsAlone> {
+pub struct Batch<'a, R: ?Sized> {
     robot: &'a R,
     most: Vectors,
-    rounding: PhantomData<M>,
 }
 
 impl<'a, R: ?Sized> Batch<'a, R> {
@@ -65,30 +62,11 @@ impl<'a, R: ?Sized> Batch<'a, R> {
         Self {
             robot,
             most: Vectors::Bits512,
-            rounding: PhantomData,
         }
     }
-}
 
-impl<'a, R: ?Sized> Batch<'a, R, AsFused> {
-    /// The functions of a robot for many states, with products fused with sums if the processor at run time has the
-    /// instruction. Results are then bit for bit those of the functions of one state of [`Fused`](crate::Fused)
-    /// numbers.
-    ///
-    /// The robot needs the key `batch`: functions that are not inlined call a library routine for every product.
-    #[inline]
-    #[must_use]
-    pub const fn fused(robot: &'a R) -> Self {
-        Self {
-            robot,
-            most: Vectors::Bits512,
-            rounding: PhantomData,
-        }
-    }
-}
-
-impl<'a, R: ?Sized, M> Batch<'a, R, M> {
-    /// The same in registers of at most this length, for processors whose clock slows down with longer ones.
+    /// The same in registers of at most this length, for processors whose clock slows down with longer ones. Functions
+    /// that are not inlined choose by themselves.
     #[inline]
     #[must_use]
     pub const fn at_most(mut self, most: Vectors) -> Self {
@@ -99,7 +77,7 @@ impl<'a, R: ?Sized, M> Batch<'a, R, M> {
     /// The same for column-major states.
     #[inline]
     #[must_use]
-    pub const fn columns(self) -> Columns<'a, R, M> {
+    pub const fn columns(self) -> Columns<'a, R> {
         Columns::of(self.robot, self.most)
     }
 }
@@ -123,7 +101,7 @@ macro_rules! batch {
         batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*] $result);
     };
     (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*] $result:ty) => {
-        impl<R: robot::Batched + Sync + ?Sized, M: Rounding> Batch<'_, R, M> {
+        impl<R: robot::Batched + Sync + ?Sized> Batch<'_, R> {
             #[$noun]
             ///
             #[doc = concat!("[`", stringify!($name), "`](robot::", stringify!($name), ") of each state.")]
@@ -139,21 +117,19 @@ macro_rules! batch {
             where
                 R: robot::$name<$($length,)* T::Plain, Q>
                     + robot::$name<$($length,)* T::Narrow, Q>
-                    + robot::$name<$($length,)* M::Narrow<T>, Q>
-                    + robot::$name<$($length,)* M::Wide<T>, Q>
+                    + robot::$name<$($length,)* T::Wide, Q>
                     + robot::$name<$($length,)* T::InShort, Q>
-                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
-                    + robot::$name<$($length,)* M::InWide<T>, Q>,
+                    + robot::$name<$($length,)* T::InNarrow, Q>
+                    + robot::$name<$($length,)* T::InWide, Q>,
             {
                 /// The states of a call, or a part of them.
-                struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
+                struct States<'a, R: ?Sized, T, $(const $size: usize),*> {
                     robot: &'a R,
                     $($argument: &'a [robot::list_of!($argument)],)*
                     results: &'a mut [$result],
-                    rounding: PhantomData<M>,
                 }
 
-                impl<R: ?Sized, M, T: Number, $(const $size: usize),*> States<'_, R, M, T, $($size),*> {
+                impl<R: ?Sized, T: Number, $(const $size: usize),*> States<'_, R, T, $($size),*> {
                     #[inline(always)]
                     fn by<K: Packs<T>>(self, processor: K::Processor)
                     where
@@ -173,17 +149,16 @@ macro_rules! batch {
                     }
                 }
 
-                impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
-                    for States<'_, R, M, T, $($size),*>
+                impl<R, T: Number, $(const $size: usize),*> run::Work
+                    for States<'_, R, T, $($size),*>
                 where
                     R: robot::Batched + Sync + ?Sized
                         + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
-                        + robot::$name<$($length,)* M::Narrow<T>, Q>
-                        + robot::$name<$($length,)* M::Wide<T>, Q>
+                        + robot::$name<$($length,)* T::Wide, Q>
                         + robot::$name<$($length,)* T::InShort, Q>
-                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
-                        + robot::$name<$($length,)* M::InWide<T>, Q>,
+                        + robot::$name<$($length,)* T::InNarrow, Q>
+                        + robot::$name<$($length,)* T::InWide, Q>,
                 {
                     #[cfg(feature = "rayon")]
                     fn states(&self) -> usize {
@@ -194,10 +169,10 @@ macro_rules! batch {
                     fn split(self, at: usize) -> (Self, Self) {
                         $(let $argument = self.$argument.split_at(at);)*
                         let results = self.results.split_at_mut(at);
-                        let Self { robot, rounding, .. } = self;
+                        let Self { robot, .. } = self;
                         (
-                            Self { robot, $($argument: $argument.0,)* results: results.0, rounding },
-                            Self { robot, $($argument: $argument.1,)* results: results.1, rounding },
+                            Self { robot, $($argument: $argument.0,)* results: results.0 },
+                            Self { robot, $($argument: $argument.1,)* results: results.1 },
                         )
                     }
 
@@ -205,7 +180,7 @@ macro_rules! batch {
                 }
 
                 check(&[$((stringify!($argument), $argument.len()),)* ("results", results.len())])?;
-                let work = States { robot: self.robot, $($argument,)* results, rounding: self.rounding };
+                let work = States { robot: self.robot, $($argument,)* results };
                 run::run(work, self.most);
                 Ok(())
             }

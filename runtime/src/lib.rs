@@ -43,11 +43,11 @@ pub use robot::described::Robot;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
 pub use robot::payload::Payload;
-#[cfg(feature = "std")]
-pub use scalar::Fused;
+#[doc(hidden)]
+pub use scalar::dispatch;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use scalar::{Lane, Pack};
-pub use scalar::{Real, Scalar, trigonometry};
+pub use scalar::{Real, Scalar, rounding, trigonometry};
 
 #[cfg(feature = "derive")]
 pub use homogen_macros::{Robot, chain};

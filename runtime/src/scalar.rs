@@ -7,17 +7,17 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-#[cfg(feature = "std")]
-mod always_fused;
+pub mod dispatch;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod float;
-mod fused;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod pack;
+pub mod rounding;
 pub mod trigonometry;
 
-#[cfg(feature = "std")]
-pub use always_fused::Fused;
+use dispatch::Work;
+use rounding::{OfTarget, Rounding};
+
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use pack::{Lane, Pack};
 
@@ -63,6 +63,14 @@ pub trait Scalar:
     #[must_use]
     fn mul_add(self, factor: Self, term: Self) -> Self;
 
+    /// `self · factor + term` with the given rounding; [`mul_add`](Self::mul_add) by default.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn mul_add_by<R: Rounding>(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
+
     /// The square root.
     #[must_use]
     fn sqrt(self) -> Self;
@@ -102,6 +110,27 @@ pub trait Scalar:
     #[must_use]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         sin_cos_each(angles)
+    }
+
+    /// The sines and cosines of all angles with the given rounding of products in sums;
+    /// [`sin_cos_all`](Self::sin_cos_all) by default.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn sin_cos_all_by<R: Rounding, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        Self::sin_cos_all(angles)
+    }
+
+    /// Does work on numbers of this type by the instructions of the processor at hand; by those of the target by
+    /// default.
+    #[doc(hidden)]
+    #[expect(
+        clippy::inline_always,
+        reason = "registers of batches are compiled for the processor that was found if all is inlined"
+    )]
+    #[inline(always)]
+    fn dispatch<W: Work<Self>>(work: W) -> W::Output {
+        work.rounded::<OfTarget>()
     }
 }
 

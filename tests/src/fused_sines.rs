@@ -1,19 +1,39 @@
-//! The runtime's sines and cosines on a target that fuses products with sums.
+//! The runtime's sines and cosines on a target that fuses products with sums, and on one that does not.
 //!
-//! In: the runtime's own files, over a multiply-add that rounds once. Out: the bits of such a target, on every machine.
+//! In: an angle \[rad\]. Out: the bits of such a target, on every machine.
 
-/// The module that the files import.
-mod fused {
-    pub fn f32(factor: f32, other: f32, term: f32) -> f32 {
-        factor.mul_add(other, term)
+/// Double precision.
+pub mod double {
+    use homogen::rounding::{Fused, Unfused};
+    use homogen::trigonometry::double::sin_cos_by;
+
+    /// Sine and cosine with fused products.
+    #[must_use]
+    pub fn sin_cos(angle: f64) -> (f64, f64) {
+        sin_cos_by::<Fused>(angle)
     }
 
-    pub fn f64(factor: f64, other: f64, term: f64) -> f64 {
-        factor.mul_add(other, term)
+    /// Sine and cosine without fused products.
+    #[must_use]
+    pub fn unfused(angle: f64) -> (f64, f64) {
+        sin_cos_by::<Unfused>(angle)
     }
 }
 
-#[path = "../../runtime/src/scalar/trigonometry/double.rs"]
-pub mod double;
-#[path = "../../runtime/src/scalar/trigonometry/single.rs"]
-pub mod single;
+/// Single precision.
+pub mod single {
+    use homogen::rounding::{Fused, Unfused};
+    use homogen::trigonometry::single::sin_cos_by;
+
+    /// Sine and cosine with fused products.
+    #[must_use]
+    pub fn sin_cos(angle: f32) -> (f32, f32) {
+        sin_cos_by::<Fused>(angle)
+    }
+
+    /// Sine and cosine without fused products.
+    #[must_use]
+    pub fn unfused(angle: f32) -> (f32, f32) {
+        sin_cos_by::<Unfused>(angle)
+    }
+}

@@ -1,6 +1,6 @@
 //! [`Scalar`] and [`Real`] for the tested types.
 //!
-//! In: the operations of [`Flushed`], [`Fused32`] and [`Fused64`]. Out: the traits, whose functions are those of the
+//! In: the operations of [`F32`], [`F64`], [`Flushed`], [`Fused32`] and [`Fused64`]. Out: the traits, whose functions are those of the
 //! number inside. They neither flush nor fuse within a function, except for the sines and cosines of all joints, which
 //! are those of the type.
 
@@ -10,7 +10,7 @@ use std::fmt;
 use homogen::{Real, Scalar};
 use homogen_codegen::expression::Arithmetic;
 
-use crate::tested::{Flushed, Fused32, Fused64, Tested};
+use crate::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
 macro_rules! implement {
     ($type:ident, $float:ident, $new:expr) => {
@@ -77,6 +77,8 @@ macro_rules! implement {
     };
 }
 
+implement!(F32, f32, Self);
+implement!(F64, f64, Self);
 implement!(Flushed, f32, Self::new);
 implement!(Fused32, f32, Self);
 implement!(Fused64, f64, Self);

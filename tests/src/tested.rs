@@ -7,7 +7,6 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use homogen::trigonometry::{double, single};
 use homogen_codegen::Real;
 use homogen_codegen::expression::Arithmetic;
 
@@ -129,9 +128,9 @@ macro_rules! implement {
     };
 }
 
-implement!(F64, Self, double::sin_cos);
-implement!(F32, Self, single::sin_cos);
-implement!(Flushed, Self::new, single::sin_cos);
+implement!(F64, Self, fused_sines::double::unfused);
+implement!(F32, Self, fused_sines::single::unfused);
+implement!(Flushed, Self::new, fused_sines::single::unfused);
 // Without the instruction, the standard library computes the same bits in software.
 implement!(Fused64, Self, fused_sines::double::sin_cos, f64::mul_add);
 implement!(Fused32, Self, fused_sines::single::sin_cos, f32::mul_add);

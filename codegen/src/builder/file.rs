@@ -134,6 +134,7 @@ impl Builder {
         }));
         options.extend(request.exact.then(|| "exact".to_owned()));
         options.extend(request.strict.then(|| "strict".to_owned()));
+        options.extend(request.reproducible.then(|| "reproducible".to_owned()));
         options.extend(request.batch.then(|| "batch".to_owned()));
         options.extend(request.prepare.then(|| "prepare".to_owned()));
         options.extend(request.section.map(|most| format!("section {most}")));

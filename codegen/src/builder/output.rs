@@ -132,10 +132,10 @@ impl Builder {
         errors.into_result(())
     }
 
-    /// True if the named processor has fused operations.
+    /// True if the named processor has fused operations that may be used.
     pub(super) fn fuses(&self, module: &Module) -> bool {
         let processor = self.request.processor;
-        processor != Processor::Portable && processor.fuses(module.scalar)
+        !module.reproducible && processor != Processor::Portable && processor.fuses(module.scalar)
     }
 
     /// The prefix of all names in languages without modules.

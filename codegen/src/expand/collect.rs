@@ -66,6 +66,7 @@ pub(super) fn collect<'c>(
         batch: request.batch,
         length: request.length(),
         scalar: request.scalar,
+        reproducible: request.reproducible,
         sines: request.formulation.sines,
         parameters: request.parameters.clone(),
         prepared,

@@ -8,6 +8,7 @@ use crate::chain::{self, Chain};
 use crate::check::{self, Redundancy, judge_base_parameters};
 use crate::description::Description;
 use crate::error::{Errors, Place};
+use crate::formulation::{Products, Sines};
 use crate::function::Function;
 use crate::plan;
 use crate::real::Real;
@@ -21,11 +22,13 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
     check_processor(request)?;
     check_batch(request)?;
     check_prepare(request)?;
+    check_reproducible(request)?;
     if let Err(refusal) = request.formulation.check() {
         let mut errors = Errors::new();
         errors.push_with_hint(Place::Unknown, refusal.message, refusal.hint);
         return Err(errors);
     }
+    let request = &unfused_if_reproducible(request);
     let mut chain = settled(chain::build(description, request)?, request.strict)?;
     let mut warnings = plan::warnings(&chain, request);
     if solves_loops(&chain, request) {
@@ -97,6 +100,28 @@ fn check_prepare(request: &Request) -> Result<(), Errors> {
         );
     }
     errors.into_result(())
+}
+
+/// Rejects `reproducible` with the sines of the platform, which differ between platforms.
+fn check_reproducible(request: &Request) -> Result<(), Errors> {
+    let mut errors = Errors::new();
+    if request.reproducible && request.formulation.sines == Sines::Platform {
+        errors.push_with_hint(
+            Place::Unknown,
+            "`reproducible` contradicts `platform_sines`: the sines of platforms differ in the last digit",
+            "leave one of them out",
+        );
+    }
+    errors.into_result(())
+}
+
+/// The same request; without fused products if it is to be reproducible.
+fn unfused_if_reproducible(request: &Request) -> Request {
+    let mut request = request.clone();
+    if request.reproducible {
+        request.formulation.products = Products::Unfused;
+    }
+    request
 }
 
 /// The same chain with its base parameters, which are compared with the description.

@@ -12,6 +12,7 @@ mod comments;
 mod declaration;
 mod described;
 mod dialect;
+mod dispatch;
 mod early;
 #[cfg(feature = "files")]
 mod extern_c;
@@ -75,7 +76,8 @@ pub fn print(module: &Module, item: &Item, library: &Library) -> TokenStream {
     let mut inlined = Vec::new();
     for (generated, name) in module.functions.iter().zip(names::of_methods(module)) {
         let fields = Fields::Own(&module.parameters);
-        let computation = |dialect: &_| method::computation((generated, fields), module, dialect);
+        let computation =
+            |dialect: &_| dispatch::computation((generated, fields), module, item, dialect);
         let own = |code: &_| method(module, item, generated, &name, (code, &dialect));
         let acted = module.spaces.actions() > 0;
         let batched = |function: Function| module.batch && function.has_batches(acted);
@@ -159,6 +161,7 @@ pub fn each_method(module: &Module, item: &Item, library: &Library) -> Vec<Expla
             Explained {
                 text: method(module, item, generated, &name, (&body.text, &dialect)),
                 meanings: body.meanings,
+                reads_robot: body.reads_robot,
             }
         })
         .collect()

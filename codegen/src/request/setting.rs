@@ -97,7 +97,7 @@ const SETTING: Setting = Setting {
 
 /// All keys, in the order of help, heads of files and messages.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 32] = [
+pub const SETTINGS: [Setting; 33] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
     Setting { key: "mjcf", form: SettingForm::File, example: r#"mjcf = "arm.xml""#, ..SETTING },
     Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
@@ -149,6 +149,8 @@ pub const SETTINGS: [Setting; 32] = [
     Setting { key: "frames", form: SettingForm::Names(|asked| &mut asked.frames), example: "frames(link, other)", group: FRAMES, value: "LINK,…",
         help: "Further links with poses and Jacobians", ..SETTING },
     Setting { key: "scalar", form: SettingForm::Scalar, example: "scalar = f32", ..SETTING },
+    Setting { key: "reproducible", form: SettingForm::Switch(|asked| &mut asked.reproducible), example: "reproducible", group: ROBOT,
+        help: "The same bits on every processor: no product is fused with a sum", ..SETTING },
     Setting { key: "prepare", form: SettingForm::Switch(|asked| &mut asked.prepare), example: "prepare", group: FIELDS,
         help: "Compute once what depends on fields alone", ..SETTING },
     Setting { key: "batch", form: SettingForm::Switch(|asked| &mut asked.batch), example: "batch", group: FILE, needs: Some("runtime"),

@@ -2,8 +2,7 @@
 //! on all.
 //!
 //! In: the Panda-class arm of `robots/`. Out: a table of times and of their ratios to one state at a time, from one
-//! run in which the programs take turns. Built without flags, it shows the gain by the processor's SIMD registers for
-//! a program that is compiled for the baseline.
+//! run in which the programs take turns.
 
 use std::cell::RefCell;
 use std::time::Duration;
@@ -37,7 +36,6 @@ fn main() {
     table("f64", &double);
     table("f32", &single);
     println!("  Lower quartiles of 301 batches in turn; ratios are to one state at a time.");
-    println!("  Fused: with products fused with sums where the processor has the instruction.");
     println!("  {}", machine::describe());
 }
 
@@ -56,19 +54,14 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
             *tau = Panda.inverse_dynamics(&q[i], &qd[i], &qdd[i]);
         }
     };
-    let alone = |most: Vectors, states: usize| {
-        let (tau, batch) = (&mut tau.borrow_mut()[..states], Batch::of(&Panda));
-        let done =
-            batch
-                .at_most(most)
-                .inverse_dynamics(&q[..states], &qd[..states], &qdd[..states], tau);
-        done.expect("as long");
-    };
-    let fused = |most: Vectors| {
-        let (tau, batch) = (&mut tau.borrow_mut()[..FEW], Batch::fused(&Panda));
-        let done = batch
-            .at_most(most)
-            .inverse_dynamics(&q[..FEW], &qd[..FEW], &qdd[..FEW], tau);
+    let batch = |most: Vectors, states: usize| {
+        let tau = &mut tau.borrow_mut()[..states];
+        let done = Batch::of(&Panda).at_most(most).inverse_dynamics(
+            &q[..states],
+            &qd[..states],
+            &qdd[..states],
+            tau,
+        );
         done.expect("as long");
     };
     let columns = [&q, &qd, &qdd].map(|states| columns(&states[..FEW]));
@@ -82,23 +75,14 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
         let done = batch.inverse_dynamics(q_columns, qd_columns, qdd_columns, &mut tau);
         done.expect("as long");
     };
-    let all_cores = || alone(Vectors::Bits512, MANY);
-    let programs: [(&str, usize, &dyn Fn()); 9] = [
+    let all_cores = || batch(Vectors::Bits512, MANY);
+    let programs: [(&str, usize, &dyn Fn()); 6] = [
         ("one state at a time", FEW, &one_by_one),
-        ("batch, vectors of the target", FEW, &|| {
-            alone(Vectors::OfTarget, FEW);
-        }),
         ("batch, up to 256 bits", FEW, &|| {
-            alone(Vectors::Bits256, FEW);
-        }),
-        ("batch, up to 256 bits, fused", FEW, &|| {
-            fused(Vectors::Bits256);
+            batch(Vectors::Bits256, FEW);
         }),
         ("batch, up to 512 bits", FEW, &|| {
-            alone(Vectors::Bits512, FEW);
-        }),
-        ("batch, up to 512 bits, fused", FEW, &|| {
-            fused(Vectors::Bits512);
+            batch(Vectors::Bits512, FEW);
         }),
         ("columns, up to 256 bits", FEW, &|| {
             by_columns(Vectors::Bits256);

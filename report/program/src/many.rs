@@ -45,13 +45,11 @@ pub struct Implementation {
 pub const ALONE: &str = "alone";
 
 /// Ours: one state a call, and batches in registers of each length.
-pub const OURS: [Implementation; 6] = [
+pub const OURS: [Implementation; 4] = [
     algorithm(ALONE, "one state at a time", Color::Black),
     algorithm("target", "batch, vectors of the build", Color::Grey),
-    algorithm("avx2", "batch, AVX2", Color::Sky),
-    algorithm("avx2_fused", "batch, AVX2, fused", Color::Blue),
-    algorithm("avx512", "batch, AVX-512", Color::Green),
-    algorithm("avx512_fused", "batch, AVX-512, fused", Color::Purple),
+    algorithm("avx2", "batch, AVX2", Color::Blue),
+    algorithm("avx512", "batch, AVX-512", Color::Purple),
 ];
 
 /// Other programs.

@@ -8,11 +8,10 @@
 )]
 
 use core::array::from_fn;
-use core::marker::PhantomData;
 use std::vec::Vec;
 
 use super::error::ColumnsError;
-use super::packed::{Number, Packed, Packs, Rounding};
+use super::packed::{Number, Packed, Packs};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::processor;
 use super::run::{self, Vectors};
@@ -57,19 +56,14 @@ use crate::robot;
 /// # Ok::<(), homogen::batch::ColumnsError>(())
 /// ```
 #[derive(Debug)]
-pub struct Columns<'a, R: ?Sized, M> {
+pub struct Columns<'a, R: ?Sized> {
     robot: &'a R,
     most: Vectors,
-    rounding: PhantomData<M>,
 }
 
-impl<'a, R: ?Sized, M> Columns<'a, R, M> {
+impl<'a, R: ?Sized> Columns<'a, R> {
     pub(super) const fn of(robot: &'a R, most: Vectors) -> Self {
-        Self {
-            robot,
-            most,
-            rounding: PhantomData,
-        }
+        Self { robot, most }
     }
 }
 
@@ -141,7 +135,7 @@ macro_rules! batch {
         batch!(@ #[$noun] $name $method [N Q] [N] [$($argument)*]);
     };
     (@ #[$noun:meta] $name:ident $method:ident [$($size:ident)*] [$($length:ident)*] [$($argument:ident)*]) => {
-        impl<R: robot::Batched + Sync + ?Sized, M: Rounding> Columns<'_, R, M> {
+        impl<R: robot::Batched + Sync + ?Sized> Columns<'_, R> {
             #[$noun]
             ///
             #[doc = concat!("[`", stringify!($name), "`](robot::", stringify!($name), ") of each state.")]
@@ -158,22 +152,20 @@ macro_rules! batch {
             where
                 R: robot::$name<$($length,)* T::Plain, Q>
                     + robot::$name<$($length,)* T::Narrow, Q>
-                    + robot::$name<$($length,)* M::Narrow<T>, Q>
-                    + robot::$name<$($length,)* M::Wide<T>, Q>
+                    + robot::$name<$($length,)* T::Wide, Q>
                     + robot::$name<$($length,)* T::InShort, Q>
-                    + robot::$name<$($length,)* M::InNarrow<T>, Q>
-                    + robot::$name<$($length,)* M::InWide<T>, Q>,
+                    + robot::$name<$($length,)* T::InNarrow, Q>
+                    + robot::$name<$($length,)* T::InWide, Q>,
             {
                 /// The states of a call, or a part of them.
-                struct States<'a, R: ?Sized, M, T, $(const $size: usize),*> {
+                struct States<'a, R: ?Sized, T, $(const $size: usize),*> {
                     robot: &'a R,
                     count: usize,
                     $($argument: columns_of!($argument, &'a [T]),)*
                     results: Vec<&'a mut [T]>,
-                    rounding: PhantomData<M>,
                 }
 
-                impl<R: ?Sized, M, T: Number, $(const $size: usize),*> States<'_, R, M, T, $($size),*> {
+                impl<R: ?Sized, T: Number, $(const $size: usize),*> States<'_, R, T, $($size),*> {
                     fn numbers<K: Packs<T>>(robot: &R) -> usize
                     where
                         R: robot::$name<$($length,)* K, Q>,
@@ -201,17 +193,16 @@ macro_rules! batch {
                     }
                 }
 
-                impl<R, M: Rounding, T: Number, $(const $size: usize),*> run::Work
-                    for States<'_, R, M, T, $($size),*>
+                impl<R, T: Number, $(const $size: usize),*> run::Work
+                    for States<'_, R, T, $($size),*>
                 where
                     R: robot::Batched + Sync + ?Sized
                         + robot::$name<$($length,)* T::Plain, Q>
                         + robot::$name<$($length,)* T::Narrow, Q>
-                        + robot::$name<$($length,)* M::Narrow<T>, Q>
-                        + robot::$name<$($length,)* M::Wide<T>, Q>
+                        + robot::$name<$($length,)* T::Wide, Q>
                         + robot::$name<$($length,)* T::InShort, Q>
-                        + robot::$name<$($length,)* M::InNarrow<T>, Q>
-                        + robot::$name<$($length,)* M::InWide<T>, Q>,
+                        + robot::$name<$($length,)* T::InNarrow, Q>
+                        + robot::$name<$($length,)* T::InWide, Q>,
                 {
                     #[cfg(feature = "rayon")]
                     fn states(&self) -> usize {
@@ -220,13 +211,13 @@ macro_rules! batch {
 
                     #[cfg(feature = "rayon")]
                     fn split(self, at: usize) -> (Self, Self) {
-                        let Self { robot, count, rounding, .. } = self;
+                        let Self { robot, count, .. } = self;
                         let results = self.results.into_iter().map(|column| column.split_at_mut(at));
                         let results: (Vec<_>, Vec<_>) = results.unzip();
                         $(let $argument = (self.$argument.map(|column| &column[..at]), self.$argument.map(|column| &column[at..]));)*
                         (
-                            Self { robot, count: at, $($argument: $argument.0,)* results: results.0, rounding },
-                            Self { robot, count: count - at, $($argument: $argument.1,)* results: results.1, rounding },
+                            Self { robot, count: at, $($argument: $argument.0,)* results: results.0 },
+                            Self { robot, count: count - at, $($argument: $argument.1,)* results: results.1 },
                         )
                     }
 
@@ -237,16 +228,15 @@ macro_rules! batch {
                     $((stringify!($argument), &$argument.map(<[T]>::len)),)*
                     ("results", &results.iter().map(|column| column.len()).collect::<Vec<_>>()),
                 ])?;
-                let expected = States::<R, M, T, $($size),*>::numbers::<T::Narrow>(self.robot);
+                let expected = States::<R, T, $($size),*>::numbers::<T::Narrow>(self.robot);
                 if results.len() != expected {
                     return Err(ColumnsError::Count { columns: results.len(), expected });
                 }
-                let work = States::<R, M, T, $($size),*> {
+                let work = States::<R, T, $($size),*> {
                     robot: self.robot,
                     count,
                     $($argument,)*
                     results: results.iter_mut().map(|column| &mut **column).collect(),
-                    rounding: PhantomData,
                 };
                 run::run(work, self.most);
                 Ok(())

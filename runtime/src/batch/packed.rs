@@ -12,32 +12,24 @@ use super::processor;
 use super::registers::Register;
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
 use crate::robot::derivatives::{AccelerationDerivatives, TorqueDerivatives};
-use crate::scalar::{Fused, Lane, Pack, Scalar};
+use crate::scalar::{Lane, Pack, Scalar};
 use core::array::from_fn;
 use core::ops::Range;
 
-/// A number of batches, `f32` or `f64`, with its packs. "Exact" packs have the bits of the number alone.
-pub trait Number: Lane<Bare = Self> {
-    /// Exact lanes for registers of up to 256 bits.
+/// A number of batches, `f32` or `f64`, with its packs.
+pub trait Number: Lane {
+    /// Lanes for registers of up to 256 bits.
     type Narrow: Packs<Self, Processor = ()>;
-    /// Exact lanes for registers of 512 bits.
+    /// Lanes for registers of 512 bits.
     type Wide: Packs<Self, Processor = ()>;
-    /// Lanes for registers of 256 bits, with products fused with sums.
-    type FusedNarrow: Packs<Self, Processor = ()>;
-    /// Lanes for registers of 512 bits, with products fused with sums.
-    type FusedWide: Packs<Self, Processor = ()>;
-    /// Exact lanes for any processor.
+    /// Lanes for any processor.
     type Plain: Packs<Self, Processor = ()>;
-    /// Exact lanes in a register of 128 bits.
+    /// Lanes in a register of 128 bits.
     type InShort: Packs<Self, Processor = processor::Short>;
     /// The lanes of [`Narrow`](Self::Narrow) in a register.
     type InNarrow: Packs<Self, Processor = processor::Narrow>;
     /// The lanes of [`Wide`](Self::Wide) in a register.
     type InWide: Packs<Self, Processor = processor::Wide>;
-    /// The lanes of [`FusedNarrow`](Self::FusedNarrow) in a register.
-    type FusedInNarrow: Packs<Self, Processor = processor::Narrow>;
-    /// The lanes of [`FusedWide`](Self::FusedWide) in a register.
-    type FusedInWide: Packs<Self, Processor = processor::Wide>;
 }
 
 /// The lanes of a pack in a register of a processor; on other architectures than x86 the pack itself.
@@ -59,8 +51,6 @@ macro_rules! number {
         impl Number for $float {
             type Narrow = Pack<$float, $narrow>;
             type Wide = Pack<$float, $wide>;
-            type FusedNarrow = Pack<Fused<$float>, $narrow>;
-            type FusedWide = Pack<Fused<$float>, $wide>;
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             type Plain = Pack<$float, 1>;
             #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
@@ -68,54 +58,11 @@ macro_rules! number {
             type InShort = held!(Short, $float, $short);
             type InNarrow = held!(Narrow, $float, $narrow);
             type InWide = held!(Wide, $float, $wide);
-            type FusedInNarrow = held!(Narrow, Fused<$float>, $narrow);
-            type FusedInWide = held!(Wide, Fused<$float>, $wide);
         }
     };
 }
 number!(f64: 2, 4, 8);
 number!(f32: 4, 8, 16);
-
-/// The rounding of products and sums in a batch, with the packs for it.
-pub trait Rounding: Send + sealed::Sealed {
-    /// Lanes for registers of up to 256 bits.
-    type Narrow<T: Number>: Packs<T, Processor = ()>;
-    /// Lanes for registers of 512 bits.
-    type Wide<T: Number>: Packs<T, Processor = ()>;
-    /// The lanes of [`Narrow`](Self::Narrow) in a register.
-    type InNarrow<T: Number>: Packs<T, Processor = processor::Narrow>;
-    /// The lanes of [`Wide`](Self::Wide) in a register.
-    type InWide<T: Number>: Packs<T, Processor = processor::Wide>;
-}
-
-/// Rounded as the function of one state.
-#[derive(Clone, Copy, Debug)]
-pub enum AsAlone {}
-
-/// Fused if the processor at run time has the instruction.
-#[derive(Clone, Copy, Debug)]
-pub enum AsFused {}
-
-impl Rounding for AsAlone {
-    type Narrow<T: Number> = T::Narrow;
-    type Wide<T: Number> = T::Wide;
-    type InNarrow<T: Number> = T::InNarrow;
-    type InWide<T: Number> = T::InWide;
-}
-
-impl Rounding for AsFused {
-    type Narrow<T: Number> = T::FusedNarrow;
-    type Wide<T: Number> = T::FusedWide;
-    type InNarrow<T: Number> = T::FusedInNarrow;
-    type InWide<T: Number> = T::FusedInWide;
-}
-
-mod sealed {
-    /// Implemented by this crate alone.
-    pub trait Sealed {}
-    impl Sealed for super::AsAlone {}
-    impl Sealed for super::AsFused {}
-}
 
 /// A pack of numbers `T`, with any number of lanes.
 pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
@@ -135,54 +82,42 @@ pub trait Packs<T>: Scalar + Packed<Lane = T, Number = T> {
     fn load<const N: usize>(states: &[[T; N]], packs: &mut [Self; N]);
 }
 
-impl<T: Lane, const L: usize> Packs<T::Bare> for Pack<T, L> {
+impl<T: Lane, const L: usize> Packs<T> for Pack<T, L> {
     const LANES: usize = L;
     type Processor = ();
 
     #[inline(always)]
-    fn filled((): (), number: T::Bare) -> Self {
-        Self([T::of(number); L])
+    fn filled((): (), number: T) -> Self {
+        Self([number; L])
     }
 
     #[inline(always)]
-    fn gather((): (), numbers: &[T::Bare]) -> Self {
-        Self(together(numbers, T::of))
+    fn gather((): (), numbers: &[T]) -> Self {
+        Self(together(numbers))
     }
 
     #[inline(always)]
-    fn load<const N: usize>(states: &[[T::Bare; N]], packs: &mut [Self; N]) {
-        spread(states, packs, |pack| &mut pack.0, T::of);
+    fn load<const N: usize>(states: &[[T; N]], packs: &mut [Self; N]) {
+        spread(states, packs, |pack| &mut pack.0);
     }
 }
 
 /// The lanes of a pack from a number of each state; the last number fills lanes without a state.
 #[inline(always)]
-pub(super) fn together<T: Copy + Default, U: Copy, const L: usize>(
-    numbers: &[T],
-    of: impl Fn(T) -> U,
-) -> [U; L] {
-    let padded;
-    let numbers = if let Some(numbers) = numbers.first_chunk::<L>() {
-        numbers
-    } else {
-        let (states, _) = numbers.as_chunks::<1>();
-        padded = filled_up(states).map(|[number]| number);
-        &padded
-    };
-    let mut lanes = [of(numbers[0]); L];
-    for (lane, number) in lanes.iter_mut().zip(numbers) {
-        *lane = of(*number);
+pub(super) fn together<T: Copy + Default, const L: usize>(numbers: &[T]) -> [T; L] {
+    if let Some(numbers) = numbers.first_chunk::<L>() {
+        return *numbers;
     }
-    lanes
+    let (states, _) = numbers.as_chunks::<1>();
+    filled_up(states).map(|[number]| number)
 }
 
 /// Fills packs, one for each entry, with one state a lane; the last state fills lanes without a state.
 #[inline(always)]
-pub(super) fn spread<T: Copy + Default, U, P, const L: usize, const N: usize>(
+pub(super) fn spread<T: Copy + Default, P, const L: usize, const N: usize>(
     states: &[[T; N]],
     packs: &mut [P; N],
-    lanes: impl Fn(&mut P) -> &mut [U; L],
-    of: impl Fn(T) -> U,
+    lanes: impl Fn(&mut P) -> &mut [T; L],
 ) {
     let padded;
     let states = if let Some(states) = states.first_chunk::<L>() {
@@ -193,7 +128,7 @@ pub(super) fn spread<T: Copy + Default, U, P, const L: usize, const N: usize>(
     };
     for (i, pack) in packs.iter_mut().enumerate() {
         for (lane, state) in lanes(pack).iter_mut().zip(states) {
-            *lane = of(state[i]);
+            *lane = state[i];
         }
     }
 }
@@ -272,26 +207,23 @@ fn lane_by_lane<P: Packed>(packed: &P, results: &mut [P::Lane]) {
 }
 
 impl<T: Lane, const L: usize> Packed for Pack<T, L> {
-    type Lane = T::Bare;
-    type Number = T::Bare;
+    type Lane = T;
+    type Number = T;
     const NUMBERS: usize = 1;
 
     #[inline]
-    fn lane(&self, index: usize) -> T::Bare {
-        self.0[index].bare()
+    fn lane(&self, index: usize) -> T {
+        self.0[index]
     }
 
     #[inline(always)]
-    fn write(&self, columns: &mut [&mut [T::Bare]], states: Range<usize>) {
+    fn write(&self, columns: &mut [&mut [T]], states: Range<usize>) {
         let numbers = &mut columns[0][states];
         if let Some(numbers) = numbers.first_chunk_mut::<L>() {
-            for (number, lane) in numbers.iter_mut().zip(&self.0) {
-                *number = lane.bare();
-            }
+            *numbers = self.0;
         } else {
-            for (number, lane) in numbers.iter_mut().zip(&self.0) {
-                *number = lane.bare();
-            }
+            let count = numbers.len();
+            numbers.copy_from_slice(&self.0[..count]);
         }
     }
 }

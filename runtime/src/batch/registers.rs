@@ -14,45 +14,40 @@
 )]
 
 use core::array::from_fn;
+use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Range, Sub};
 use pulp::bytemuck::cast;
 use pulp::{NullaryFnOnce, Simd};
 
 use super::packed::{Packed, Packs, spread, together};
 use super::processor::{Narrow, Processor, Short, Wide};
-use crate::scalar::{Fused, Lane, Pack, Scalar};
+use crate::scalar::dispatch::Work;
+use crate::scalar::rounding::{Fused, OfTarget, Rounding};
+use crate::scalar::{Lane, Pack, Scalar};
 
 /// `L` numbers `T` in a register of the processor `P`.
 #[derive(Clone, Copy, Debug)]
 pub struct Register<P, T: Lane, const L: usize> {
     /// The proof that the processor has the instructions, without size. [`like`](Scalar::like) copies it.
     processor: P,
-    lanes: [T::Bare; L],
+    lanes: [T; L],
 }
 
 impl<P: Copy, T: Lane, const L: usize> Register<P, T, L> {
     #[inline(always)]
     fn pack(&self) -> Pack<T, L> {
-        let mut pack = Pack([T::of(self.lanes[0]); L]);
-        for (lane, number) in pack.0.iter_mut().zip(&self.lanes) {
-            *lane = T::of(*number);
-        }
-        pack
+        Pack(self.lanes)
     }
 
     #[inline(always)]
-    fn of(processor: P, pack: &Pack<T, L>) -> Self {
-        let mut lanes = [pack.0[0].bare(); L];
-        for (lane, number) in lanes.iter_mut().zip(&pack.0) {
-            *lane = number.bare();
-        }
+    fn of(processor: P, Pack(lanes): Pack<T, L>) -> Self {
         Self { processor, lanes }
     }
 
     /// An infrequent operation, computed by packs.
     #[inline(always)]
     fn as_packs(self, operation: impl FnOnce(Pack<T, L>) -> Pack<T, L>) -> Self {
-        Self::of(self.processor, &operation(self.pack()))
+        Self::of(self.processor, operation(self.pack()))
     }
 }
 
@@ -61,21 +56,22 @@ impl<P: Copy, T: Lane, const L: usize> Register<P, T, L> {
 /// They are compiled in a function of their own, because the compiler does not always vectorise them among a thousand
 /// other operations. One call for all angles passes them in memory; a call for each angle would pass its lanes one by
 /// one.
-struct Angles<'a, P, T: Lane, const L: usize> {
+struct Angles<'a, R, P, T: Lane, const L: usize> {
     sines: &'a mut [Register<P, T, L>],
     cosines: &'a mut [Register<P, T, L>],
+    rounding: PhantomData<R>,
 }
 
-impl<P: Copy, T: Lane, const L: usize> NullaryFnOnce for Angles<'_, P, T, L> {
+impl<R: Rounding, P: Copy, T: Lane, const L: usize> NullaryFnOnce for Angles<'_, R, P, T, L> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
         for (sine, cosine) in self.sines.iter_mut().zip(self.cosines) {
             let processor = sine.processor;
-            let ([sines], [cosines]) = Pack::sin_cos_all([sine.pack()]);
-            *sine = Register::of(processor, &sines);
-            *cosine = Register::of(processor, &cosines);
+            let ([sines], [cosines]) = Pack::sin_cos_all_by::<R, _>([sine.pack()]);
+            *sine = Register::of(processor, sines);
+            *cosine = Register::of(processor, cosines);
         }
     }
 }
@@ -91,10 +87,10 @@ fn four<T: Copy>(numbers: &[T], first: usize) -> [T; 4] {
     ]
 }
 
-/// Implements registers of a processor with `$lanes` numbers; `fuses` is true if a product and a sum are one
-/// instruction.
+/// Implements registers of a processor with `$lanes` numbers, and the rounding of functions that choose theirs by the
+/// processor.
 macro_rules! register {
-    ($processor:ident, $number:ty, $lanes:literal, fuses: $fuses:expr, $bare:ident:
+    ($processor:ident, $number:ident, $lanes:literal, $rounding:ident:
         $transposed:ident $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
     ) => {
         register!(operator $processor, $number, $lanes: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
@@ -116,17 +112,22 @@ macro_rules! register {
             #[inline]
             fn constant(value: f64) -> Self {
                 let processor = $processor::try_new().expect("registers are of the processor that runs");
-                Self { processor, lanes: [$bare::constant(value); $lanes] }
+                Self { processor, lanes: [$number::constant(value); $lanes] }
             }
 
             #[inline(always)]
             fn like(self, value: f64) -> Self {
-                Self { lanes: [$bare::constant(value); $lanes], ..self }
+                Self { lanes: [$number::constant(value); $lanes], ..self }
             }
 
             #[inline(always)]
             fn mul_add(self, factor: Self, term: Self) -> Self {
-                if $fuses {
+                self.mul_add_by::<OfTarget>(factor, term)
+            }
+
+            #[inline(always)]
+            fn mul_add_by<R: Rounding>(self, factor: Self, term: Self) -> Self {
+                if R::FUSES {
                     let Self { processor, lanes } = self;
                     let lanes = processor.$mul_add(cast(lanes), cast(factor.lanes), cast(term.lanes));
                     Self { processor, lanes: cast(lanes) }
@@ -144,7 +145,7 @@ macro_rules! register {
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let (sine, cosine) = self.pack().sin_cos();
-                (Self::of(self.processor, &sine), Self::of(self.processor, &cosine))
+                (Self::of(self.processor, sine), Self::of(self.processor, cosine))
             }
 
             #[inline(always)]
@@ -159,26 +160,37 @@ macro_rules! register {
 
             #[inline(always)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+                Self::sin_cos_all_by::<OfTarget, N>(angles)
+            }
+
+            #[inline(always)]
+            fn sin_cos_all_by<R: Rounding, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 let (mut sines, mut cosines) = (angles, angles);
                 if let Some(first) = angles.first() {
-                    first.processor.vectorize(Angles { sines: &mut sines, cosines: &mut cosines });
+                    let rounding = PhantomData::<R>;
+                    first.processor.vectorize(Angles { sines: &mut sines, cosines: &mut cosines, rounding });
                 }
                 (sines, cosines)
+            }
+
+            #[inline(always)]
+            fn dispatch<W: Work<Self>>(work: W) -> W::Output {
+                work.rounded::<$rounding>()
             }
         }
 
         impl Packed for Register<$processor, $number, $lanes> {
-            type Lane = $bare;
-            type Number = $bare;
+            type Lane = $number;
+            type Number = $number;
             const NUMBERS: usize = 1;
 
             #[inline]
-            fn lane(&self, index: usize) -> $bare {
+            fn lane(&self, index: usize) -> $number {
                 self.lanes[index]
             }
 
             #[inline(always)]
-            fn store_list<const N: usize>(list: &[Self; N], results: &mut [[$bare; N]]) {
+            fn store_list<const N: usize>(list: &[Self; N], results: &mut [[$number; N]]) {
                 if N < 4 || $lanes < 4 || results.len() < $lanes {
                     for (lane, result) in results.iter_mut().enumerate() {
                         *result = from_fn(|entry| list[entry].lanes[lane]);
@@ -203,7 +215,7 @@ macro_rules! register {
             }
 
             #[inline(always)]
-            fn write(&self, columns: &mut [&mut [$bare]], states: Range<usize>) {
+            fn write(&self, columns: &mut [&mut [$number]], states: Range<usize>) {
                 let numbers = &mut columns[0][states];
                 if let Some(numbers) = numbers.first_chunk_mut::<$lanes>() {
                     *numbers = self.lanes;
@@ -214,24 +226,24 @@ macro_rules! register {
             }
         }
 
-        impl Packs<$bare> for Register<$processor, $number, $lanes> {
+        impl Packs<$number> for Register<$processor, $number, $lanes> {
             const LANES: usize = $lanes;
             type Processor = $processor;
 
             #[inline(always)]
-            fn filled(processor: $processor, number: $bare) -> Self {
+            fn filled(processor: $processor, number: $number) -> Self {
                 Self { processor, lanes: [number; $lanes] }
             }
 
             #[inline(always)]
-            fn gather(processor: $processor, numbers: &[$bare]) -> Self {
-                Self { processor, lanes: together(numbers, |number| number) }
+            fn gather(processor: $processor, numbers: &[$number]) -> Self {
+                Self { processor, lanes: together(numbers) }
             }
 
             #[inline(always)]
-            fn load<const N: usize>(states: &[[$bare; N]], packs: &mut [Self; N]) {
+            fn load<const N: usize>(states: &[[$number; N]], packs: &mut [Self; N]) {
                 if N < 4 || $lanes < 4 || states.len() < $lanes {
-                    spread(states, packs, |pack| &mut pack.lanes, |number| number);
+                    spread(states, packs, |pack| &mut pack.lanes);
                     return;
                 }
                 let processor = packs[0].processor;
@@ -252,7 +264,7 @@ macro_rules! register {
             }
         }
     };
-    (operator $processor:ident, $number:ty, $lanes:literal: $($name:ident $method:ident $instruction:ident),*) => {$(
+    (operator $processor:ident, $number:ident, $lanes:literal: $($name:ident $method:ident $instruction:ident),*) => {$(
         impl $name for Register<$processor, $number, $lanes> {
             type Output = Self;
 
@@ -265,19 +277,15 @@ macro_rules! register {
     )*};
 }
 
-/// Implements the registers of a processor: double and single precision, rounded as single numbers and fused.
+/// Implements the registers of a processor in double and single precision.
 macro_rules! registers {
-    ($processor:ident: $double:literal $single:literal) => {
-        registers!($processor, f64, $double:
+    ($processor:ident, $rounding:ident: $double:literal $single:literal) => {
+        register!($processor, f64, $double, $rounding:
             transposed_f64 add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
-        registers!($processor, f32, $single:
+        register!($processor, f32, $single, $rounding:
             transposed_f32 add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
     };
-    ($processor:ident, $float:ident, $lanes:literal: $($instruction:ident)*) => {
-        register!($processor, $float, $lanes, fuses: cfg!(target_feature = "fma"), $float: $($instruction)*);
-        register!($processor, Fused<$float>, $lanes, fuses: true, $float: $($instruction)*);
-    };
 }
-registers!(Short: 2 4);
-registers!(Narrow: 4 8);
-registers!(Wide: 8 16);
+registers!(Short, OfTarget: 2 4);
+registers!(Narrow, Fused: 4 8);
+registers!(Wide, Fused: 8 16);

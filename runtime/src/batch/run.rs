@@ -36,8 +36,8 @@ pub(super) trait Work: Sized + Send {
     fn wide(self, processor: Wide);
 }
 
-/// Methods of [`Work`] for a type with a method `by`, generic over packs, and a robot `R`; `T` is the type of the numbers
-/// and `M` their rounding.
+/// Methods of [`Work`] for a type with a method `by`, generic over packs, and a robot `R`; `T` is the type of the
+/// numbers.
 macro_rules! by_packs {
     ($method:ident) => {
         #[inline(always)]
@@ -46,8 +46,8 @@ macro_rules! by_packs {
         }
 
         run::by_packs!(@ $method short Short T::InShort, T::Narrow);
-        run::by_packs!(@ $method narrow Narrow M::InNarrow<T>, M::Narrow<T>);
-        run::by_packs!(@ $method wide Wide M::InWide<T>, M::Wide<T>);
+        run::by_packs!(@ $method narrow Narrow T::InNarrow, T::Narrow);
+        run::by_packs!(@ $method wide Wide T::InWide, T::Wide);
     };
     // Registers if the function is inlined and so compiled for the processor, otherwise packs.
     (@ $function:ident $method:ident $processor:ident $packs:ty, $loose:ty) => {
@@ -64,14 +64,10 @@ macro_rules! by_packs {
 }
 pub(super) use by_packs;
 
-/// The longest registers that a batch may use, if the processor has them.
-///
-/// Results of [`Batch::of`](super::Batch::of) do not depend on it.
+/// The longest registers that a batch may use, if the processor has them. No result depends on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Vectors {
-    /// Those of the target: NEON, or AVX2 in a build for it. On x86 at least 128 bits if the processor has SSE4.2.
-    OfTarget,
-    /// Up to 256 bits: AVX2 with FMA.
+    /// Up to 256 bits: AVX2 with FMA, or SSE4.2 where the processor does not have these.
     Bits256,
     /// Up to 512 bits: AVX-512.
     #[default]
@@ -117,6 +113,7 @@ fn here<W: Work>(work: W, most: Vectors) {
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod x86 {
     use super::{Narrow, Short, Vectors, Wide, Work};
+    use crate::scalar::rounding::{OfTarget, Rounding};
     use pulp::NullaryFnOnce;
 
     /// Work, to be compiled for a processor.
@@ -136,33 +133,18 @@ mod x86 {
     }
     work!(Short short Narrow narrow Wide wide);
 
-    /// The longest registers of the target.
-    const OF_TARGET: Vectors = if cfg!(target_feature = "avx512f") {
-        Vectors::Bits512
-    } else if cfg!(target_feature = "fma") {
-        Vectors::Bits256
-    } else {
-        Vectors::OfTarget
-    };
-
     /// Does the work in the registers of this processor; returns it if there are none to use.
     pub(super) fn run<W: Work>(work: W, most: Vectors) -> Option<W> {
-        let most = match most {
-            Vectors::OfTarget => OF_TARGET,
-            longer => longer,
-        };
         if most >= Vectors::Bits512
             && let Some(processor) = Wide::try_new()
         {
             processor.vectorize(For(processor, work));
-        } else if most >= Vectors::Bits256
-            && let Some(processor) = Narrow::try_new()
-        {
+        } else if let Some(processor) = Narrow::try_new() {
             processor.vectorize(For(processor, work));
-        } else if matches!(OF_TARGET, Vectors::OfTarget)
+        } else if !OfTarget::FUSES
             && let Some(processor) = Short::try_new()
         {
-            // A target that fuses products with sums is excluded: these registers would round differently.
+            // These registers do not fuse products with sums.
             processor.vectorize(For(processor, work));
         } else {
             return Some(work);

@@ -15,6 +15,7 @@
 use crate::matrix::rotation::from_quaternion;
 use crate::matrix::vector::{add, cross, dot, product, scale, sub, transposed_product};
 use crate::scalar::Scalar;
+use crate::scalar::rounding::{Rounding, Unfused};
 
 /// 2⁴⁰: if the largest entry of a quaternion is between this and its inverse, squares neither overflow nor
 /// vanish in any type.
@@ -82,7 +83,7 @@ fn moderate<T: Scalar>(quaternion: [T; 4]) -> [T; 4] {
 #[must_use]
 pub fn exp<T: Scalar>(omega: [T; 3]) -> [T; 4] {
     let angle = angle(omega);
-    let ([sine], [cosine]) = T::sin_cos_all([T::constant(0.5) * angle]);
+    let ([sine], [cosine]) = Unfused::sin_cos_all([T::constant(0.5) * angle]);
     let [x, y, z] = scale(sine / angle, omega);
     [x, y, z, cosine]
 }
@@ -108,7 +109,7 @@ pub fn log<T: Scalar>([x, y, z, w]: [T; 4]) -> [T; 3] {
 pub fn displacement<T: Scalar>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
     let (half, two) = (T::constant(0.5), T::constant(2.0));
     let angle = angle(omega);
-    let ([sine, half_sine], _) = T::sin_cos_all([angle, half * angle]);
+    let ([sine, half_sine], _) = Unfused::sin_cos_all([angle, half * angle]);
     let ratio = half_sine / angle;
     let bulge = angle.minus_sine(sine) / (angle * angle * angle);
     let across = cross(omega, v);
@@ -145,7 +146,7 @@ pub fn motion<T: Scalar>(quaternion: [T; 4], t: [T; 3]) -> ([T; 3], [T; 3]) {
 pub fn integrate_planar<T: Scalar>([x, y, angle]: [T; 3], [vx, vy, wz]: [T; 3]) -> [T; 3] {
     let zero = T::constant(0.0);
     let [ahead, aside, _] = displacement([zero, zero, wz], [vx, vy, zero]);
-    let ([sine], [cosine]) = T::sin_cos_all([angle]);
+    let ([sine], [cosine]) = Unfused::sin_cos_all([angle]);
     [
         x + (cosine * ahead - sine * aside),
         y + (sine * ahead + cosine * aside),
@@ -184,7 +185,7 @@ pub fn difference_planar<T: Scalar>(from: [T; 3], to: [T; 3]) -> [T; 3] {
     let zero = T::constant(0.0);
     let [dx, dy, turned] = sub(to, from);
     let half = T::constant(0.5) * turned;
-    let ([sine, half_sine], [cosine, half_cosine]) = T::sin_cos_all([from[2], half]);
+    let ([sine, half_sine], [cosine, half_cosine]) = Unfused::sin_cos_all([from[2], half]);
     let seen = [cosine * dx + sine * dy, cosine * dy - sine * dx, zero];
     let ([.., wz], [vx, vy, _]) = motion([zero, zero, half_sine, half_cosine], seen);
     [vx, vy, wz]

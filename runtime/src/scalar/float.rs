@@ -2,9 +2,15 @@
 //!
 //! [`Scalar`] and [`Real`] for both, with square roots, single sines and inverse tangents of the standard
 //! library or of `libm`; no other file calls these. [`super::trigonometry`] has the sines of a whole call.
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
 
-use super::trigonometry::{sin_cos_all_f32, sin_cos_all_f64};
-use super::{Real, Scalar, fused};
+use super::dispatch::{Work, at_hand};
+use super::rounding::{OfTarget, Rounding};
+use super::trigonometry::{inlined_f32, inlined_f64, sin_cos_all_f32, sin_cos_all_f64};
+use super::{Real, Scalar};
 use core::convert::identity;
 
 /// The function of the standard library, or of `libm` where there is none.
@@ -23,7 +29,7 @@ macro_rules! platform {
 
 /// Implements [`Scalar`] and [`Real`] for a primitive type with the given functions.
 macro_rules! implement {
-    ($float:ident, $sqrt:expr, $sin_cos:expr, $atan2:expr, $constant:expr, $to_f64:expr, $sin_cos_all:path, $terms:literal) => {
+    ($float:ident, $sqrt:expr, $sin_cos:expr, $atan2:expr, $constant:expr, $to_f64:expr, $sin_cos_all:path, $inlined:ident, $terms:literal) => {
         impl Scalar for $float {
             #[inline]
             fn constant(value: f64) -> Self {
@@ -32,7 +38,12 @@ macro_rules! implement {
 
             #[inline]
             fn mul_add(self, factor: Self, term: Self) -> Self {
-                fused::$float(self, factor, term)
+                OfTarget::$float(self, factor, term)
+            }
+
+            #[inline(always)]
+            fn mul_add_by<R: Rounding>(self, factor: Self, term: Self) -> Self {
+                R::$float(self, factor, term)
             }
 
             #[inline]
@@ -54,6 +65,22 @@ macro_rules! implement {
             #[cfg_attr(not(target_feature = "avx512f"), inline)]
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 $sin_cos_all(angles)
+            }
+
+            #[inline(always)]
+            fn sin_cos_all_by<R: Rounding, const N: usize>(
+                angles: [Self; N],
+            ) -> ([Self; N], [Self; N]) {
+                if R::FUSES && OfTarget::FUSES {
+                    $sin_cos_all(angles)
+                } else {
+                    $inlined::<R, N>(angles)
+                }
+            }
+
+            #[inline(always)]
+            fn dispatch<W: Work<Self>>(work: W) -> W::Output {
+                at_hand(work)
             }
 
             #[inline]
@@ -125,6 +152,7 @@ implement!(
     single,
     f64::from,
     sin_cos_all_f32,
+    inlined_f32,
     7
 );
 implement!(
@@ -135,6 +163,7 @@ implement!(
     identity,
     identity,
     sin_cos_all_f64,
+    inlined_f64,
     12
 );
 

@@ -8,9 +8,10 @@
 //! one.
 //!
 //! With AVX-512, where a register holds a block of angles, they are inlined into each function of a robot. A call
-//! would put angles, sines and all registers on the stack, up to a seventh of the time of a pose.
+//! would put angles, sines and all registers on the stack, up to a seventh of the time of a pose. They are also inlined
+//! where the processor's instructions are chosen when the program runs.
 
-use super::fused;
+use super::rounding::{OfTarget, Rounding};
 pub use super::sin_cos_each;
 
 pub mod double;
@@ -28,11 +29,21 @@ pub mod single;
 #[cfg_attr(not(target_feature = "avx512f"), inline)]
 #[must_use]
 pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    inlined_f64::<OfTarget, N>(angles)
+}
+
+/// The same with the given rounding, always inlined.
+#[expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
+#[inline(always)]
+pub(super) fn inlined_f64<R: Rounding, const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     let moderate = |all, angle: &f64| all & (angle.abs() <= double::LIMIT);
     if angles.iter().fold(true, moderate) {
-        together(angles, double::sin_cos_moderate)
+        together(angles, double::sin_cos_moderate_by::<R>)
     } else {
-        apart(&one_by_one(angles, double::sin_cos))
+        apart(&one_by_one(angles, double::sin_cos_by::<R>))
     }
 }
 
@@ -49,11 +60,21 @@ pub fn sin_cos_all_f64<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N])
 #[cfg_attr(not(target_feature = "avx512f"), inline)]
 #[must_use]
 pub fn sin_cos_all_f32<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
+    inlined_f32::<OfTarget, N>(angles)
+}
+
+/// The same with the given rounding, always inlined.
+#[expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
+#[inline(always)]
+pub(super) fn inlined_f32<R: Rounding, const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
     let moderate = |all, angle: &f32| all & (angle.abs() <= single::LIMIT);
     if angles.iter().fold(true, moderate) {
-        together(angles, single::sin_cos_moderate)
+        together(angles, single::sin_cos_moderate_by::<R>)
     } else {
-        apart(&one_by_one(angles, single::sin_cos))
+        apart(&one_by_one(angles, single::sin_cos_by::<R>))
     }
 }
 
@@ -127,12 +148,8 @@ fn copy<T: Copy>(from: &[T], to: &mut [T]) {
 /// A call returns its results in memory. If they were returned from there, the results that are computed without the
 /// call would be stored in memory too. Copies keep those in registers: a tenth of the time of a pose where the sines
 /// are inlined.
-#[cfg_attr(
-    target_feature = "avx512f",
-    expect(clippy::inline_always, reason = "a call puts all on the stack"),
-    inline(always)
-)]
-#[cfg_attr(not(target_feature = "avx512f"), inline)]
+#[expect(clippy::inline_always, reason = "a call puts all on the stack")]
+#[inline(always)]
 fn apart<T: Copy + Default, const N: usize>(pairs: &[(T, T); N]) -> ([T; N], [T; N]) {
     let (mut sines, mut cosines) = ([T::default(); N], [T::default(); N]);
     for ((sine, cosine), pair) in sines.iter_mut().zip(&mut cosines).zip(pairs) {

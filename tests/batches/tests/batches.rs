@@ -1,16 +1,16 @@
 //! Batches compared with single states, bit for bit: every function, on vectors of every length, in batches of many
 //! sizes, also of a robot with more coordinates than velocities.
 //!
-//! In: robots derived with the word `batch`, and random states, one with NaN and one with huge angles among them. Fused
-//! batches are compared with one state of fused numbers; columns with the same numbers by states.
+//! In: robots derived with the word `batch`, and random states, one with NaN and one with huge angles among them.
+//! Columns are compared with the same numbers by states.
 
 use std::fmt::Debug;
 
-use homogen::batch::{Batch, BatchError, ColumnsError, Packed, Vectors};
+use homogen::batch::{Batch, BatchError, ColumnsError, Vectors};
 use homogen::robot::{Batched, InverseDynamics};
 use homogen::{
-    Acceleration, AccelerationDerivatives, Action, Fused, Momentum, Pack, Point, Pose, Robot,
-    Scalar, Screw, TorqueDerivatives, Velocity, chain,
+    Acceleration, AccelerationDerivatives, Action, Momentum, Point, Pose, Robot, Scalar, Screw,
+    TorqueDerivatives, Velocity, chain,
 };
 use homogen_random::Random;
 
@@ -49,6 +49,17 @@ chain! {
 )]
 struct Arm;
 
+/// The same arm, without fused products on any processor.
+#[derive(Robot)]
+#[robot(
+    urdf = "../../robots/panda_class.urdf",
+    tip = "link8",
+    generate(inverse_dynamics),
+    batch,
+    reproducible
+)]
+struct Reproducible;
+
 /// The same arm behind a call that is not marked as inlined.
 struct Called(Arm);
 
@@ -66,17 +77,7 @@ const COUNT: usize = 40;
 /// Sizes of batches: empty, one, and around multiples of packs.
 const SIZES: [usize; 15] = [0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33, COUNT];
 
-const VECTORS: [Vectors; 3] = [Vectors::OfTarget, Vectors::Bits256, Vectors::Bits512];
-
-/// True if a batch of fused numbers fuses on vectors of this length.
-fn fuses(vectors: Vectors) -> bool {
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    let has = std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma");
-    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-    let has = false;
-    let compiled = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
-    compiled || has && vectors != Vectors::OfTarget
-}
+const VECTORS: [Vectors; 2] = [Vectors::Bits256, Vectors::Bits512];
 
 /// The arguments of all states.
 struct States<T, const N: usize, const Q: usize> {
@@ -100,11 +101,6 @@ fn states<T: Copy, const N: usize, const Q: usize>(number: fn(f64) -> T) -> Stat
     };
     let (qd, qdd, tau) = (list(), list(), list());
     States { q, qd, qdd, tau }
-}
-
-/// A state as packs of one lane.
-fn fused<T: Copy, const N: usize>(state: &[T; N]) -> [Pack<Fused<T>, 1>; N] {
-    state.map(|entry| Pack([Fused(entry)]))
 }
 
 /// The numbers of a result one by one, in the order of columns.
@@ -174,43 +170,25 @@ macro_rules! compare {
             $({
                 let state = |i: usize| robot.$method($(&states.$argument[i]),*);
                 let alone: Vec<_> = (0..COUNT).map(state).collect();
-                let state = |i: usize| robot.$method($(&fused(&states.$argument[i])),*).lane(0);
-                let all_fused: Vec<_> = (0..COUNT).map(state).collect();
                 for (size, vectors) in SIZES.iter().flat_map(|size| VECTORS.map(|most| (*size, most))) {
                     let what = format!("{} on {vectors:?}", stringify!($method));
-                    let other = || alone[..size].iter().rev().copied().collect::<Vec<_>>();
-
-                    let mut results = other();
+                    let mut results: Vec<_> = alone[..size].iter().rev().copied().collect();
                     let batch = Batch::of(robot).at_most(vectors);
                     batch.$method($(&states.$argument[..size],)* &mut results).expect("as long");
                     same(&what, &results, &alone[..size]);
-
-                    let mut results = other();
-                    let batch = Batch::fused(robot).at_most(vectors);
-                    batch.$method($(&states.$argument[..size],)* &mut results).expect("as long");
-                    let expected = if fuses(vectors) { &all_fused } else { &alone };
-                    same(&format!("fused {what}"), &results, &expected[..size]);
                 }
                 $(let $argument = columns_of(&states.$argument);)*
                 let wanted: Vec<Vec<f64>> = alone.iter().map(Numbers::numbers).collect();
-                let wide: Vec<Vec<f64>> = all_fused.iter().map(Numbers::numbers).collect();
                 let count = wanted[0].len();
                 for (size, vectors) in SIZES.iter().flat_map(|size| VECTORS.map(|most| (*size, most))) {
-                    for (is_fused, expected) in [(false, &wanted), (true, if fuses(vectors) { &wide } else { &wanted })] {
-                        let mut results = vec![vec![0.5; size]; count];
-                        let mut columns: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
-                        let done = if is_fused {
-                            let batch = Batch::fused(robot).at_most(vectors).columns();
-                            batch.$method($($argument.each_ref().map(|column| &column[..size]),)* &mut columns)
-                        } else {
-                            let batch = Batch::of(robot).at_most(vectors).columns();
-                            batch.$method($($argument.each_ref().map(|column| &column[..size]),)* &mut columns)
-                        };
-                        assert_eq!(done, Ok(()));
-                        let found = (0..size).map(|state| results.iter().map(|column| column[state]).collect());
-                        let found: Vec<Vec<f64>> = found.collect();
-                        same(&format!("columns of {} on {vectors:?}", stringify!($method)), &found, &expected[..size]);
-                    }
+                    let mut results = vec![vec![0.5; size]; count];
+                    let mut columns: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
+                    let batch = Batch::of(robot).at_most(vectors).columns();
+                    let done = batch.$method($($argument.each_ref().map(|column| &column[..size]),)* &mut columns);
+                    assert_eq!(done, Ok(()));
+                    let found = (0..size).map(|state| results.iter().map(|column| column[state]).collect());
+                    let found: Vec<Vec<f64>> = found.collect();
+                    same(&format!("columns of {} on {vectors:?}", stringify!($method)), &found, &wanted[..size]);
                 }
                 for (columns, length) in [(count + 1, COUNT), (count - 1, COUNT), (count, COUNT - 1)] {
                     let mut results = vec![vec![0.5; length]; columns];
@@ -281,10 +259,6 @@ macro_rules! compare_inverse_dynamics {
         let alone: Vec<[$number; 7]> = (0..COUNT)
             .map(|i| robot.inverse_dynamics(&q[i], &qd[i], &qdd[i]))
             .collect();
-        let all_fused: Vec<[$number; 7]> = (0..COUNT)
-            .map(|i| robot.inverse_dynamics(&fused(&q[i]), &fused(&qd[i]), &fused(&qdd[i])))
-            .map(|tau| tau.lane(0))
-            .collect();
         for (size, vectors) in SIZES
             .iter()
             .flat_map(|size| VECTORS.map(|most| (*size, most)))
@@ -295,11 +269,6 @@ macro_rules! compare_inverse_dynamics {
             let done = batch.inverse_dynamics(&q[..size], &qd[..size], &qdd[..size], &mut tau);
             assert_eq!(done, Ok(()));
             same(&what, &tau, &alone[..size]);
-            let batch = Batch::fused(&robot).at_most(vectors);
-            let done = batch.inverse_dynamics(&q[..size], &qd[..size], &qdd[..size], &mut tau);
-            assert_eq!(done, Ok(()));
-            let expected = if fuses(vectors) { &all_fused } else { &alone };
-            same(&format!("fused {what}"), &tau, &expected[..size]);
         }
     }};
 }
@@ -312,6 +281,8 @@ fn functions_in_registers_and_functions_not_inlined_give_the_bits_of_each_state(
     compare_inverse_dynamics!(Arm, f32);
     compare_inverse_dynamics!(Called(Arm), f64);
     compare_inverse_dynamics!(Called(Arm), f32);
+    compare_inverse_dynamics!(Reproducible, f64);
+    compare_inverse_dynamics!(Reproducible, f32);
 }
 
 #[test]

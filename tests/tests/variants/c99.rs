@@ -91,6 +91,26 @@ fn loops_give_the_bits_of_rust() {
     agree(&Robot::with_loops(), &[]);
 }
 
+/// Functions compiled for several kinds of processor, one of which is chosen when the program starts.
+#[test]
+fn the_choice_of_a_processor_changes_no_bit() {
+    let robot = Robot::shipped("panda_class");
+    let states = states::nasty(robot.inputs(), STATES);
+    for real in [Real::F32, Real::F64] {
+        let folder = Folder::new(&format!("dispatch_{real:?}"));
+        let states = states::bytes(&states, real);
+        let expected = rust(&folder, &robot, real).run(&states);
+        folder.write_c(&robot, real);
+        for compiler in C::that_run() {
+            let object = compiler.object(&folder, "arm.c", &["-DHOMOGEN_DISPATCH"]);
+            assert_eq!(Folder::has_symbol(&object, "x86_64_v3"), compiler.clones());
+            let found = compiler.program(&folder, &object).run(&states);
+            let what = format!("{compiler} with a choice");
+            states::same(&found, &expected, robot.outputs(), real, &what);
+        }
+    }
+}
+
 /// The command line prints them so to standard output.
 #[test]
 fn header_and_source_compile_as_one_text() {

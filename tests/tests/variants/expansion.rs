@@ -263,10 +263,10 @@ fn front_ends(words: &str, formulation: Formulation) -> String {
     let by_library = source(rust::print(&module, &item, &Library::default()));
 
     let expected = methods(&derived);
-    // Each function is a method and a trait method; `chain` is one more.
+    // Each function is a method, its equations and a trait method; `chain` is one more.
     assert_eq!(
         expected.matches(" fn ").count(),
-        2 * functions.len() + 1,
+        3 * functions.len() + 1,
         "{expected}"
     );
     for (front_end, text) in [

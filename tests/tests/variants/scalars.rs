@@ -1,15 +1,23 @@
 //! Generated code on scalars other than `f32` and `f64`: dual numbers, with slopes that other generated functions give
-//! too, and packs of four numbers.
+//! too, and packs of four numbers; the rounding of `f64` on the processor at hand.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use homogen::{Robot, Scalar};
+use homogen_random::Random;
+use homogen_tests::tested::{F64, Fused64};
 
 /// The Panda-class arm.
 #[derive(Robot)]
 #[robot(urdf = "../robots/panda_class.urdf")]
 #[robot(generate(forward_kinematics, velocity, inverse_dynamics, mass_matrix))]
 struct Panda;
+
+/// The same arm, without fused products on any processor.
+#[derive(Robot)]
+#[robot(urdf = "../robots/panda_class.urdf", reproducible)]
+#[robot(generate(forward_kinematics, velocity, inverse_dynamics, mass_matrix))]
+struct Reproducible;
 
 const Q: [f64; 7] = [0.3, -0.7, 0.2, -1.9, 0.4, 1.6, -0.5];
 const QD: [f64; 7] = [0.6, -0.2, 0.9, 0.1, -0.8, 0.5, 1.1];
@@ -215,4 +223,56 @@ fn every_lane_of_a_pack_has_the_bits_of_a_single_number() {
             assert_eq!(together[joint].0[index].to_bits(), alone[joint].to_bits());
         }
     }
+}
+
+/// True if this processor fuses products with sums, in a build for it or by a choice at run time.
+fn fuses() -> bool {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    let has = std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma");
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    let has = cfg!(target_arch = "aarch64");
+    has
+}
+
+/// The bits of inverse dynamics, of the mass matrix and of the pose in random states, in a type of number.
+macro_rules! bits {
+    ($robot:expr, $number:expr, $bare:expr) => {{
+        let mut random = Random::new(11);
+        let mut state = || std::array::from_fn(|_| $number(4.0 * random.unit() - 2.0));
+        let states = (0..100).map(|_| [state(), state(), state()]);
+        let results = states.flat_map(|[q, qd, qdd]| {
+            let tau = $robot.inverse_dynamics(&q, &qd, &qdd);
+            let mass = $robot.mass_matrix(&q);
+            let pose = $robot.forward_kinematics(&q);
+            let numbers = [&tau[..], mass.as_flattened(), &pose.translation()];
+            numbers
+                .concat()
+                .into_iter()
+                .map(|x| $bare(x).to_bits())
+                .collect::<Vec<u64>>()
+        });
+        results.collect::<Vec<u64>>()
+    }};
+}
+
+#[test]
+fn f64_is_rounded_as_in_a_build_for_the_processor() {
+    let found = bits!(Panda, f64::from, f64::from);
+    let unfused = bits!(Panda, F64, |x: F64| x.0);
+    let fused = bits!(Panda, Fused64, |x: Fused64| x.0);
+    assert!(fused != unfused);
+    assert!(found == if fuses() { fused } else { unfused });
+}
+
+/// Those of the same equations without fused products.
+#[test]
+fn reproducible_robots_have_the_same_bits_on_every_processor() {
+    let found = bits!(Reproducible, f64::from, f64::from);
+    assert!(found == bits!(Panda, F64, |x: F64| x.0));
+    let in_packs = bits!(
+        Reproducible,
+        |x| homogen::Pack([x, 0.0, 1.0, x]),
+        |x: homogen::Pack<f64, 4>| x.0[3]
+    );
+    assert!(found == in_packs);
 }

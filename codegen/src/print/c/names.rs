@@ -174,7 +174,7 @@ const MACROS: [&str; 28] = [
 /// Reserved words of C, C++ and Rust, which has the same names for fields; two that common compilers define; and the
 /// macros of the files.
 #[rustfmt::skip]
-const KEYWORDS: [&str; 138] = [
+const KEYWORDS: [&str; 140] = [
     "abstract", "alignas", "alignof", "and", "and_eq", "as", "asm", "async", "auto", "await",
     "become", "bitand", "bitor", "bool", "box", "break", "case", "catch", "char", "char16_t",
     "char32_t", "char8_t", "class", "co_await", "co_return", "co_yield", "compl", "concept",
@@ -189,7 +189,7 @@ const KEYWORDS: [&str; 138] = [
     "this", "thread_local", "throw", "trait", "true", "try", "type", "typedef", "typeid",
     "typename", "typeof", "typeof_unqual", "union", "unsafe", "unsigned", "unsized", "use", "using",
     "virtual", "void", "volatile", "wchar_t", "where", "while", "xor", "xor_eq", "yield", "linux",
-    "unix", "HOMOGEN_FMA", "HOMOGEN_FMAF", "HOMOGEN_FN", "_Bool", "_Complex", "_Imaginary",
+    "unix", "HOMOGEN_CLONES", "HOMOGEN_DISPATCH", "HOMOGEN_FMA", "HOMOGEN_FMAF", "HOMOGEN_FN", "_Bool", "_Complex", "_Imaginary",
 ];
 
 #[cfg(test)]

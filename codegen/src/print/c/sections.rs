@@ -60,7 +60,7 @@ impl Writer<'_> {
             // Writing to a string cannot fail.
             let _ = writeln!(
                 definitions,
-                "\nHOMOGEN_FN static {no_inline} void {name}({number} {}[{}])\n{{\n{body}}}",
+                "\nHOMOGEN_FN HOMOGEN_CLONES static {no_inline} void {name}({number} {}[{}])\n{{\n{body}}}",
                 work.name, work.len
             );
         }

@@ -71,7 +71,11 @@ impl Functions {
         self.has_sections |= !body.sections.is_empty();
         self.text.push_str(&body.sections);
         // Writing to a string cannot fail.
-        let _ = writeln!(self.text, "\nHOMOGEN_FN void {head}\n{{\n{}}}", body.text);
+        let _ = writeln!(
+            self.text,
+            "\nHOMOGEN_FN HOMOGEN_CLONES void {head}\n{{\n{}}}",
+            body.text
+        );
     }
 }
 

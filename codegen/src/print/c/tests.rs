@@ -64,6 +64,18 @@ fn a_header_and_a_source() {
 #ifndef HOMOGEN_FN
 #define HOMOGEN_FN
 #endif
+/* Define HOMOGEN_DISPATCH to compile every function for AVX-512 and AVX2 as well; the program chooses when it starts
+ * (GCC from 12 on Linux for x86-64; no effect elsewhere). With -ffp-contract=off results have the same bits; without
+ * it they are fused on processors that can.
+ */
+#ifndef HOMOGEN_CLONES
+#if defined(HOMOGEN_DISPATCH) && defined(__x86_64__) && defined(__linux__) && \\
+    defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__)
+#define HOMOGEN_CLONES __attribute__((target_clones(\"arch=x86-64-v4\", \"arch=x86-64-v3\", \"default\")))
+#else
+#define HOMOGEN_CLONES
+#endif
+#endif
 
 #ifdef __cplusplus
 extern \"C\" {
@@ -114,7 +126,7 @@ HOMOGEN_FN void pendulum_gravity(const pendulum_robot *robot, const float q[2], 
 ";
     assert!(text.contains(head), "{text}");
     let function = "
-HOMOGEN_FN void pendulum_gravity(const pendulum_robot *robot, const float q[2], float gravity[2])
+HOMOGEN_FN HOMOGEN_CLONES void pendulum_gravity(const pendulum_robot *robot, const float q[2], float gravity[2])
 {
     const float q_1 = q[0];
     const float q_2 = q[1];
@@ -236,7 +248,7 @@ fn long_functions_have_sections() {
     };
     let text = written(&cut).text;
     let section = "
-HOMOGEN_FN static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
+HOMOGEN_FN HOMOGEN_CLONES static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
 {
     const float t_1 = work[1];
     const float t_2 = work[2];

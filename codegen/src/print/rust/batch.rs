@@ -81,7 +81,6 @@ impl<'p> Batched<'p> {
         quote! {
             #allowed
             #head {
-                #[allow(clippy::inline_always, reason = "what is inlined is compiled for the caller's vectors")]
                 #[inline(always)]
                 fn #name #parameters { #body }
             }

@@ -35,6 +35,8 @@ pub(super) struct Body {
     pub results: Results,
     /// Names of values with their meanings.
     pub meanings: Vec<(String, Meaning)>,
+    /// True if fields of the robot are read.
+    pub reads_robot: bool,
 }
 
 /// Results of a function.
@@ -124,9 +126,12 @@ pub(super) fn body(
     }
     let arguments = routine.arguments.iter();
     statements.extend(arguments.map(|argument| unpack(argument, dialect)));
-    if let (Fields::Computed(_), [values]) = (fields, &*routine.fields) {
-        statements.extend(computed(values));
-    }
+    let computed = match (fields, &*routine.fields) {
+        (Fields::Computed(_), [values]) => computed(values, &dialect.this()),
+        _ => None,
+    };
+    let reads_robot = computed.is_some() || !loads.is_empty();
+    statements.extend(computed);
     let load = |(entries, field): &(&Entries, &Parameter)| writer.load(entries, field);
     if loads.len() <= FIELDS {
         statements.extend(loads.iter().map(load));
@@ -159,6 +164,7 @@ pub(super) fn body(
         statements,
         results,
         meanings: routine.meanings,
+        reads_robot,
     }
 }
 
@@ -304,12 +310,13 @@ impl Writer<'_> {
     fn load(&self, entries: &Entries, Parameter { field, target, .. }: &Parameter) -> TokenStream {
         // An error about a field of another type is shown at the field.
         let span = field.span().resolved_at(Span::call_site());
+        let this = self.dialect.this();
         let value = match (&self.dialect.library, target.is_payload()) {
             (Library::Runtime(runtime), true) => {
-                quote_spanned! {span=> #runtime::Payload::numbers(&self.#field) }
+                quote_spanned! {span=> #runtime::Payload::numbers(&#this.#field) }
             }
             (Library::Runtime(_) | Library::Core(_) | Library::Lanes(_), _) => {
-                quote_spanned! {span=> self.#field }
+                quote_spanned! {span=> #this.#field }
             }
         };
         let converted = |value: &TokenStream| self.dialect.converted(&self.numerals, value, span);
@@ -407,11 +414,11 @@ fn rows_at<'t>(table: &'t Ident, column: &'t Ident) -> impl Iterator<Item = Toke
 }
 
 /// `let [phi_2_in_2_cz, _, payload_m] = self.values;`, if any of them is read.
-fn computed(values: &Entries) -> Option<TokenStream> {
+fn computed(values: &Entries, this: &TokenStream) -> Option<TokenStream> {
     let any = values.iter().any(Option::is_some);
     let patterns = values.iter().map(Option::as_ref).map(pattern);
     let field = ident(VALUES);
-    any.then(|| quote! { let [#(#patterns),*] = self.#field; })
+    any.then(|| quote! { let [#(#patterns),*] = #this.#field; })
 }
 
 /// `let [a, b] = { …; [a, b] };`: statements in an inner scope and its values. Without values it is a plain block,

@@ -67,15 +67,17 @@ pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> To
 /// Lints that generated code does not follow.
 pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
     // Compilers before 1.81 reject reasons, and code for `core` alone supports these.
-    let reason = match dialect.library {
-        Library::Runtime(_) => {
-            quote! { reason = "generated code has one form for every robot" }
-        }
-        Library::Core(_) | Library::Lanes(_) => TokenStream::new(),
+    let (inlined, reason) = match dialect.library {
+        Library::Runtime(_) => (
+            quote! { clippy::inline_always, },
+            quote! { reason = "generated code has one form for every robot" },
+        ),
+        Library::Core(_) | Library::Lanes(_) => <(TokenStream, TokenStream)>::default(),
     };
     quote! {
         #[allow(
             clippy::approx_constant,
+            #inlined
             clippy::large_stack_arrays,
             clippy::possible_missing_comma,
             clippy::similar_names,

@@ -23,6 +23,19 @@ use crate::space::Variable;
 /// Maximum number of sines and cosines in one statement; more are split for readability.
 const ON_ONE_LINE: usize = 4;
 
+/// Names of equations that are compiled for several kinds of processor.
+#[derive(Clone, Debug)]
+pub(super) struct Equations {
+    /// The robot, which they are no method of.
+    pub robot: Ident,
+    /// The struct with their arguments.
+    pub name: Ident,
+    /// The generic parameter for the rounding of their products.
+    pub rounding: Ident,
+    /// True if they have the same bits on every processor.
+    pub reproducible: bool,
+}
+
 /// Dialect of one output.
 #[derive(Clone, Debug)]
 pub(super) struct Dialect {
@@ -48,6 +61,8 @@ pub(super) struct Dialect {
     bare: bool,
     /// Type of the struct's fields, unless the user declared them.
     fields: Option<Real>,
+    /// Names of equations that are compiled for several kinds of processor.
+    pub equations: Option<Equations>,
 }
 
 impl Dialect {
@@ -80,6 +95,7 @@ impl Dialect {
             inlined: false,
             bare: false,
             fields: made.then_some(real),
+            equations: None,
         }
     }
 
@@ -143,6 +159,32 @@ impl Dialect {
             inlined: true,
             ..self.clone()
         }
+    }
+
+    /// Dialect of equations that are compiled for several kinds of processor, with the runtime.
+    pub fn of_equations(&self, reproducible: bool) -> Self {
+        if !matches!(self.library, Library::Runtime(_)) {
+            return self.clone();
+        }
+        let mut names = self.names.clone();
+        let [robot, name, rounding] =
+            ["robot", "Equations", "R"].map(|wish| ident(&names.alone(wish)));
+        Self {
+            names,
+            equations: Some(Equations {
+                robot,
+                name,
+                rounding,
+                reproducible,
+            }),
+            ..self.clone()
+        }
+    }
+
+    /// The robot in a function.
+    pub fn this(&self) -> TokenStream {
+        let robot = self.equations.as_ref().map(|equations| &equations.robot);
+        robot.map_or_else(|| quote! { self }, ToTokens::to_token_stream)
     }
 
     /// Dialect of the robot as data, in `f64`.
@@ -215,8 +257,11 @@ impl Dialect {
         match &self.library {
             Library::Runtime(runtime) => {
                 let name = ident(&names.fresh("mul_add"));
-                let statement = quote! { let #name = <#number as #runtime::Scalar>::mul_add; };
-                (Some(name), statement)
+                let function = match &self.equations {
+                    Some(Equations { rounding, .. }) => quote! { #rounding::mul_add::<#number> },
+                    None => quote! { <#number as #runtime::Scalar>::mul_add },
+                };
+                (Some(name.clone()), quote! { let #name = #function; })
             }
             Library::Core(_) | Library::Lanes(_) => (None, TokenStream::new()),
         }
@@ -257,19 +302,23 @@ impl Dialect {
             Library::Lanes(path) => quote! { #path::number::Number },
             Library::Core(_) => TokenStream::new(),
         };
+        let together = match &self.equations {
+            Some(Equations { rounding, .. }) => rounding.to_token_stream(),
+            None => number.clone(),
+        };
         match &self.library {
             Library::Runtime(_) | Library::Lanes(_) if self.sines == Sines::Platform => {
                 one_by_one(&quote! { #number::sin_cos }, sines, cosines, angles)
             }
             Library::Runtime(_) | Library::Lanes(_) if angles.len() <= ON_ONE_LINE => quote! {
-                let ([#(#sines),*], [#(#cosines),*]) = #number::sin_cos_all([#(#angles),*]);
+                let ([#(#sines),*], [#(#cosines),*]) = #together::sin_cos_all([#(#angles),*]);
             },
             Library::Runtime(_) | Library::Lanes(_) => {
                 let [a, s, c] =
                     ["angles", "sines", "cosines"].map(|name| ident(&names.fresh(name)));
                 quote! {
                     let #a = [#(#angles),*];
-                    let (#s, #c) = #number::sin_cos_all(#a);
+                    let (#s, #c) = #together::sin_cos_all(#a);
                     let [#(#sines),*] = #s;
                     let [#(#cosines),*] = #c;
                 }

@@ -30,18 +30,11 @@ pub struct Explained {
     pub text: TokenStream,
     /// Names with their meanings, except fields and names of the language.
     pub meanings: Vec<(String, Meaning)>,
+    /// True if the code reads fields of the robot.
+    pub reads_robot: bool,
 }
 
-/// Body of a function with these fields, to be put between braces.
-pub(super) fn computation(
-    of: (&GeneratedFunction, Fields<'_>),
-    module: &Module,
-    dialect: &Dialect,
-) -> TokenStream {
-    explained(of, module, dialect).text
-}
-
-/// The same with the meanings of its names.
+/// Body of a function with these fields, to be put between braces, with the meanings of its names.
 pub(super) fn explained(
     (generated, fields): (&GeneratedFunction, Fields<'_>),
     module: &Module,
@@ -58,6 +51,7 @@ pub(super) fn explained(
         statements,
         results,
         meanings,
+        reads_robot,
     } = body(
         (&generated.program, module.length),
         (&arguments, returns),
@@ -71,6 +65,7 @@ pub(super) fn explained(
     Explained {
         text: quote! { #statements #result },
         meanings,
+        reads_robot,
     }
 }
 

@@ -12,6 +12,7 @@ use super::body::{Body, Returns, VALUES, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
+use super::dispatch;
 use super::item::{Declaration, Item};
 use super::lengths::{array, literal};
 use super::library::Library;
@@ -31,6 +32,7 @@ pub(super) fn prepared(
         return <(TokenStream, TokenStream)>::default();
     };
     let own = of(item, dialect);
+    let inside = dialect.of_equations(module.reproducible);
     let Body {
         statements,
         results,
@@ -39,17 +41,25 @@ pub(super) fn prepared(
         (&prepared.once, module.length),
         (&[], Returns::Arrays),
         (Fields::Own(&module.parameters), &module.spaces),
-        dialect,
+        &inside,
     );
     let results = results.numbers();
     let (values, visibility) = (ident(VALUES), &item.visibility);
     let name = &own.ident;
     let about = doc(&documentation::of_prepare(&prepared.operation_count));
     let signature = signature(item, dialect);
+    let (_, arguments, _) = own.generics.split_for_impl();
+    let generics = dispatch::with_number(&item.generics, dialect);
+    let computation = dispatch::dispatched(
+        (&[dispatch::robot(item, &inside)], &generics),
+        Some(&quote! { #name #arguments }),
+        &quote! { #statements #name { #values: [#(#results),*] } },
+        &inside,
+    );
     let prepare = quote! {
         #about
         #[must_use]
-        #visibility #signature { #statements #name { #values: [#(#results),*] } }
+        #visibility #signature { #computation }
     };
 
     let inside = dialect.of_prepared();
@@ -57,7 +67,7 @@ pub(super) fn prepared(
     let mut beside = TokenStream::new();
     for (generated, name) in prepared.functions.iter().zip(of_methods(module)) {
         let fields = Fields::Computed(&prepared.names);
-        let body = method::computation((generated, fields), module, &inside);
+        let body = dispatch::computation((generated, fields), module, &own, &inside);
         let about = documentation::of_function(
             module,
             generated,

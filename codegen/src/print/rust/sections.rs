@@ -5,8 +5,10 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
+use syn::{Generics, parse_quote};
 
 use super::body::Writer;
+use super::dispatch::{Argument, dispatched};
 use super::lengths::{array, literal};
 use super::names::ident;
 use crate::schedule::{LONGEST_SCOPE, SectionBody, Value, Work};
@@ -19,6 +21,8 @@ impl Writer<'_> {
         (constant, mul_add): (&TokenStream, &TokenStream),
     ) -> TokenStream {
         let bound = self.dialect.bound_inside().map(|bound| quote! { <#bound> });
+        // What is not inlined chooses its instructions by itself.
+        let generics: Generics = parse_quote! { #bound };
         let (name, kind) = (
             ident(&work.name),
             array(&self.dialect.number, &literal(work.len)),
@@ -35,9 +39,16 @@ impl Writer<'_> {
             let constant = has_literals.then_some(constant);
             let mul_add = is_fused.then_some(mul_add);
             let statements = self.statements(statements);
+            let equations = quote! { #constant #mul_add #loads #statements };
+            let argument = Argument {
+                name: quote! { #name },
+                value: quote! { #name },
+                of: quote! { &mut #kind },
+            };
+            let code = dispatched((&[argument], &generics), None, &equations, self.dialect);
             quote! {
                 #[inline(never)]
-                fn #own #bound(#name: &mut #kind) { #constant #mul_add #loads #statements }
+                fn #own #bound(#name: &mut #kind) { #code }
             }
         });
         sections.collect()

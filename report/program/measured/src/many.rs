@@ -19,12 +19,12 @@ use std::error::Error;
 use std::fmt::Write;
 use std::time::Duration;
 
-use homogen::batch::Number;
 #[allow(
     unused_imports,
     reason = "the generated robots need it, where there are any"
 )]
-use homogen::batch::{Batch, Vectors};
+use homogen::batch::Batch;
+use homogen::batch::Number;
 use rayon::ThreadPoolBuilder;
 
 use entries::Entries;
@@ -46,15 +46,6 @@ macro_rules! programs {
                 let batch = Batch::of(&$robot).at_most(vectors);
                 batch.$function(q, qd, x, results).expect("as long");
             }));
-            if vectors > Vectors::OfTarget {
-                programs.push(Program::batch(
-                    format!("{name}_fused"),
-                    move |q, qd, x, results| {
-                        let batch = Batch::fused(&$robot).at_most(vectors);
-                        batch.$function(q, qd, x, results).expect("as long");
-                    },
-                ));
-            }
         }
         programs
     }};

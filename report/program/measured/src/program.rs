@@ -77,7 +77,7 @@ impl<T: Copy + Send + Sync + 'static> Program<T> {
 )]
 pub fn kinds() -> impl Iterator<Item = (&'static str, Vectors)> {
     let kinds = [
-        (true, "target", Vectors::OfTarget),
+        (!has_avx2(), "target", Vectors::default()),
         (has_avx2(), "avx2", Vectors::Bits256),
         (has_avx512(), "avx512", Vectors::Bits512),
     ];

@@ -39,9 +39,7 @@ fn method(many: &Many<'_>) -> String {
          thread, {different} random ones again and again, from arrays into arrays. A time is that of all states \
          by the clock, divided by their number; where all threads work together it is that much \
          shorter. An error is the worst of all entries.\n\
-         `Batch::of` has the bits of one state at a time, and chooses its vectors when it runs; \
-         `Batch::fused` fuses products with sums. Vectors of the build are those that its flags allow, of 128 \
-         bits in a baseline of x86-64.\n\n",
+         A batch has the bits of one state at a time; both choose their instructions when they run.\n\n",
         processor = machine::processor(),
         different = states::STATES,
     );
@@ -111,11 +109,7 @@ fn in_short(many: &Many<'_>) -> String {
             let point = many.find(scene, algorithm, false, scalar, flags);
             point.map(|point| point.time[1])
         };
-        let avx2 = |scene: &Scene| {
-            let algorithms =
-                ["avx2", "avx2_fused"].map(|algorithm| time(scene, algorithm, Flags::Native));
-            least(algorithms.into_iter().flatten())
-        };
+        let avx2 = |scene: &Scene| time(scene, "avx2", Flags::Native);
         row(
             &format!("{name}, batch on AVX2 / one state at a time"),
             &|scene, _| Some(avx2(scene)? / time(scene, ALONE, Flags::Native)?),

@@ -2,10 +2,14 @@
 //!
 //! In: an angle \[rad\]. Out: sine and cosine, within 0.9 units in the last place, on every target:
 //! no function of the platform is called, and [`LIMIT`] is the only branch.
-//! It needs `core` and a product with a sum, `super::fused`; it never panics; NaN and infinite
+//! It needs `core` and a product with a sum, [`Rounding`]; it never panics; NaN and infinite
 //! angles give NaN. `tests/reference/trigonometry.py` derives every constant.
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
 
-use super::fused::f64 as fused;
+use super::super::rounding::{OfTarget, Rounding};
 use core::f64::consts::FRAC_2_PI;
 
 /// The largest magnitude of an angle that [`sin_cos_moderate`] takes \[rad\]: 31,830 turns.
@@ -15,10 +19,17 @@ pub const LIMIT: f64 = 2e5;
 #[inline]
 #[must_use]
 pub fn sin_cos(angle: f64) -> (f64, f64) {
+    sin_cos_by::<OfTarget>(angle)
+}
+
+/// The same with the given rounding of products in sums.
+#[inline]
+#[must_use]
+pub fn sin_cos_by<R: Rounding>(angle: f64) -> (f64, f64) {
     if angle.abs() <= LIMIT {
-        sin_cos_moderate(angle)
+        sin_cos_moderate_by::<R>(angle)
     } else {
-        sin_cos_wide(angle)
+        sin_cos_wide::<R>(angle)
     }
 }
 
@@ -29,16 +40,23 @@ pub fn sin_cos(angle: f64) -> (f64, f64) {
 #[inline]
 #[must_use]
 pub fn sin_cos_moderate(angle: f64) -> (f64, f64) {
+    sin_cos_moderate_by::<OfTarget>(angle)
+}
+
+/// The same with the given rounding of products in sums.
+#[inline(always)]
+#[must_use]
+pub fn sin_cos_moderate_by<R: Rounding>(angle: f64) -> (f64, f64) {
     // Adding ROUND rounds to an integer, which is in the low bits of the sum.
-    let shifted = fused(angle, FRAC_2_PI, ROUND);
+    let shifted = R::f64(angle, FRAC_2_PI, ROUND);
     let quadrants = shifted - ROUND;
     // Cody and Waite: the products with the first two parts are exact, fused or not, and so are
     // the first difference and the remainder of the second.
-    let first = fused(-quadrants, FRAC_PI_2[0], angle);
-    let high = fused(-quadrants, FRAC_PI_2[1], first);
-    let remainder = fused(-quadrants, FRAC_PI_2[1], first - high);
-    let low = fused(-quadrants, FRAC_PI_2[2], remainder);
-    in_quadrant(high, low, shifted.to_bits())
+    let first = R::f64(-quadrants, FRAC_PI_2[0], angle);
+    let high = R::f64(-quadrants, FRAC_PI_2[1], first);
+    let remainder = R::f64(-quadrants, FRAC_PI_2[1], first - high);
+    let low = R::f64(-quadrants, FRAC_PI_2[2], remainder);
+    in_quadrant::<R>(high, low, shifted.to_bits())
 }
 
 /// 1.5·2⁵²: a number of this size has units in its last place.
@@ -73,21 +91,25 @@ const COSINE: [f64; 6] = [
 
 /// Sine and cosine of `r + low + quadrant·π/2`. `low` is a rounding error of `r`; the two lowest bits of
 /// `quadrant` are used.
-#[inline]
-fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
+#[inline(always)]
+fn in_quadrant<R: Rounding>(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
     let z = r * r;
     let z_squared = z * z;
     let half = 0.5 * z;
 
     // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the sign of a zero r is kept by subtracting.
     let cubic = z * r;
-    let sine = r - fused(-cubic, series(&SINE, z, z_squared), fused(half, low, -low));
+    let sine = r - R::f64(
+        -cubic,
+        series::<R>(&SINE, z, z_squared),
+        R::f64(half, low, -low),
+    );
 
     // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + the rounding error of 1 − r²/2).
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
-    let small = fused(-r, low, lost);
-    let cosine = leading + fused(z_squared, series(&COSINE, z, z_squared), small);
+    let small = R::f64(-r, low, lost);
+    let cosine = leading + R::f64(z_squared, series::<R>(&COSINE, z, z_squared), small);
 
     // In odd quadrants the two are exchanged, by masks instead of a branch.
     let odd = (quadrant & 1).wrapping_neg();
@@ -101,13 +123,13 @@ fn in_quadrant(r: f64, low: f64, quadrant: u64) -> (f64, f64) {
 }
 
 /// c₀ + c₁z + … + c₅z⁵, in pairs that are independent of each other.
-#[inline]
-fn series(coefficients: &[f64; 6], z: f64, z_squared: f64) -> f64 {
+#[inline(always)]
+fn series<R: Rounding>(coefficients: &[f64; 6], z: f64, z_squared: f64) -> f64 {
     let [c_0, c_1, c_2, c_3, c_4, c_5] = *coefficients;
-    let near = fused(z, c_1, c_0);
-    let middle = fused(z, c_3, c_2);
-    let far = fused(z, c_5, c_4);
-    fused(fused(far, z_squared, middle), z_squared, near)
+    let near = R::f64(z, c_1, c_0);
+    let middle = R::f64(z, c_3, c_2);
+    let far = R::f64(z, c_5, c_4);
+    R::f64(R::f64(far, z_squared, middle), z_squared, near)
 }
 
 /// The bit of the sign.
@@ -120,7 +142,7 @@ const SIGN: u64 = 1 << 63;
 /// of π/2.
 #[cold]
 #[inline(never)]
-fn sin_cos_wide(angle: f64) -> (f64, f64) {
+fn sin_cos_wide<R: Rounding>(angle: f64) -> (f64, f64) {
     if !angle.is_finite() {
         return (f64::NAN, f64::NAN);
     }
@@ -150,9 +172,9 @@ fn sin_cos_wide(angle: f64) -> (f64, f64) {
         (high, low)
     };
     if angle < 0.0 {
-        in_quadrant(-high, -low, quadrant.wrapping_neg())
+        in_quadrant::<R>(-high, -low, quadrant.wrapping_neg())
     } else {
-        in_quadrant(high, low, quadrant)
+        in_quadrant::<R>(high, low, quadrant)
     }
 }
 

@@ -2,10 +2,14 @@
 //!
 //! In: an angle \[rad\]. Out: sine and cosine, within 0.92 units in the last place, on every target:
 //! no function of the platform is called, nothing is double, and [`LIMIT`] is the only branch.
-//! It needs `core` and a product with a sum, `super::fused`; it never panics; NaN and infinite
+//! It needs `core` and a product with a sum, [`Rounding`]; it never panics; NaN and infinite
 //! angles give NaN. `tests/reference/trigonometry.py` derives every constant.
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the processor that was found"
+)]
 
-use super::fused::f32 as fused;
+use super::super::rounding::{OfTarget, Rounding};
 use core::f32::consts::FRAC_2_PI;
 
 /// The largest magnitude of an angle that [`sin_cos_moderate`] takes \[rad\]: 509 turns.
@@ -15,10 +19,17 @@ pub const LIMIT: f32 = 3200.0;
 #[inline]
 #[must_use]
 pub fn sin_cos(angle: f32) -> (f32, f32) {
+    sin_cos_by::<OfTarget>(angle)
+}
+
+/// The same with the given rounding of products in sums.
+#[inline]
+#[must_use]
+pub fn sin_cos_by<R: Rounding>(angle: f32) -> (f32, f32) {
     if angle.abs() <= LIMIT {
-        sin_cos_moderate(angle)
+        sin_cos_moderate_by::<R>(angle)
     } else {
-        sin_cos_wide(angle)
+        sin_cos_wide::<R>(angle)
     }
 }
 
@@ -29,18 +40,25 @@ pub fn sin_cos(angle: f32) -> (f32, f32) {
 #[inline]
 #[must_use]
 pub fn sin_cos_moderate(angle: f32) -> (f32, f32) {
+    sin_cos_moderate_by::<OfTarget>(angle)
+}
+
+/// The same with the given rounding of products in sums.
+#[inline(always)]
+#[must_use]
+pub fn sin_cos_moderate_by<R: Rounding>(angle: f32) -> (f32, f32) {
     // Adding ROUND rounds to an integer, which is in the low bits of the sum.
-    let shifted = fused(angle, FRAC_2_PI, ROUND);
+    let shifted = R::f32(angle, FRAC_2_PI, ROUND);
     let quadrants = shifted - ROUND;
     // −quadrants but for its zero, which is +0: times the negative part it keeps an angle of −0.
     let opposite = ROUND - shifted;
     // Cody and Waite: the products with the first two parts are exact, fused or not, and so are
     // the first difference and the remainder of the second.
-    let first = fused(-quadrants, FRAC_PI_2[0], angle);
-    let high = fused(opposite, FRAC_PI_2[1], first);
-    let remainder = fused(opposite, FRAC_PI_2[1], first - high);
-    let low = fused(-quadrants, FRAC_PI_2[2], remainder);
-    in_quadrant(high, low, shifted.to_bits())
+    let first = R::f32(-quadrants, FRAC_PI_2[0], angle);
+    let high = R::f32(opposite, FRAC_PI_2[1], first);
+    let remainder = R::f32(opposite, FRAC_PI_2[1], first - high);
+    let low = R::f32(-quadrants, FRAC_PI_2[2], remainder);
+    in_quadrant::<R>(high, low, shifted.to_bits())
 }
 
 /// 1.5·2²³: a number of this size has units in its last place.
@@ -57,24 +75,24 @@ const COSINE: [f32; 3] = [4.166_664_6e-2, -1.388_731e-3, 2.443_232_7e-5];
 
 /// Sine and cosine of `r + low + quadrant·π/2`. `low` is a rounding error of `r`; the two lowest bits of
 /// `quadrant` are used.
-#[inline]
-fn in_quadrant(r: f32, low: f32, quadrant: u32) -> (f32, f32) {
+#[inline(always)]
+fn in_quadrant<R: Rounding>(r: f32, low: f32, quadrant: u32) -> (f32, f32) {
     let z = r * r;
     let z_squared = z * z;
     let half = 0.5 * z;
 
     // r − (−r³(s₃ + s₅r² + …) − (1 − r²/2) low): the sign of a zero r is kept by subtracting.
-    let near = fused(z, SINE[1], SINE[0]);
-    let series = fused(z_squared, SINE[2], near);
+    let near = R::f32(z, SINE[1], SINE[0]);
+    let series = R::f32(z_squared, SINE[2], near);
     let cubic = z * r;
-    let sine = r - fused(-cubic, series, fused(half, low, -low));
+    let sine = r - R::f32(-cubic, series, R::f32(half, low, -low));
 
     // (1 − r²/2) + (r⁴(c₄ + c₆r² + …) − r·low + the rounding error of 1 − r²/2).
     let leading = 1.0 - half;
     let lost = (1.0 - leading) - half;
-    let near = fused(z, COSINE[1], COSINE[0]);
-    let series = fused(z_squared, COSINE[2], near);
-    let cosine = leading + fused(z_squared, series, fused(-r, low, lost));
+    let near = R::f32(z, COSINE[1], COSINE[0]);
+    let series = R::f32(z_squared, COSINE[2], near);
+    let cosine = leading + R::f32(z_squared, series, R::f32(-r, low, lost));
 
     // In odd quadrants the two are exchanged, by masks instead of a branch.
     let odd = (quadrant & 1).wrapping_neg();
@@ -97,7 +115,7 @@ const SIGN: u32 = 1 << 31;
 /// of π/2.
 #[cold]
 #[inline(never)]
-fn sin_cos_wide(angle: f32) -> (f32, f32) {
+fn sin_cos_wide<R: Rounding>(angle: f32) -> (f32, f32) {
     if !angle.is_finite() {
         return (f32::NAN, f32::NAN);
     }
@@ -127,9 +145,9 @@ fn sin_cos_wide(angle: f32) -> (f32, f32) {
         (high, low)
     };
     if angle < 0.0 {
-        in_quadrant(-high, -low, quadrant.wrapping_neg())
+        in_quadrant::<R>(-high, -low, quadrant.wrapping_neg())
     } else {
-        in_quadrant(high, low, quadrant)
+        in_quadrant::<R>(high, low, quadrant)
     }
 }
 

@@ -33,6 +33,14 @@ impl Folder {
         fs::write(self.path(file), text).expect("a file");
     }
 
+    /// True if the name of a symbol of an object contains the text.
+    pub fn has_symbol(object: &Path, text: &str) -> bool {
+        let bytes = fs::read(object).expect("an object");
+        bytes
+            .windows(text.len())
+            .any(|part| part == text.as_bytes())
+    }
+
     /// Writes the header, the source, and a program that calls all of its functions.
     pub fn write_c(&self, robot: &Robot, real: Real) {
         let source = robot.source(real);
@@ -172,6 +180,19 @@ impl C {
     pub fn is_gcc(&self) -> bool {
         let version = output(Command::new(self.name).arg("--version"));
         String::from_utf8_lossy(&version.stdout).contains("Free Software Foundation")
+    }
+
+    /// True if it compiles functions for several kinds of processor: GCC from 12 on Linux for x86-64.
+    pub fn clones(&self) -> bool {
+        let version = output(Command::new(self.name).arg("-dumpversion"));
+        let version = String::from_utf8_lossy(&version.stdout);
+        let major = version
+            .trim()
+            .split('.')
+            .next()
+            .and_then(|major| major.parse().ok());
+        let is_new = major.is_some_and(|major: u32| major >= 12);
+        cfg!(all(target_arch = "x86_64", target_os = "linux")) && self.is_gcc() && is_new
     }
 
     /// The message when options make the source refuse to compile.

@@ -32,8 +32,9 @@ fn the_computation_is_inlined_and_both_methods_call_it() {
     assert!(text.contains(batch), "{text}");
     let (_, of_trait) = text.split_once("Gravity<2, T> for Pendulum {").expect("it");
     let head = "#[inline(always)]\n    fn gravity(&self, q: &[T; 2]) -> [T; 2] {\n        ";
+    assert!(of_trait.contains(head), "{text}");
     let numbers = "let k = |number| ::homogen::Scalar::like(q[0], number);";
-    assert!(of_trait.contains(&format!("{head}{numbers}")), "{text}");
+    assert!(of_trait.contains(numbers), "{text}");
     let robot = "impl ::homogen::robot::Batched for Pendulum {
     const INLINED: &'static [&'static ::core::primitive::str] = &[\"gravity\"];
 }";
@@ -44,7 +45,7 @@ fn the_computation_is_inlined_and_both_methods_call_it() {
 fn no_batches_without_a_request() {
     let text = with_runtime(&module(Real::Generic));
     assert!(
-        !text.contains("_batch") && !text.contains("inline(always)"),
+        !text.contains("_batch") && !text.contains("INLINED"),
         "{text}"
     );
 }

@@ -74,7 +74,19 @@ fn deepest(block: &Block) -> usize {
     inside.max().unwrap_or(0).max(block.stmts.len())
 }
 
-/// Blocks of all methods called `gravity`.
+/// The block with the equations of a method.
+fn equations(block: Block) -> Block {
+    let runs = block.stmts.iter().find_map(|statement| match statement {
+        Stmt::Item(SynItem::Impl(item)) => item.items.iter().find_map(|item| match item {
+            ImplItem::Fn(method) => Some(method.block.clone()),
+            _ => None,
+        }),
+        _ => None,
+    });
+    runs.unwrap_or(block)
+}
+
+/// Blocks with the equations of all methods called `gravity`.
 fn gravities(text: &str) -> Vec<Block> {
     let file = syn::parse_file(text).expect("Rust");
     let items = file.items.into_iter().filter_map(|item| match item {
@@ -82,7 +94,7 @@ fn gravities(text: &str) -> Vec<Block> {
         _ => None,
     });
     let methods = items.flatten().filter_map(|item| match item {
-        ImplItem::Fn(method) if method.sig.ident == "gravity" => Some(method.block),
+        ImplItem::Fn(method) if method.sig.ident == "gravity" => Some(equations(method.block)),
         _ => None,
     });
     methods.collect()

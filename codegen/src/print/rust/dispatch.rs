@@ -1,0 +1,136 @@
+//! Functions that are compiled for several kinds of processor, one of which is chosen when the program runs.
+//!
+//! In: a function with its equations. Out: a body that hands the equations to the runtime, generic over the rounding
+//! of their products. The choice takes less than a nanosecond, so that the shortest functions gain as well.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::{GenericParam, Generics, parse_quote};
+
+use super::arguments::type_of;
+use super::comments::doc;
+use super::dialect::{Dialect, Equations};
+use super::item::Item;
+use super::lengths::known;
+use super::library::Library;
+use super::method;
+use super::results::result_type;
+use crate::module::{GeneratedFunction, Module};
+use crate::print::Fields;
+
+/// Argument of equations.
+pub(super) struct Argument {
+    /// Its name in the equations.
+    pub name: TokenStream,
+    /// Its value where they are called.
+    pub value: TokenStream,
+    /// Its type.
+    pub of: TokenStream,
+}
+
+/// Body of a function with these fields, to be put between braces.
+pub(super) fn computation(
+    (generated, fields): (&GeneratedFunction, Fields<'_>),
+    module: &Module,
+    item: &Item,
+    dialect: &Dialect,
+) -> TokenStream {
+    let inside = dialect.of_equations(module.reproducible);
+    let body = method::explained((generated, fields), module, &inside);
+    let lengths = known(&module.spaces);
+    let result = result_type(&generated.functions, &lengths, &inside);
+    let robot = body.reads_robot.then(|| robot(item, &inside));
+    let arguments = generated.arguments(&module.spaces).into_iter();
+    let arguments = arguments.map(|argument| {
+        let name = inside.argument(argument).into_token_stream();
+        let of = type_of(argument, &lengths, &inside);
+        Argument {
+            value: name.clone(),
+            name,
+            of: quote! { &#of },
+        }
+    });
+    let arguments: Vec<_> = robot.into_iter().chain(arguments).collect();
+    // Every parameter must be named by an argument.
+    let generics = if body.reads_robot {
+        with_number(&item.generics, dialect)
+    } else {
+        with_number(&Generics::default(), dialect)
+    };
+    dispatched((&arguments, &generics), Some(&result), &body.text, &inside)
+}
+
+/// The robot as an argument of equations.
+pub(super) fn robot(item: &Item, inside: &Dialect) -> Argument {
+    let (_, own, _) = item.generics.split_for_impl();
+    let robot = &item.ident;
+    Argument {
+        name: inside.this(),
+        value: quote! { self },
+        of: quote! { &#robot #own },
+    }
+}
+
+/// Generic parameters with the type of numbers, unless it is one of them or is known.
+pub(super) fn with_number(generics: &Generics, dialect: &Dialect) -> Generics {
+    let mut generics = generics.clone();
+    let is_new = generics.params.is_empty();
+    let bound = if is_new {
+        dialect.bound_inside()
+    } else {
+        dialect.bound()
+    };
+    let bound = bound.map(|bound| -> GenericParam {
+        parse_quote! { #bound }
+    });
+    generics.params.extend(bound);
+    generics
+}
+
+/// Statements that choose the processor and compute, with the result; in other dialects the equations themselves.
+pub(super) fn dispatched(
+    (arguments, generics): (&[Argument], &Generics),
+    result: Option<&TokenStream>,
+    equations: &TokenStream,
+    dialect: &Dialect,
+) -> TokenStream {
+    let (Library::Runtime(runtime), Some(names)) = (&dialect.library, &dialect.equations) else {
+        return equations.clone();
+    };
+    let Equations { name, rounding, .. } = names;
+    let reproducible = names.reproducible.then(|| {
+        quote! { const REPRODUCIBLE: ::core::primitive::bool = true; }
+    });
+    let about = "Compiled for several kinds of processor, one of which is chosen at run time.";
+    let about = doc(&[about.to_owned()]);
+    let (parameters, _, bounds) = generics.split_for_impl();
+    let types = together(arguments.iter().map(|argument| &argument.of));
+    let names = together(arguments.iter().map(|argument| &argument.name));
+    let values = together(arguments.iter().map(|argument| &argument.value));
+    let returned = result.map(|result| quote! { -> #result });
+    let result = result.map_or_else(|| quote! { () }, Clone::clone);
+    let number = &dialect.number;
+    quote! {
+        #about
+        struct #name<A>(A);
+        impl #parameters #runtime::dispatch::Work<#number> for #name<#types> #bounds {
+            type Output = #result;
+            #reproducible
+            #[inline(always)]
+            fn run<#rounding: #runtime::rounding::Rounding>(self) #returned {
+                let Self(#names) = self;
+                #equations
+            }
+        }
+        <#number as #runtime::Scalar>::dispatch(#name(#values))
+    }
+}
+
+/// A tuple, or its only element.
+fn together<'a>(parts: impl ExactSizeIterator<Item = &'a TokenStream>) -> TokenStream {
+    if parts.len() == 1 {
+        quote! { #(#parts)* }
+    } else {
+        quote! { (#(#parts),*) }
+    }
+}

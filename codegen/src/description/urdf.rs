@@ -22,7 +22,7 @@ use super::position::Positions;
 use super::xml::element::Reader;
 use super::xml::{self, plain, survey};
 use super::{Description, Name, Source, Unmodelled, names};
-use crate::error::{Errors, Place};
+use crate::error::{Complaint, Errors, Place};
 use crate::wording::quoted;
 
 #[doc(hidden)]
@@ -47,9 +47,27 @@ pub fn read(
 ) -> Option<Description> {
     errors.set_file(file, anchor);
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
+    let source = Source {
+        file: Some(file.to_owned()),
+        anchor,
+        hash: fingerprint(text.as_bytes()),
+        ..Source::default()
+    };
+    read_at(&positions, source, Vec::new(), errors)
+}
+
+/// Reads a text with its places: those of the file, or of the files that it was expanded from. `warnings` are those of
+/// the expansion.
+pub(super) fn read_at(
+    positions: &Positions<'_>,
+    source: Source,
+    warnings: Vec<Complaint>,
+    errors: &mut Errors,
+) -> Option<Description> {
     let plain = plain::plain(positions.text());
-    let document = xml::parse(&plain, &positions, BEGINS, errors)?;
-    let mut reader = Reader::new(&positions);
+    let document = xml::parse(&plain, positions, BEGINS, errors)?;
+    let mut reader = Reader::new(positions);
+    reader.warnings = warnings;
     let mut description = robot(&mut reader, document.root_element());
     if description.is_some() {
         survey::survey(&mut reader, document.root_element(), &elements::URDF);
@@ -65,13 +83,7 @@ pub fn read(
     errors.append(reader.errors);
     errors.warn(reader.warnings.iter().cloned());
     if let Some(description) = &mut description {
-        description.source = Source {
-            file: Some(file.to_owned()),
-            anchor,
-            included: Vec::new(),
-            beside: Vec::new(),
-            hash: fingerprint(text.as_bytes()),
-        };
+        description.source = source;
         description.warnings = reader.warnings;
         description.unmodelled = reader.unmodelled;
         names::check(description, errors);

@@ -22,7 +22,7 @@ fn hostile_files_are_refused_quickly() {
         .concat();
     assert_eq!(
         errors(&format!("<robot\n{attributes}/>")),
-        "error: arm.urdf:1:1: an element has more than 32 attributes\n"
+        "error: arm.urdf:1:1: an element has more than 128 attributes\n"
     );
     let namespaces = (0..65)
         .map(|i| format!("<a xmlns:n{i}=\"u\">\n"))

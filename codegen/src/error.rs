@@ -197,6 +197,12 @@ impl Errors {
         self.complaints.is_empty()
     }
 
+    /// The warnings that are shown if there are errors.
+    #[must_use]
+    pub fn warnings(&self) -> &[Complaint] {
+        &self.warnings
+    }
+
     /// The errors, in the order in which they were found; at most the first thousand.
     #[must_use]
     pub fn complaints(&self) -> &[Complaint] {

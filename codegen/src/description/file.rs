@@ -47,6 +47,24 @@ pub fn read_file_with(
     bytes_in(&bytes, &name, path.parent(), given, anchor, errors)
 }
 
+/// The URDF that a xacro file expands to.
+pub fn expand_file(path: &Path, given: &Given, errors: &mut Errors) -> Option<String> {
+    let name = path
+        .file_name()
+        .map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
+    let text = load(path).and_then(|bytes| {
+        String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())
+    });
+    match text {
+        Ok(text) => xacro::expanded(&text, &name, path.parent(), given, errors),
+        Err(reason) => {
+            let message = format!("cannot read {}: {reason}", path.display());
+            errors.push(Place::Unknown, message);
+            None
+        }
+    }
+}
+
 /// Reads the bytes of a file, or of standard input, with the given name. Text that is not UTF-8 is read as Latin-1,
 /// with a warning, if that gives a valid description.
 pub fn read_bytes(

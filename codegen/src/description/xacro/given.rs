@@ -1,6 +1,8 @@
 //! What the user gives for a xacro file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+use crate::request::Request;
 
 /// Arguments of a xacro file, and folders of packages.
 #[derive(Clone, Debug, Default)]
@@ -9,4 +11,21 @@ pub struct Given {
     pub arguments: Vec<(String, String)>,
     /// Names and folders of ROS packages, for `$(find name)`.
     pub packages: Vec<(String, PathBuf)>,
+}
+
+impl Given {
+    /// What a request gives; folders of packages are relative to `folder`.
+    #[must_use]
+    pub fn of(request: &Request, folder: &Path) -> Self {
+        let arguments = request.arguments.iter();
+        let packages = request.packages.iter();
+        Self {
+            arguments: arguments
+                .map(|(name, value)| (name.text.clone(), value.clone()))
+                .collect(),
+            packages: packages
+                .map(|(name, path)| (name.text.clone(), folder.join(path)))
+                .collect(),
+        }
+    }
 }

@@ -24,6 +24,7 @@ import xacro.substitution_args
 XACRO = "http://www.ros.org/wiki/xacro"
 PACKAGES = {}
 FOUND = {}
+CHECKOUT = [None]
 
 
 class Unreadable(Exception):
@@ -31,7 +32,7 @@ class Unreadable(Exception):
 
 
 def packages(folder):
-    """The folder of each package by its name; of several, the one with the shortest path."""
+    """The folder of each package by its name; of several, the one with the shortest path in the first checkout."""
     found = {}
     for manifest in sorted(folder.rglob("package.xml"), key=lambda path: (len(path.parts), str(path))):
         try:
@@ -45,9 +46,12 @@ def packages(folder):
 
 def find(name):
     """The tool's `$(find name)`, without an installation of ROS."""
-    if name not in PACKAGES:
+    # Several repositories may have a package of the name.
+    own = PACKAGES.get(CHECKOUT[0], {})
+    folder = own.get(name) or next((others[name] for others in PACKAGES.values() if name in others), None)
+    if folder is None:
         raise xacro.substitution_args.SubstitutionException(f"package {name} is not found")
-    FOUND[name] = str(PACKAGES[name])
+    FOUND[name] = str(folder)
     return FOUND[name]
 
 
@@ -124,8 +128,9 @@ def difference(a, b, where, near):
 
 
 def judge(binary, file, arguments):
-    """Outcome for a file, a reason, and the numbers that differ in the last place."""
+    """Outcome for a file, a reason, the numbers that differ in the last place, and the number of elements."""
     refusal = None
+    CHECKOUT[0] = next(checkout for checkout in PACKAGES if checkout in file.parents)
     # The tool resolves relative paths against the folder that it runs in.
     os.chdir(file.parent)
     try:
@@ -141,7 +146,9 @@ def judge(binary, file, arguments):
             return "rejected by both", f"{refusal} | {error.splitlines()[0]}", 0, 0
         return "rejected by the tool alone", refusal, 0, 0
     if error is not None:
-        return "rejected by homogen alone", error, 0, 0
+        # By design: the folder that the tool runs in is no part of the description.
+        alone = "$(cwd), rejected by homogen alone" if "$(cwd)" in error else "rejected by homogen alone"
+        return alone, error, 0, 0
     near = [0]
     one, other = parsed(theirs), parsed(ours)
     different = difference(one, other, "", near)
@@ -159,7 +166,8 @@ def main():
     options.add_argument("--verbose", action="store_true")
     options = options.parse_args()
     binary, robots = options.binary.resolve(), options.robots.resolve()
-    PACKAGES.update(packages(robots))
+    for checkout in sorted(robots.iterdir()):
+        PACKAGES[checkout] = packages(checkout)
     cases = [(file, ()) for file in sorted(robots.rglob("*.xacro"))]
     for line in options.table.read_text().splitlines():
         if line and not line.startswith("#"):

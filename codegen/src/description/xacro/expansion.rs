@@ -138,6 +138,7 @@ impl Expansion {
     /// The value of a text as text.
     pub(super) fn text(&mut self, written: &Written, scope: ScopeId) -> Result<Rc<str>, Failure> {
         let value = self.value(written, scope)?;
+        self.budget.spend(value.steps())?;
         let text = value.text();
         self.budget.spend_text(text.len())?;
         Ok(text)
@@ -172,6 +173,7 @@ impl Expansion {
         }
         let mut joined = String::new();
         for value in values {
+            self.budget.spend(value.steps())?;
             let text = value.text();
             self.budget.spend_text(text.len())?;
             joined.push_str(&text);

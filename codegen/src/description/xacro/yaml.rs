@@ -1,8 +1,10 @@
 //! The part of YAML 1.1 that parameters of robots use.
 //!
 //! In: the text of a file. Out: a [`Value`] with the types of PyYAML. Block and flow mappings and sequences, scalars in
-//! one line, comments, and the units of xacro (`!degrees 90`) are read. Anchors, other tags, scalars of several lines
-//! and several documents are errors.
+//! one line, comments, anchors, merged mappings (`<<: *base`) and the units of xacro (`!degrees 90`) are read. Other tags,
+//! scalars of several lines and several documents are errors.
+
+use std::collections::HashMap;
 
 use super::expression::value::{Map, Value};
 use super::failure::{Failure, failure, failure_with_hint};
@@ -31,6 +33,7 @@ pub(super) fn read(text: &str, evaluate: Evaluate<'_>) -> Result<Value, (usize, 
         at: 0,
         evaluate,
         depth: 0,
+        anchors: HashMap::new(),
     };
     reader.split(text)?;
     if reader.lines.is_empty() {
@@ -56,6 +59,8 @@ struct Reader<'t, 'e> {
     at: usize,
     evaluate: Evaluate<'e>,
     depth: usize,
+    /// The values of anchors, which copies share.
+    anchors: HashMap<String, Value>,
 }
 
 type Read<T> = Result<T, (usize, Failure)>;
@@ -137,19 +142,19 @@ impl<'t> Reader<'t, '_> {
             };
             let key = self.scalar(text[..end].trim(), number)?;
             let rest = text[end + 1..].trim();
+            let (anchor, rest) = anchor(rest);
             let value = if rest.is_empty() {
                 self.at += 1;
                 self.below(indent, true)?
             } else {
-                let shift = text.len() - text[end + 1..].trim_start().len();
+                let shift = text.len() - rest.len();
                 let joined = self.joined();
                 self.inline(&joined[shift..], number)?
             };
+            self.name(anchor, &value);
             entries.push((key, value));
         }
-        Map::new(entries, true)
-            .map(Value::Map)
-            .map_err(|failure| (first, failure))
+        mapping(entries).map_err(|failure| (first, failure))
     }
 
     /// The value below a key or a dash: the deeper lines. A sequence may be as deep as its key.
@@ -173,7 +178,7 @@ impl<'t> Reader<'t, '_> {
             && line.indent == indent
             && is_item(line.text)
         {
-            let rest = line.text[1..].trim_start();
+            let (anchor, rest) = anchor(line.text[1..].trim_start());
             if rest.is_empty() {
                 self.at += 1;
                 items.push(self.below(indent, false)?);
@@ -183,6 +188,10 @@ impl<'t> Reader<'t, '_> {
                 line.text = rest;
                 let inner = line.indent;
                 items.push(self.block(inner)?);
+            }
+            if let Some(value) = items.last() {
+                let value = value.clone();
+                self.name(anchor, &value);
             }
         }
         Value::list(items).map_err(|failure| (first, failure))
@@ -234,9 +243,7 @@ impl<'t> Reader<'t, '_> {
                 entries.push((key, self.flow(rest, number)?));
                 self.separates(rest, '}', number)?;
             }
-            Map::new(entries, true)
-                .map(Value::Map)
-                .map_err(|failure| (number, failure))
+            mapping(entries).map_err(|failure| (number, failure))
         } else {
             let end = scalar_end(rest);
             let (scalar, after) = rest.split_at(end);
@@ -275,9 +282,21 @@ impl<'t> Reader<'t, '_> {
         Ok(())
     }
 
-    /// A scalar with its type.
+    /// Keeps the value of an anchor.
+    fn name(&mut self, anchor: Option<&str>, value: &Value) {
+        if let Some(anchor) = anchor {
+            self.anchors.insert(anchor.to_owned(), value.clone());
+        }
+    }
+
+    /// A scalar with its type, or the value of an anchor.
     fn scalar(&mut self, text: &str, number: usize) -> Read<Value> {
         let at = |failure| (number, failure);
+        if let Some(alias) = text.strip_prefix('*') {
+            let found = self.anchors.get(alias).cloned();
+            let missing = || failure(format!("there is no anchor {}", quoted(alias)));
+            return found.ok_or_else(|| at(missing()));
+        }
         if text.starts_with('!') {
             let (tag, rest) = text.split_once(' ').unwrap_or((text, ""));
             let Some((_, factor)) = UNITS.iter().find(|(unit, _)| *unit == tag) else {
@@ -311,7 +330,7 @@ impl<'t> Reader<'t, '_> {
         let quote = text.chars().next().filter(|first| matches!(first, '\'' | '"'));
         let Some(quote) = quote else {
             return match text.chars().next() {
-                Some('&' | '*') => at("anchors are not supported"),
+                Some('&') => at("an anchor stands where none is supported"),
                 Some('|' | '>') => at("texts of several lines are not supported"),
                 Some('@' | '`') => at("a scalar cannot begin with @ or `"),
                 _ => Ok((text.to_owned(), true)),
@@ -340,6 +359,39 @@ impl<'t> Reader<'t, '_> {
         }
         Ok((out, false))
     }
+}
+
+/// The anchor at the beginning of a text, and the rest.
+fn anchor(text: &str) -> (Option<&str>, &str) {
+    match text.strip_prefix('&') {
+        None => (None, text),
+        Some(rest) => {
+            let end = rest.find(' ').unwrap_or(rest.len());
+            (Some(&rest[..end]), rest[end..].trim_start())
+        }
+    }
+}
+
+/// A mapping; entries of `<<` are added where the mapping has none of their keys.
+fn mapping(entries: Vec<(Value, Value)>) -> Result<Value, Failure> {
+    let is_merge = |(key, _): &(Value, Value)| matches!(key, Value::Text(key) if &**key == "<<");
+    let (merged, own): (Vec<_>, Vec<_>) = entries.into_iter().partition(is_merge);
+    let mut all = Vec::new();
+    for (_, value) in merged {
+        let maps = match &value {
+            Value::Map(_) => vec![value],
+            Value::List(list) => list.items().iter().rev().cloned().collect(),
+            _ => Vec::new(),
+        };
+        for map in maps {
+            let Value::Map(map) = map else {
+                return Err(failure("<< merges mappings"));
+            };
+            all.extend(map.entries().iter().cloned());
+        }
+    }
+    all.extend(own);
+    Map::new(all, true).map(Value::Map)
 }
 
 /// A line up to its comment.

@@ -70,6 +70,9 @@ impl Evaluator<'_> {
                 let mut left = self.value(first)?;
                 for (comparison, right) in others {
                     let right = self.value(right)?;
+                    self.surroundings
+                        .budget()
+                        .spend(left.steps() + right.steps())?;
                     if !compare(*comparison, &left, &right)? {
                         return Ok(Value::Bool(false));
                     }
@@ -98,6 +101,8 @@ impl Evaluator<'_> {
             }
             Expression::Index(parts) => {
                 let [value, index] = [self.value(&parts[0])?, self.value(&parts[1])?];
+                let steps = value.steps() / 16 + index.steps();
+                self.surroundings.budget().spend(steps)?;
                 item(&value, &index)
             }
             Expression::Slice(value, ends) => self.slice(value, ends),

@@ -50,6 +50,7 @@ const OF_PYTHON: [Function; 26] = [
     }),
     global("str", |call| {
         let [value] = call.exactly()?;
+        call.surroundings.budget().spend(value.steps())?;
         let text = value.text();
         call.surroundings.budget().spend_text(text.len())?;
         Ok(Value::Text(text))
@@ -107,6 +108,7 @@ const OF_PYTHON: [Function; 26] = [
     }),
     inner("repr", |call| {
         let [value] = call.exactly()?;
+        call.surroundings.budget().spend(value.steps())?;
         let text = value.literal();
         call.surroundings.budget().spend_text(text.len())?;
         Ok(text.into())
@@ -257,15 +259,18 @@ const OF_XACRO: [Function; 10] = [
     inner("message", |_| Ok("".into())),
     inner("print_location", |_| Ok("".into())),
     inner("warning", |call| {
-        warn(call);
+        warn(call)?;
         Ok("".into())
     }),
     // The tool goes on after it.
     inner("error", |call| {
-        warn(call);
+        warn(call)?;
         Ok("".into())
     }),
-    inner("fatal", |call| Err(failure(joined(&call.values)))),
+    inner("fatal", |call| {
+        let message = joined(call)?;
+        Err(failure(message))
+    }),
     inner("tokenize", tokenize),
 ];
 
@@ -383,10 +388,7 @@ fn dict(call: &mut Call<'_>) -> Result<Value, Failure> {
     }
     let named = std::mem::take(&mut call.named);
     entries.extend(named.into_iter().map(|(name, value)| (Value::Text(name), value)));
-    // Each key is compared with each other one.
-    call.surroundings
-        .budget()
-        .spend(entries.len().saturating_mul(entries.len()))?;
+    call.surroundings.budget().spend(entries.len())?;
     Map::new(entries, false).map(Value::Map)
 }
 
@@ -631,14 +633,17 @@ fn whole(call: &mut Call<'_>, function: fn(f64) -> f64) -> Result<Value, Failure
 }
 
 /// The arguments as the tool prints them.
-fn joined(values: &[Value]) -> String {
-    let texts: Vec<_> = values.iter().map(Value::text).collect();
-    texts.join(" ")
+fn joined(call: &mut Call<'_>) -> Result<String, Failure> {
+    let steps = call.values.iter().map(Value::steps).sum();
+    call.surroundings.budget().spend(steps)?;
+    let texts: Vec<_> = call.values.iter().map(Value::text).collect();
+    Ok(texts.join(" "))
 }
 
-fn warn(call: &mut Call<'_>) {
-    let message = joined(&call.values);
+fn warn(call: &mut Call<'_>) -> Result<(), Failure> {
+    let message = joined(call)?;
     call.surroundings.warn(message);
+    Ok(())
 }
 
 fn tokenize(call: &mut Call<'_>) -> Result<Value, Failure> {

@@ -278,6 +278,7 @@ fn format(text: &str, call: &mut Call<'_>) -> Result<Value, Failure> {
         };
         let value =
             value.ok_or_else(|| failure(format!("the format has no value {}", quoted(field))))?;
+        call.surroundings.budget().spend(value.steps())?;
         out.push_str(&value.text());
         rest = &rest[end + 1..];
     }

@@ -2,6 +2,8 @@
 
 use std::cell::{Ref, RefCell, RefMut};
 use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::fmt::Write;
 use std::rc::Rc;
 
@@ -12,6 +14,10 @@ pub(in crate::description::xacro) const LARGEST_INTEGER: i64 = 1 << 53;
 
 /// Maximum depth of lists in lists.
 const MOST_NESTED: usize = 40;
+
+/// Maximum number of items of a list, with those of the lists in it. Lists share their items, so that without it few
+/// of them could stand for very many.
+const MOST_PARTS: usize = 100_000;
 
 /// The number of a scope of properties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +59,7 @@ pub(in crate::description::xacro) enum Value {
 pub(in crate::description::xacro) struct List {
     items: Rc<RefCell<Vec<Value>>>,
     pub(in crate::description::xacro) is_tuple: bool,
-    depth: usize,
+    extent: Extent,
 }
 
 /// A dictionary, in the order of its keys' definition; copies share their entries.
@@ -62,7 +68,14 @@ pub(in crate::description::xacro) struct Map {
     entries: Rc<RefCell<Vec<(Value, Value)>>>,
     /// True if `map.key` means `map["key"]`, as in dictionaries of YAML files.
     pub(in crate::description::xacro) is_dotted: bool,
+    extent: Extent,
+}
+
+/// Depth and number of parts of a list, when it was made.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
     depth: usize,
+    parts: usize,
 }
 
 impl List {
@@ -71,7 +84,7 @@ impl List {
         is_tuple: bool,
     ) -> Result<Self, Failure> {
         Ok(Self {
-            depth: depth(items.iter())?,
+            extent: extent(items.iter())?,
             items: Rc::new(RefCell::new(items)),
             is_tuple,
         })
@@ -92,18 +105,24 @@ impl Map {
         entries: Vec<(Value, Value)>,
         is_dotted: bool,
     ) -> Result<Self, Failure> {
-        let depth = depth(entries.iter().flat_map(|(key, value)| [key, value]))?;
+        let extent = extent(entries.iter().flat_map(|(key, value)| [key, value]))?;
         let mut kept: Vec<(Value, Value)> = Vec::with_capacity(entries.len());
+        let mut places: HashMap<String, usize> = HashMap::new();
         for (key, value) in entries {
-            match kept.iter_mut().find(|(known, _)| known.equals(&key)) {
-                Some((_, known)) => *known = value,
-                None => kept.push((key, value)),
+            // Equal numbers are one key, whatever their types.
+            let word = key.as_number().map_or_else(|| key.literal(), digits);
+            match places.entry(word) {
+                Entry::Occupied(place) => kept[*place.get()].1 = value,
+                Entry::Vacant(place) => {
+                    place.insert(kept.len());
+                    kept.push((key, value));
+                }
             }
         }
         Ok(Self {
             entries: Rc::new(RefCell::new(kept)),
             is_dotted,
-            depth,
+            extent,
         })
     }
 
@@ -123,20 +142,20 @@ impl Map {
     }
 }
 
-/// The depth of a list with these items.
-fn depth<'v>(items: impl Iterator<Item = &'v Value>) -> Result<usize, Failure> {
-    let inner = items.map(|item| match item {
-        Value::List(list) => list.depth,
-        Value::Map(map) => map.depth,
-        _ => 0,
-    });
-    let depth = inner.max().unwrap_or(0) + 1;
-    if depth > MOST_NESTED {
+/// The extent of a list with these items.
+fn extent<'v>(items: impl Iterator<Item = &'v Value>) -> Result<Extent, Failure> {
+    let mut extent = Extent { depth: 1, parts: 1 };
+    for item in items {
+        let inner = item.extent();
+        extent.depth = extent.depth.max(inner.depth + 1);
+        extent.parts = extent.parts.saturating_add(inner.parts);
+    }
+    if extent.depth > MOST_NESTED || extent.parts > MOST_PARTS {
         return Err(failure(format!(
-            "lists are nested more than {MOST_NESTED} deep"
+            "a list is nested more than {MOST_NESTED} deep, or has more than {MOST_PARTS} items"
         )));
     }
-    Ok(depth)
+    Ok(extent)
 }
 
 impl From<&str> for Value {
@@ -171,6 +190,23 @@ impl Value {
 
     pub(in crate::description::xacro) fn tuple(items: Vec<Self>) -> Result<Self, Failure> {
         List::new(items, true).map(Self::List)
+    }
+
+    fn extent(&self) -> Extent {
+        match self {
+            Self::List(list) => list.extent,
+            Self::Map(map) => map.extent,
+            Self::Text(text) => Extent {
+                depth: 0,
+                parts: text.len() / 64 + 1,
+            },
+            _ => Extent { depth: 0, parts: 1 },
+        }
+    }
+
+    /// Steps to print or compare it.
+    pub(in crate::description::xacro) fn steps(&self) -> usize {
+        self.extent().parts
     }
 
     /// The name of its type, for messages.

@@ -52,9 +52,8 @@ pub fn expand_file(path: &Path, given: &Given, errors: &mut Errors) -> Option<St
     let name = path
         .file_name()
         .map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
-    let text = load(path).and_then(|bytes| {
-        String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())
-    });
+    let text = load(path)
+        .and_then(|bytes| String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned()));
     match text {
         Ok(text) => xacro::expanded(&text, &name, path.parent(), given, errors),
         Err(reason) => {

@@ -55,7 +55,9 @@ const ELEMENTS: [&str; 8] = [
 /// elements or expressions of it. Files that the tool has expanded keep the declaration.
 #[must_use]
 pub fn is_meant(text: &str, file: &str) -> bool {
-    let is_named = file.rsplit_once('.').is_some_and(|(_, ending)| ending == "xacro");
+    let is_named = file
+        .rsplit_once('.')
+        .is_some_and(|(_, ending)| ending == "xacro");
     let contains = || {
         let mut elements = ELEMENTS.into_iter();
         elements.any(|element| text.contains(element)) || text.contains("${") || text.contains("$(")
@@ -139,7 +141,13 @@ fn expand(
         Ok(root) => Some(expansion.expand(&root, here)),
         Err(failure) => {
             let offset = 0;
-            expansion.report(Origin { file: first, offset }, failure);
+            expansion.report(
+                Origin {
+                    file: first,
+                    offset,
+                },
+                failure,
+            );
             None
         }
     };

@@ -15,7 +15,11 @@ const STEPS: usize = 100;
 
 impl Expansion {
     /// Defines a macro.
-    pub(super) fn define_macro(&mut self, element: &Rc<Element>, here: Here) -> Result<(), Failure> {
+    pub(super) fn define_macro(
+        &mut self,
+        element: &Rc<Element>,
+        here: Here,
+    ) -> Result<(), Failure> {
         self.check_attributes(element, &["name", "params"]);
         let name = &self.required(element, "name")?.text;
         let name: Rc<str> = name.strip_prefix(PREFIX).unwrap_or(name).into();
@@ -93,9 +97,12 @@ impl Expansion {
             let Some(at) = left.iter().position(|known| known.name == attribute.name) else {
                 let names = called.parameters.iter().map(|parameter| &*parameter.name);
                 let names: Vec<&str> = names.collect();
-                let what = format!("macro {macro_name} has no parameter {}", quoted(&attribute.name));
+                let what = format!(
+                    "macro {macro_name} has no parameter {}",
+                    quoted(&attribute.name)
+                );
                 let failed = failure_with_hint(what, named(&attribute.name, "parameters", &names));
-                self.report(attribute.value.origin, failed);
+                self.report(attribute.origin, failed);
                 is_complete = false;
                 continue;
             };
@@ -153,11 +160,7 @@ impl Expansion {
     }
 
     /// The value of a parameter that a call leaves out; `None` if it must not.
-    fn default_of(
-        &mut self,
-        parameter: &Parameter,
-        here: Here,
-    ) -> Result<Option<Symbol>, Failure> {
+    fn default_of(&mut self, parameter: &Parameter, here: Here) -> Result<Option<Symbol>, Failure> {
         let Some(default) = &parameter.default else {
             return Ok(None);
         };
@@ -268,7 +271,10 @@ fn default_length(text: &str) -> Option<usize> {
     let mut at = 0;
     while !ends(at) {
         let rest = &text[at..];
-        let quote = rest.chars().next().filter(|quote| matches!(quote, '\'' | '"'));
+        let quote = rest
+            .chars()
+            .next()
+            .filter(|quote| matches!(quote, '\'' | '"'));
         at += match quote {
             Some(quote) => rest[1..].find(quote)? + 2,
             None => {

@@ -102,6 +102,7 @@ impl Expansion {
             match self.computed(&attribute.value, here) {
                 Ok(value) => found.push(Attribute {
                     name: Rc::clone(&attribute.name),
+                    origin: attribute.origin,
                     value,
                 }),
                 Err(failure) => self.report_in(&attribute.value, failure),
@@ -160,7 +161,7 @@ impl Expansion {
                     element.name
                 );
                 let hint = format!("known attributes: {}", list(known.iter().copied()));
-                self.warn(attribute.value.origin, what, Some(hint));
+                self.warn(attribute.origin, what, Some(hint));
             }
         }
     }
@@ -252,7 +253,11 @@ impl Expansion {
         check_name(&name)?;
         let value = self.required(element, "value")?;
         let value = self.computed(value, here)?;
-        into.set(Attribute { name, value });
+        into.set(Attribute {
+            name,
+            origin: element.origin,
+            value,
+        });
         Ok(())
     }
 

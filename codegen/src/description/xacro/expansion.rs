@@ -195,11 +195,7 @@ impl Expansion {
     }
 
     /// The value of an expression without `$`.
-    fn plain_expression(
-        &mut self,
-        text: &str,
-        scope: Option<ScopeId>,
-    ) -> Result<Value, Failure> {
+    fn plain_expression(&mut self, text: &str, scope: Option<ScopeId>) -> Result<Value, Failure> {
         self.budget.enter(HEAVY)?;
         let value = parse(text).and_then(|expression| {
             evaluate(
@@ -226,9 +222,8 @@ impl Expansion {
     /// The value of `$(eval …)`: an expression whose names are arguments.
     fn eval(&mut self, text: &str) -> Result<Value, Failure> {
         self.budget.enter(HEAVY)?;
-        let value = parse(text).and_then(|expression| {
-            evaluate(&expression, &mut Eval { expansion: self })
-        });
+        let value =
+            parse(text).and_then(|expression| evaluate(&expression, &mut Eval { expansion: self }));
         self.budget.leave(HEAVY);
         Ok(Value::Text(value?.text()))
     }
@@ -445,7 +440,9 @@ pub(super) fn literal(value: Value) -> Value {
     let Value::Text(text) = &value else {
         return value;
     };
-    let quoted = text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\''));
+    let quoted = text
+        .strip_prefix('\'')
+        .and_then(|rest| rest.strip_suffix('\''));
     if let Some(inner) = quoted {
         return inner.into();
     }
@@ -454,9 +451,10 @@ pub(super) fn literal(value: Value) -> Value {
         return value;
     }
     let is_small = |integer: &i64| integer.unsigned_abs() <= LARGEST_INTEGER.unsigned_abs();
-    if let Some(integer) = integer_of(text) {
-        // A number of a device stays as written.
-        let small = Some(integer).filter(is_small);
+    let digits = text.trim().trim_start_matches(['+', '-']);
+    if digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        // A longer number, such as that of a device, stays as written.
+        let small = integer_of(text).filter(is_small);
         return small.map_or(value, Value::Integer);
     }
     if let Some(number) = float_of(text) {
@@ -483,9 +481,16 @@ pub(super) fn boolean(value: &Value, written: &str) -> Result<bool, Failure> {
                 let what = if text == written {
                     format!("{} is no condition", quoted(text))
                 } else {
-                    format!("{} is {}, which is no condition", quoted(written), quoted(text))
+                    format!(
+                        "{} is {}, which is no condition",
+                        quoted(written),
+                        quoted(text)
+                    )
                 };
-                Err(failure_with_hint(what, "write true, false or ${…} with a comparison"))
+                Err(failure_with_hint(
+                    what,
+                    "write true, false or ${…} with a comparison",
+                ))
             }
         },
     }

@@ -66,7 +66,9 @@ impl Files {
         let beginning = match (&home, &folder) {
             (Some(root), Some(folder)) => {
                 let below = folder.strip_prefix(&root.folder).unwrap_or(Path::new(""));
-                let names = below.components().map(|name| name.as_os_str().to_string_lossy());
+                let names = below
+                    .components()
+                    .map(|name| name.as_os_str().to_string_lossy());
                 names.fold(root.prefix.clone(), |path, name| path + "/" + &name)
             }
             _ => String::new(),
@@ -112,7 +114,10 @@ impl Files {
 
     /// The names of all files but the first.
     pub(super) fn included(&self) -> Vec<String> {
-        self.texts[1..].iter().map(|text| text.name.clone()).collect()
+        self.texts[1..]
+            .iter()
+            .map(|text| text.name.clone())
+            .collect()
     }
 
     /// The paths on this machine of all files but the first.
@@ -128,7 +133,10 @@ impl Files {
         }
         let is_name = |letter: char| letter.is_alphanumeric() || matches!(letter, '_' | '-' | '.');
         if package.is_empty() || !package.chars().all(is_name) || package.starts_with('.') {
-            return Err(failure(format!("{} is no name of a package", quoted(package))));
+            return Err(failure(format!(
+                "{} is no name of a package",
+                quoted(package)
+            )));
         }
         let mut given = self.packages.iter();
         let given = given.find(|(name, _)| name == package);
@@ -141,7 +149,10 @@ impl Files {
                     quoted(&folder.to_string_lossy())
                 )));
             }
-            None => self.folder.as_ref().and_then(|folder| near(folder, package)),
+            None => self
+                .folder
+                .as_ref()
+                .and_then(|folder| near(folder, package)),
         };
         let Some(folder) = found else {
             return Err(failure_with_hint(
@@ -169,7 +180,10 @@ impl Files {
         match folder {
             Some((folder, _)) => Ok(format!("{folder}/{written}")),
             None => Err(failure_with_hint(
-                format!("cannot read {}: a text without a file has no folder", quoted(written)),
+                format!(
+                    "cannot read {}: a text without a file has no folder",
+                    quoted(written)
+                ),
                 "read the description from a file, so that paths are relative to its folder",
             )),
         }
@@ -201,8 +215,12 @@ impl Files {
                 name => names.push(name),
             }
         }
-        let real = names.iter().fold(root.folder.clone(), |path, name| path.join(name));
-        let path = names.iter().fold(root.prefix.clone(), |path, name| path + "/" + name);
+        let real = names
+            .iter()
+            .fold(root.folder.clone(), |path, name| path.join(name));
+        let path = names
+            .iter()
+            .fold(root.prefix.clone(), |path, name| path + "/" + name);
         Ok((path, real))
     }
 
@@ -222,7 +240,9 @@ impl Files {
         let bytes = load(&real).map_err(|reason| refuse(&reason))?;
         let size: usize = self.texts.iter().map(|text| text.content.len()).sum();
         if size + bytes.len() > LARGEST_FILE || self.texts.len() >= MOST_FILES {
-            return Err(failure("more than 1000 files, or more than 64 MB, are included"));
+            return Err(failure(
+                "more than 1000 files, or more than 64 MB, are included",
+            ));
         }
         let text = String::from_utf8(bytes).map_err(|_| refuse("it is not UTF-8"))?;
         let id = FileId(self.texts.len());
@@ -250,11 +270,19 @@ impl Files {
     /// The paths that a pattern with `*`, `?` and `[…]` stands for, in alphabetical order.
     pub(super) fn matching(&self, pattern: &str) -> Result<Vec<String>, Failure> {
         let start = pattern.find(['*', '?', '[']).unwrap_or(pattern.len());
-        let folder = pattern[..start].rsplit_once('/').map_or("", |(folder, _)| folder);
+        let folder = pattern[..start]
+            .rsplit_once('/')
+            .map_or("", |(folder, _)| folder);
         let mut found = vec![folder.to_owned()];
-        for name in pattern[folder.len()..].split('/').filter(|name| !name.is_empty()) {
+        for name in pattern[folder.len()..]
+            .split('/')
+            .filter(|name| !name.is_empty())
+        {
             if !name.contains(['*', '?', '[']) {
-                found = found.into_iter().map(|path| format!("{path}/{name}")).collect();
+                found = found
+                    .into_iter()
+                    .map(|path| format!("{path}/{name}"))
+                    .collect();
                 continue;
             }
             let mut deeper = Vec::new();

@@ -93,8 +93,13 @@ impl Expansion {
         let tree = elements(document.root_element(), &positions, file);
         let tree = tree.map_err(|origin| {
             let name = self.files.name(file);
-            let line = positions.place(origin.offset).order().map_or(0, |(_, line, _)| line);
-            failure(format!("{name}: the elements in line {line} are nested too deeply"))
+            let line = positions
+                .place(origin.offset)
+                .order()
+                .map_or(0, |(_, line, _)| line);
+            failure(format!(
+                "{name}: the elements in line {line} are nested too deeply"
+            ))
         })?;
         self.trees.insert(file, Rc::clone(&tree));
         Ok(tree)

@@ -29,7 +29,10 @@ fn outcome(elements: &str, arguments: &[(&str, &str)]) -> Result<String, String>
     match lines {
         Some(text) => {
             let inner = text.strip_prefix("<robot name=\"r\">").unwrap_or_default();
-            Ok(inner.strip_suffix("</robot>").unwrap_or_default().to_owned())
+            Ok(inner
+                .strip_suffix("</robot>")
+                .unwrap_or_default()
+                .to_owned())
         }
         None => Err(errors.to_string()),
     }
@@ -87,7 +90,7 @@ fn errors_of_urdf_have_places_in_the_xacro_file() {
     assert_eq!(
         read(&text).1,
         "error: arm.urdf.xacro:5:14: the mass of link \"a\" is not a number: \"heavy\"\n\
-         error: arm.urdf.xacro:6:56: izz of link \"a\" is not a number: \"1,5\"\n  \
+         error: arm.urdf.xacro:6:55: izz of link \"a\" is not a number: \"1,5\"\n  \
          hint: write a decimal point, and spaces between numbers\n\
          error: arm.urdf.xacro:9:13: there is another link \"a\"\n  \
          hint: the other one is in line 4\n"
@@ -98,7 +101,10 @@ fn errors_of_urdf_have_places_in_the_xacro_file() {
 fn files_are_recognised() {
     let meant = |text: &str, file: &str| super::is_meant(text, file);
     assert!(meant("<robot/>", "arm.xacro"));
-    assert!(meant(&robot("<xacro:property name=\"a\" value=\"1\"/>"), "arm.urdf"));
+    assert!(meant(
+        &robot("<xacro:property name=\"a\" value=\"1\"/>"),
+        "arm.urdf"
+    ));
     assert!(meant(&robot("<link name=\"${a}\"/>"), "arm.urdf"));
     // Expanded by the tool, with a call that it did not know.
     assert!(!meant(&robot("<link name=\"a\"/><xacro:imu/>"), "arm.urdf"));

@@ -45,6 +45,8 @@ impl Written {
 #[derive(Clone, Debug)]
 pub(super) struct Attribute {
     pub(super) name: Rc<str>,
+    /// The place of its name.
+    pub(super) origin: Origin,
     pub(super) value: Written,
 }
 
@@ -120,6 +122,7 @@ impl Reader<'_> {
                 .attributes()
                 .map(|attribute| Attribute {
                     name: self.name(attribute.range().start, &['=']),
+                    origin: self.origin(attribute.range().start),
                     value: self.value(attribute.range()),
                 })
                 .collect(),

@@ -39,7 +39,8 @@ impl<P: Fn(Origin) -> Place> Writer<P> {
         for attribute in &element.attributes {
             self.attribute(attribute);
         }
-        let is_blank = |node: &Node| matches!(node, Node::Text(text) if text.text.trim().is_empty());
+        let is_blank =
+            |node: &Node| matches!(node, Node::Text(text) if text.text.trim().is_empty());
         let children = || element.children.iter().filter(|node| !is_blank(node));
         if children().next().is_none() {
             self.text.push_str("/>");
@@ -73,7 +74,7 @@ impl<P: Fn(Origin) -> Place> Writer<P> {
 
     fn attribute(&mut self, attribute: &Attribute) {
         self.text.push(' ');
-        self.mark(attribute.value.origin, false);
+        self.mark(attribute.origin, false);
         self.text.push_str(&attribute.name);
         self.text.push_str("=\"");
         self.value(&attribute.value, true);

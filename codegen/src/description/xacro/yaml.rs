@@ -203,7 +203,10 @@ impl<'t> Reader<'t, '_> {
             let mut rest = text;
             let value = self.flow(&mut rest, number)?;
             if !rest.trim().is_empty() {
-                return Err((number, failure(format!("unexpected {}", quoted(rest.trim())))));
+                return Err((
+                    number,
+                    failure(format!("unexpected {}", quoted(rest.trim()))),
+                ));
             }
             return Ok(value);
         }
@@ -237,7 +240,8 @@ impl<'t> Reader<'t, '_> {
             let mut entries = Vec::new();
             while !self.closes(rest, '}', number)? {
                 let end = key_end(rest);
-                let end = end.ok_or_else(|| (number, failure("a mapping has an entry without a key")))?;
+                let end =
+                    end.ok_or_else(|| (number, failure("a mapping has an entry without a key")))?;
                 let key = self.scalar(rest[..end].trim(), number)?;
                 *rest = &rest[end + 1..];
                 entries.push((key, self.flow(rest, number)?));
@@ -255,11 +259,17 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// Takes a closing bracket if it comes next.
-    #[expect(clippy::unused_self, reason = "beside the other steps of a flow collection")]
+    #[expect(
+        clippy::unused_self,
+        reason = "beside the other steps of a flow collection"
+    )]
     fn closes(&self, rest: &mut &str, close: char, number: usize) -> Read<bool> {
         *rest = rest.trim_start();
         if rest.is_empty() {
-            return Err((number, failure(format!("{} is missing", quoted(&close.to_string())))));
+            return Err((
+                number,
+                failure(format!("{} is missing", quoted(&close.to_string()))),
+            ));
         }
         match rest.strip_prefix(close) {
             Some(after) => {
@@ -271,12 +281,15 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// Takes a comma, unless a closing bracket comes next.
-    #[expect(clippy::unused_self, reason = "beside the other steps of a flow collection")]
+    #[expect(
+        clippy::unused_self,
+        reason = "beside the other steps of a flow collection"
+    )]
     fn separates(&self, rest: &mut &str, close: char, number: usize) -> Read<()> {
         *rest = rest.trim_start();
         if let Some(after) = rest.strip_prefix(',') {
             *rest = after;
-        } else if !rest.starts_with(close) {
+        } else if !rest.is_empty() && !rest.starts_with(close) {
             return Err((number, failure("a comma or a bracket is missing")));
         }
         Ok(())
@@ -312,7 +325,8 @@ impl<'t> Reader<'t, '_> {
                 Value::Text(text) => super::expression::function::float_of(text),
                 _ => None,
             });
-            let value = value.ok_or_else(|| at(failure(format!("{} is no number", quoted(rest)))))?;
+            let value =
+                value.ok_or_else(|| at(failure(format!("{} is no number", quoted(rest)))))?;
             return Ok(Value::Float(value * factor));
         }
         let (written, is_plain) = self.scalar_text(text, number)?;
@@ -327,7 +341,10 @@ impl<'t> Reader<'t, '_> {
     #[expect(clippy::unused_self, reason = "beside the other readers of scalars")]
     fn scalar_text(&self, text: &str, number: usize) -> Read<(String, bool)> {
         let at = |what: &str| Err((number, failure(what)));
-        let quote = text.chars().next().filter(|first| matches!(first, '\'' | '"'));
+        let quote = text
+            .chars()
+            .next()
+            .filter(|first| matches!(first, '\'' | '"'));
         let Some(quote) = quote else {
             return match text.chars().next() {
                 Some('&') => at("an anchor stands where none is supported"),
@@ -425,7 +442,11 @@ fn key_end(text: &str) -> Option<usize> {
         let next = text[at + 1..].chars().next();
         next.is_none_or(|next| next.is_whitespace())
     };
-    if let Some(quote) = text.chars().next().filter(|first| matches!(first, '\'' | '"')) {
+    if let Some(quote) = text
+        .chars()
+        .next()
+        .filter(|first| matches!(first, '\'' | '"'))
+    {
         let close = text[1..].find(quote)? + 2;
         let colon = close + (text[close..].len() - text[close..].trim_start().len());
         return (text[colon..].starts_with(':') && ends(colon)).then_some(colon);

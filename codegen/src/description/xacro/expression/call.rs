@@ -84,7 +84,11 @@ impl Call<'_> {
     }
 
     pub(super) fn wrong_kind(&self, wanted: &str, value: &Value) -> Failure {
-        failure(format!("{} needs {wanted}, not {}", self.name, value.kind()))
+        failure(format!(
+            "{} needs {wanted}, not {}",
+            self.name,
+            value.kind()
+        ))
     }
 }
 

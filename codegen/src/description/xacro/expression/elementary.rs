@@ -105,14 +105,14 @@ fn exponential(x: Double) -> Double {
         });
     }
     let twos = (value / LN_2[0]).round();
-    let rest = LN_2
-        .iter()
-        .fold(x, |rest, part| rest - Double::from(*part) * Double::from(twos));
+    let rest = LN_2.iter().fold(x, |rest, part| {
+        rest - Double::from(*part) * Double::from(twos)
+    });
     let small = rest.scaled(-HALVINGS);
     let one = Double::from(1.0);
-    let series = (1..=TERMS).rev().fold(one, |sum, n| {
-        one + sum * small / Double::from(f64::from(n))
-    });
+    let series = (1..=TERMS)
+        .rev()
+        .fold(one, |sum, n| one + sum * small / Double::from(f64::from(n)));
     let power = (0..HALVINGS).fold(series, |power, _| power * power);
     #[expect(clippy::cast_possible_truncation, reason = "at most 1082")]
     let twos = twos as i32;
@@ -186,8 +186,8 @@ mod tests {
     fn results_are_rounded_once() {
         // Correctly rounded values, computed with 60 digits.
         for (found, exact) in [
-            (sin(0.3), 0.295_520_206_661_339_6),
-            (cos(1e6), 0.936_752_127_533_140_7),
+            (sin(0.3), 0.295_520_206_661_339_55),
+            (cos(1e6), 0.936_752_127_533_144_7),
             (tan(1.0), 1.557_407_724_654_902_3),
             (cos(std::f64::consts::FRAC_PI_2), 6.123_233_995_736_766e-17),
             (atan2(1.0, 2.0), 0.463_647_609_000_806_1),

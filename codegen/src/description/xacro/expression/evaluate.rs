@@ -224,8 +224,8 @@ impl Evaluator<'_> {
             return Ok(());
         };
         let values = self.value(&first.values)?;
-        let values = items(&values)
-            .ok_or_else(|| failure(format!("{} has no items", values.kind())))?;
+        let values =
+            items(&values).ok_or_else(|| failure(format!("{} has no items", values.kind())))?;
         let outside = self.locals.len();
         for value in values {
             self.surroundings.budget().spend(1)?;
@@ -233,9 +233,8 @@ impl Evaluator<'_> {
                 [name] => self.locals.push((Rc::clone(name), value)),
                 names => {
                     let parts = items(&value).filter(|parts| parts.len() == names.len());
-                    let parts = parts.ok_or_else(|| {
-                        failure(format!("an item has not {} parts", names.len()))
-                    })?;
+                    let parts = parts
+                        .ok_or_else(|| failure(format!("an item has not {} parts", names.len())))?;
                     self.locals.extend(names.iter().cloned().zip(parts));
                 }
             }
@@ -288,7 +287,11 @@ fn part(items: &[Value], [from, to, step]: [Option<i64>; 3]) -> Result<Vec<Value
     if step == 0 {
         return Err(failure("a slice has the step 0"));
     }
-    let (least, most) = if step > 0 { (0, length) } else { (-1, length - 1) };
+    let (least, most) = if step > 0 {
+        (0, length)
+    } else {
+        (-1, length - 1)
+    };
     let clamped = |end: Option<i64>, default: i64| match end {
         None => default,
         Some(end) if end < 0 => (end + length).clamp(least, most),

@@ -165,10 +165,14 @@ const OF_MATH: [Function; 26] = [
     global("log", |call| {
         let (value, base) = call.one_or_two()?;
         let value = positive(call, &value)?;
-        Ok(Value::Float(match base {
-            None => elementary::ln(value),
-            Some(base) => elementary::ln(value) / elementary::ln(positive(call, &base)?),
-        }))
+        let Some(base) = base else {
+            return Ok(Value::Float(elementary::ln(value)));
+        };
+        let base = positive(call, &base)?;
+        if base == 1.0 {
+            return Err(failure("a logarithm to the base 1 is undefined"));
+        }
+        Ok(Value::Float(elementary::ln(value) / elementary::ln(base)))
     }),
     global("log10", |call| {
         let [value] = call.exactly()?;
@@ -320,9 +324,7 @@ fn constant(name: &str) -> Option<Value> {
 /// A function or a constant of a namespace.
 pub(super) fn member(library: Library, name: &str) -> Result<Value, Failure> {
     let functions = functions(library);
-    let index = functions
-        .iter()
-        .position(|function| function.name == name);
+    let index = functions.iter().position(|function| function.name == name);
     let found = index.map(|index| Value::Function(FunctionId { library, index }));
     let constant = || constant(name).filter(|_| library == Library::Math);
     found.or_else(constant).ok_or_else(|| {
@@ -387,7 +389,11 @@ fn dict(call: &mut Call<'_>) -> Result<Value, Failure> {
         }
     }
     let named = std::mem::take(&mut call.named);
-    entries.extend(named.into_iter().map(|(name, value)| (Value::Text(name), value)));
+    entries.extend(
+        named
+            .into_iter()
+            .map(|(name, value)| (Value::Text(name), value)),
+    );
     call.surroundings.budget().spend(entries.len())?;
     Map::new(entries, false).map(Value::Map)
 }
@@ -545,13 +551,14 @@ fn is_instance(call: &mut Call<'_>) -> Result<Value, Failure> {
         Value::List(list) if list.is_tuple => list.items().clone(),
         other => vec![other.clone()],
     };
-    let is = |kind: &Value| {
+    let mut is_instance = false;
+    for kind in &kinds {
         let Value::Function(FunctionId {
             library: Library::Python,
             index,
         }) = kind
         else {
-            return false;
+            return Err(failure("isinstance needs a type, such as python.str"));
         };
         let names: &[&str] = match &value {
             Value::Bool(_) => &["bool", "int"],
@@ -563,9 +570,9 @@ fn is_instance(call: &mut Call<'_>) -> Result<Value, Failure> {
             Value::Map(_) => &["dict"],
             _ => &[],
         };
-        names.contains(&OF_PYTHON[*index].name)
-    };
-    Ok(Value::Bool(kinds.iter().any(is)))
+        is_instance |= names.contains(&OF_PYTHON[*index].name);
+    }
+    Ok(Value::Bool(is_instance))
 }
 
 fn zip(call: &mut Call<'_>) -> Result<Value, Failure> {
@@ -574,8 +581,8 @@ fn zip(call: &mut Call<'_>) -> Result<Value, Failure> {
     let lists = values.iter().map(|value| call.items(value));
     let lists = lists.collect::<Result<Vec<_>, _>>()?;
     let length = lists.iter().map(Vec::len).min().unwrap_or(0);
-    let rows = (0..length)
-        .map(|row| Value::tuple(lists.iter().map(|list| list[row].clone()).collect()));
+    let rows =
+        (0..length).map(|row| Value::tuple(lists.iter().map(|list| list[row].clone()).collect()));
     Value::list(rows.collect::<Result<_, _>>()?)
 }
 
@@ -653,7 +660,12 @@ fn tokenize(call: &mut Call<'_>) -> Result<Value, Failure> {
         match &*name {
             "sep" => separators = call.text(&value)?,
             "skip_empty" => skips = value.is_true(),
-            _ => return Err(failure(format!("tokenize has no argument {}", quoted(&name)))),
+            _ => {
+                return Err(failure(format!(
+                    "tokenize has no argument {}",
+                    quoted(&name)
+                )));
+            }
         }
     }
     let (text, second) = call.one_or_two()?;

@@ -349,7 +349,11 @@ fn of_map(map: &Map, call: &mut Call<'_>) -> Result<Value, Failure> {
         }
         "values" => {
             no_arguments(call)?;
-            let values = map.entries().iter().map(|(_, value)| value.clone()).collect();
+            let values = map
+                .entries()
+                .iter()
+                .map(|(_, value)| value.clone())
+                .collect();
             Value::list(values)
         }
         _ => {

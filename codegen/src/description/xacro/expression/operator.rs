@@ -129,7 +129,9 @@ fn of_integers(operator: Binary, a: i64, b: i64) -> Result<Option<i64>, Failure>
         Binary::FloorDivide => Some((a - rest(a, b)) / b),
         Binary::Remainder => Some(rest(a, b)),
         Binary::Power if b < 0 => return Ok(None),
-        Binary::Power if matches!(a, -1..=1) => a.checked_pow(u32::from(b % 2 == 1) + 2 * u32::from(b > 1)),
+        Binary::Power if matches!(a, -1..=1) => {
+            a.checked_pow(u32::from(b % 2 == 1) + 2 * u32::from(b > 1))
+        }
         Binary::Power => u32::try_from(b).ok().and_then(|b| a.checked_pow(b)),
     };
     result.map(Some).ok_or_else(too_large)
@@ -229,7 +231,9 @@ fn contains(whole: &Value, part: &Value) -> Result<bool, Failure> {
         _ => Err(failure(format!(
             "{} contains no {}",
             whole.kind(),
-            part.kind().trim_start_matches("a ").trim_start_matches("an ")
+            part.kind()
+                .trim_start_matches("a ")
+                .trim_start_matches("an ")
         ))),
     }
 }

@@ -159,7 +159,10 @@ fn texts_and_lists_are_those_of_python() {
         ("'ab' * 2", "'abab'"),
         ("\"it's\"", "\"it's\""),
         (r"'\n\t\x41\\'", "'\\n\\tA\\\\'"),
-        ("[1, 2.0, 'a', None, (1,), ()]", "[1, 2.0, 'a', None, (1,), ()]"),
+        (
+            "[1, 2.0, 'a', None, (1,), ()]",
+            "[1, 2.0, 'a', None, (1,), ()]",
+        ),
         ("(1, 2) + (3,)", "(1, 2, 3)"),
         ("[[1, 2], [3]][0][-1]", "2"),
         ("'abcdef'[1:4]", "'bcd'"),
@@ -204,7 +207,10 @@ fn functions_are_those_of_python() {
         ("list(map(float, '1 2'.split()))", "[1.0, 2.0]"),
         ("python.sum([1, 2, 3.5])", "6.5"),
         ("sorted([3, 1, 2])", "[1, 2, 3]"),
-        ("python.list(python.zip([1, 2], 'ab'))", "[(1, 'a'), (2, 'b')]"),
+        (
+            "python.list(python.zip([1, 2], 'ab'))",
+            "[(1, 'a'), (2, 'b')]",
+        ),
         ("python.isinstance(1.0, (int, float))", "True"),
         ("python.isinstance('a', python.str)", "True"),
         ("pi", "3.141592653589793"),
@@ -235,16 +241,34 @@ fn mistakes_have_reasons() {
         ("1 2", "unexpected \"2\""),
         ("a = 1", "unexpected \"=\"; write == to compare"),
         ("1 if 2", "`if` has no `else`"),
-        ("lenght", "name \"lenght\" is not defined; did you mean \"length\"?"),
+        (
+            "lenght",
+            "name \"lenght\" is not defined; did you mean \"length\"?",
+        ),
         ("abs(1)", "name \"abs\" is not defined; write python.abs"),
         ("true", "name \"true\" is not defined; write True or False"),
         ("1 / 0", "division by zero"),
-        ("'a' + 1", "a text and an integer cannot be added; write str(…) around what is not a text"),
-        ("'%d' % 1", "formats by % are not supported; join texts by +, and numbers by str(…)"),
+        (
+            "'a' + 1",
+            "a text and an integer cannot be added; write str(…) around what is not a text",
+        ),
+        (
+            "'%d' % 1",
+            "formats by % are not supported; join texts by +, and numbers by str(…)",
+        ),
         ("[1][1]", "the index 1 is beyond the 1 items"),
-        ("limits['leg']", "the dictionary has no key 'leg'; keys: \"arm\""),
-        ("dict(a=1).a", "a dictionary has no member \"a\"; write [\"a\"]"),
-        ("name.__class__", "a text has no member \"__class__\"; known methods: capitalize, count, endswith, find, format, index, isalpha, isdigit, isspace, join, lower, lstrip, removeprefix, removesuffix, replace, rfind, rsplit, rstrip, split, splitlines, startswith, strip, title and upper"),
+        (
+            "limits['leg']",
+            "the dictionary has no key 'leg'; keys: \"arm\"",
+        ),
+        (
+            "dict(a=1).a",
+            "a dictionary has no member \"a\"; write [\"a\"]",
+        ),
+        (
+            "name.__class__",
+            "a text has no member \"__class__\"; known methods: capitalize, count, endswith, find, format, index, isalpha, isdigit, isspace, join, lower, lstrip, removeprefix, removesuffix, replace, rfind, rsplit, rstrip, split, splitlines, startswith, strip, title and upper",
+        ),
         ("sqrt(-1)", "sqrt of -1 is undefined"),
         ("(-8) ** 0.5", "a power of a negative number is complex"),
         ("1 < 'a'", "an integer and a text have no order"),
@@ -266,9 +290,18 @@ fn mistakes_have_reasons() {
 #[test]
 fn hostile_expressions_end_with_an_error() {
     for (text, message) in [
-        ("'a' * 10 ** 9", "the file expands to more than a robot can have"),
-        ("range(10 ** 9)", "the file expands to more than a robot can have"),
-        ("[0] * 10 ** 15", "the file expands to more than a robot can have"),
+        (
+            "'a' * 10 ** 9",
+            "the file expands to more than a robot can have",
+        ),
+        (
+            "range(10 ** 9)",
+            "the file expands to more than a robot can have",
+        ),
+        (
+            "[0] * 10 ** 15",
+            "the file expands to more than a robot can have",
+        ),
         ("10 ** 10 ** 10", "an integer is larger than 2^53"),
         ("2 ** 53 + 1", "an integer is larger than 2^53"),
         ("9999999999999999999999", "an integer is larger than 2^53"),
@@ -282,7 +315,11 @@ fn hostile_expressions_end_with_an_error() {
             "a list is nested more than 40 deep, or has more than 100000 items",
         ),
     ] {
-        assert!(refused(text).starts_with(message), "{text}: {}", refused(text));
+        assert!(
+            refused(text).starts_with(message),
+            "{text}: {}",
+            refused(text)
+        );
     }
     let deep = format!("{}1{}", "(".repeat(1000), ")".repeat(1000));
     let message = "an expression has more than 400 operations and values";

@@ -47,8 +47,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Failure> {
             length
         } else {
             let sign = SIGNS.into_iter().find(|sign| rest.starts_with(sign));
-            let sign = sign
-                .ok_or_else(|| failure(format!("unexpected {}", quoted(&first.to_string()))))?;
+            let sign =
+                sign.ok_or_else(|| failure(format!("unexpected {}", quoted(&first.to_string()))))?;
             tokens.push(Token::Sign(sign));
             sign.len()
         };
@@ -60,17 +60,22 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Failure> {
 /// The length of a number and of the letters that follow it.
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
-    let mut at = 0;
-    while let Some(&byte) = bytes.get(at) {
-        let is_sign = matches!(byte, b'+' | b'-')
-            && matches!(bytes.get(at.wrapping_sub(1)), Some(b'e' | b'E'))
-            && !text.starts_with("0x");
-        if !byte.is_ascii_alphanumeric() && !matches!(byte, b'.' | b'_') && !is_sign {
-            break;
-        }
-        at += 1;
+    let while_in = |from: usize, is: fn(&u8) -> bool| {
+        let rest = bytes.iter().skip(from);
+        from + rest.take_while(|byte| is(byte)).count()
+    };
+    let digits = |from| while_in(from, |byte| byte.is_ascii_digit() || *byte == b'_');
+    let mut at = digits(0);
+    if bytes.get(at) == Some(&b'.') {
+        at = digits(at + 1);
     }
-    at
+    if matches!(bytes.get(at), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(at + 1), Some(b'+' | b'-')));
+        if bytes.get(at + 1 + sign).is_some_and(u8::is_ascii_digit) {
+            at = digits(at + 1 + sign);
+        }
+    }
+    while_in(at, |byte| byte.is_ascii_alphanumeric() || *byte == b'_')
 }
 
 fn number(word: &str) -> Result<Token, Failure> {

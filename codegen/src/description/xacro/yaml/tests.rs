@@ -87,9 +87,7 @@ fn anchors_are_shared_and_merged() {
     let lines: String = (1..12)
         .map(|k| format!("a{k}: &a{k} [{}]\n", format!("*a{}, ", k - 1).repeat(10)))
         .collect();
-    assert!(
-        refused(&format!("a0: &a0 1\n{lines}")).contains("has more than 100000 items"),
-    );
+    assert!(refused(&format!("a0: &a0 1\n{lines}")).contains("has more than 100000 items"),);
 }
 
 #[test]
@@ -112,6 +110,8 @@ fn what_is_not_supported_is_an_error() {
     }
     let deep = "[".repeat(100_000);
     assert_eq!(refused(&deep), "1: mappings are nested too deeply");
-    let deep: String = (0..1000).map(|k| format!("{}a:\n", " ".repeat(k))).collect();
+    let deep: String = (0..1000)
+        .map(|k| format!("{}a:\n", " ".repeat(k)))
+        .collect();
     assert!(refused(&deep).contains("nested too deeply"));
 }

@@ -24,7 +24,7 @@ from xacro_peer import is_near
 
 # Reasons for which homogen may reject what Python accepts.
 LIMITS = [
-    "larger than 2^53", "is complex", "not supported", "`is` compares", "more than 400", "too large",
+    "larger than 2^53", "is complex", "not supported", "not known to a digit", "`is` compares", "more than 400", "too large",
     # Python accepts a word right behind a number, and warns.
     "is not a number",
     # Differences of types that print differently in Python, or not at all.
@@ -164,6 +164,9 @@ def main():
                 if value is None:
                     wrong += 1
                     print(f"${{{text}}}: {ours!r}, rejected by the tool")
+                # Ranges are lists here.
+                elif "range(" in value:
+                    limited += 1
                 # An attribute has spaces for line breaks once it is read again.
                 elif not is_equal(re.sub(r"\s", " ", value), ours):
                     wrong += 1

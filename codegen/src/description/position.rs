@@ -68,6 +68,11 @@ impl<'t> Positions<'t> {
         }
     }
 
+    /// True if the text was expanded from others.
+    pub(super) const fn is_expanded(&self) -> bool {
+        self.marks.is_empty()
+    }
+
     /// The text.
     pub(super) const fn text(&self) -> &'t str {
         self.text
@@ -76,7 +81,7 @@ impl<'t> Positions<'t> {
     /// The place of the character at an offset; offsets beyond the end give the end.
     pub(super) fn place(&self, offset: usize) -> Place {
         let offset = offset.min(self.text.len());
-        if self.marks.is_empty() {
+        if self.is_expanded() {
             return self.origin(offset);
         }
         let mark = offset / STRIDE;

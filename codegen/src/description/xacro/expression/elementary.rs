@@ -124,7 +124,11 @@ pub(super) fn ln(x: f64) -> f64 {
     logarithm(x).to_f64()
 }
 
+/// The decimal logarithm of a positive number.
 pub(super) fn log10(x: f64) -> f64 {
+    if x.is_infinite() {
+        return x;
+    }
     (logarithm(x) / logarithm(10.0)).to_f64()
 }
 
@@ -196,7 +200,7 @@ mod tests {
             (acos(0.3), 1.266_103_672_779_499_2),
             (acos(-1.0), std::f64::consts::PI),
             (exp(1.0), std::f64::consts::E),
-            (exp(-10.0), 4.539_992_976_248_485e-5),
+            (exp(-10.0), 4.539_992_976_248_485_4e-5),
             (ln(10.0), std::f64::consts::LN_10),
             (log10(1000.0), 3.0),
             (pow(2.0, 0.5), std::f64::consts::SQRT_2),

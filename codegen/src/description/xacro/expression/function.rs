@@ -493,7 +493,10 @@ fn round(call: &mut Call<'_>) -> Result<Value, Failure> {
     if digits < 0 {
         return Err(failure("round to tens is not supported"));
     }
-    if value.as_integer().is_some() || digits > MOST_DIGITS || !number.is_finite() {
+    if let Some(integer) = value.as_integer() {
+        return Value::integer(integer);
+    }
+    if digits > MOST_DIGITS || !number.is_finite() {
         return Ok(value);
     }
     let digits = usize::try_from(digits).unwrap_or_default();
@@ -591,7 +594,10 @@ fn number(call: &mut Call<'_>, function: fn(f64) -> f64) -> Result<Value, Failur
     let value = call.number(&value)?;
     let result = function(value);
     if result.is_nan() && !value.is_nan() {
-        return Err(failure(format!("{} of {value} is undefined", call.name)));
+        let name = call.name;
+        return Err(failure(format!(
+            "{name} of {value} is undefined, or not known to a digit"
+        )));
     }
     if result.is_infinite() && value.is_finite() {
         return Err(failure(format!("{} of {value} is too large", call.name)));

@@ -113,10 +113,14 @@ impl Parser {
         if found == "=" {
             return failure_with_hint(what, "write == to compare");
         }
-        if found == "!" {
-            return failure_with_hint(what, "write not");
+        match &*found {
+            "&" => failure_with_hint("the operator & is not supported", "write `and`"),
+            "|" => failure_with_hint("the operator | is not supported", "write `or`"),
+            "~" | "^" | "<<" | ">>" | "@" | ":=" => {
+                failure(format!("the operator {found} is not supported"))
+            }
+            _ => failure(what),
         }
-        failure(what)
     }
 
     /// Counts a part, so that no tree is deeper than its number of parts.

@@ -275,7 +275,11 @@ fn mistakes_have_reasons() {
         ("lambda: 1", "functions by `lambda` are not supported"),
         ("f'{name}'", "texts with the prefix f are not supported"),
         ("'open", "a text in quotes does not end"),
-        ("1 & 2", "unexpected \"&\""),
+        ("1 & 2", "the operator & is not supported; write `and`"),
+        (
+            "python.isinstance(1, 2)",
+            "isinstance needs a type, such as python.str",
+        ),
         ("int('1.5')", "\"1.5\" is no integer"),
         ("len(1)", "len needs a list, not an integer"),
         ("sin()", "sin takes 1 arguments and has 0"),

@@ -28,19 +28,15 @@ impl Budget {
 
     /// Takes some steps.
     pub(super) fn spend(&mut self, steps: usize) -> Result<(), Failure> {
-        match self.steps.checked_sub(steps) {
-            Some(left) => {
-                self.steps = left;
-                Ok(())
-            }
-            None => {
-                self.steps = 0;
-                Err(failure_with_hint(
-                    "the file expands to more than a robot can have",
-                    "a macro or an expression repeats itself millions of times",
-                ))
-            }
+        if let Some(left) = self.steps.checked_sub(steps) {
+            self.steps = left;
+            return Ok(());
         }
+        self.steps = 0;
+        Err(failure_with_hint(
+            "the file expands to more than a robot can have",
+            "a macro or an expression repeats itself millions of times",
+        ))
     }
 
     /// Takes the steps of a text.

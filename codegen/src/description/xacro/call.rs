@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::budget::HEAVY;
-use super::element::{Expanded, PREFIX};
+use super::element::{Expanded, PREFIX, required};
 use super::expansion::{Expansion, literal};
 use super::failure::{Failure, failure, failure_with_hint};
 use super::scope::{Default, Here, Macro, Parameter, Symbol};
@@ -21,7 +21,7 @@ impl Expansion {
         here: Here,
     ) -> Result<(), Failure> {
         self.check_attributes(element, &["name", "params"]);
-        let name = &self.required(element, "name")?.text;
+        let name = &required(element, "name")?.text;
         let name: Rc<str> = name.strip_prefix(PREFIX).unwrap_or(name).into();
         if &*name == "call" || name.contains('.') {
             return Err(failure_with_hint(
@@ -50,7 +50,7 @@ impl Expansion {
         let word = element.name.strip_prefix(PREFIX).unwrap_or_default();
         let is_dynamic = word == "call";
         let name = if is_dynamic {
-            let name = self.required(element, MACRO)?;
+            let name = required(element, MACRO)?;
             self.text(name, here.symbols)?
         } else {
             word.into()
@@ -275,12 +275,11 @@ fn default_length(text: &str) -> Option<usize> {
             .chars()
             .next()
             .filter(|quote| matches!(quote, '\'' | '"'));
-        at += match quote {
-            Some(quote) => rest[1..].find(quote)? + 2,
-            None => {
-                let is_end = |letter: char| letter.is_whitespace() || matches!(letter, '\'' | '"');
-                rest.find(is_end).unwrap_or(rest.len())
-            }
+        at += if let Some(quote) = quote {
+            rest[1..].find(quote)? + 2
+        } else {
+            let is_end = |letter: char| letter.is_whitespace() || matches!(letter, '\'' | '"');
+            rest.find(is_end).unwrap_or(rest.len())
         };
     }
     Some(at)

@@ -136,21 +136,6 @@ impl Expansion {
         }
     }
 
-    /// A required attribute.
-    pub(super) fn required<'e>(
-        &mut self,
-        element: &'e Element,
-        name: &str,
-    ) -> Result<&'e Written, Failure> {
-        element.attribute(name).ok_or_else(|| {
-            failure(format!(
-                "<{}> has no attribute {}",
-                element.name,
-                quoted(name)
-            ))
-        })
-    }
-
     /// Warns of attributes that an element of xacro does not have.
     pub(super) fn check_attributes(&mut self, element: &Element, known: &[&str]) {
         for attribute in &element.attributes {
@@ -174,7 +159,7 @@ impl Expansion {
         into: &mut Expanded,
     ) -> Result<(), Failure> {
         self.check_attributes(element, &["name"]);
-        let name = &self.required(element, "name")?.text;
+        let name = &required(element, "name")?.text;
         let mut found = None;
         for (stars, is_content) in [("**", true), ("*", false)] {
             let symbol = self.scopes.find(here.symbols, &format!("{stars}{name}"));
@@ -197,8 +182,8 @@ impl Expansion {
     /// `<xacro:arg name="…" default="…"/>`: an argument, and its value if the user gives none.
     fn declare_argument(&mut self, element: &Element, here: Here) -> Result<(), Failure> {
         self.check_attributes(element, &["name", "default"]);
-        let name = self.required(element, "name")?.text.to_string();
-        let default = self.required(element, "default")?;
+        let name = required(element, "name")?.text.to_string();
+        let default = required(element, "default")?;
         if let Some(argument) = self.arguments.get_mut(&name) {
             argument.is_used = true;
             return Ok(());
@@ -227,7 +212,7 @@ impl Expansion {
         into: &mut Expanded,
     ) -> Result<(), Failure> {
         const NAME: &str = "xacro:name";
-        let name = self.required(element, NAME)?;
+        let name = required(element, NAME)?;
         let tag = self.text(name, here.symbols)?;
         check_name(&tag)?;
         let attributes = element.attributes.iter();
@@ -248,10 +233,10 @@ impl Expansion {
         here: Here,
         into: &mut Expanded,
     ) -> Result<(), Failure> {
-        let name = self.required(element, "name")?;
+        let name = required(element, "name")?;
         let name = self.text(name, here.symbols)?;
         check_name(&name)?;
-        let value = self.required(element, "value")?;
+        let value = required(element, "value")?;
         let value = self.computed(value, here)?;
         into.set(Attribute {
             name,
@@ -270,7 +255,7 @@ impl Expansion {
         into: &mut Expanded,
     ) -> Result<(), Failure> {
         self.check_attributes(element, &["value"]);
-        let written = self.required(element, "value")?;
+        let written = required(element, "value")?;
         let value = self.value(written, here.symbols);
         let value = value.and_then(|value| boolean(&value, &written.text));
         match value {
@@ -284,6 +269,14 @@ impl Expansion {
         }
         Ok(())
     }
+}
+
+/// A required attribute.
+pub(super) fn required<'e>(element: &'e Element, name: &str) -> Result<&'e Written, Failure> {
+    element.attribute(name).ok_or_else(|| {
+        let name = quoted(name);
+        failure(format!("<{}> has no attribute {name}", element.name))
+    })
 }
 
 /// Rejects a computed name that XML does not allow.

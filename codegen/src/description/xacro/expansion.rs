@@ -48,6 +48,8 @@ pub(super) struct Expansion {
     pub(super) errors: Vec<Report>,
     pub(super) warnings: Vec<Report>,
     reported: HashSet<(Origin, String)>,
+    /// True if the end of the budget is reported.
+    is_over: bool,
     /// The place of the text that is evaluated at the moment.
     at: Origin,
 }
@@ -66,6 +68,7 @@ impl Expansion {
             errors: Vec::new(),
             warnings: Vec::new(),
             reported: HashSet::new(),
+            is_over: false,
             at: Origin {
                 file: first,
                 offset: 0,
@@ -84,8 +87,7 @@ impl Expansion {
             return;
         };
         // Everything fails after the last step.
-        let is_end = self.budget.is_spent();
-        if is_end && !self.reported.insert((self.at_start(), String::new())) {
+        if self.budget.is_spent() && std::mem::replace(&mut self.is_over, true) {
             return;
         }
         if !self.reported.insert((origin, what.clone())) {
@@ -102,13 +104,6 @@ impl Expansion {
             what: what + &call.unwrap_or_default(),
             hint,
         });
-    }
-
-    fn at_start(&self) -> Origin {
-        Origin {
-            file: FileId(0),
-            offset: 0,
-        }
     }
 
     /// Reports the error in a text.
@@ -475,23 +470,23 @@ pub(super) fn boolean(value: &Value, written: &str) -> Result<bool, Failure> {
     match &**text {
         "true" | "True" => Ok(true),
         "false" | "False" => Ok(false),
-        text => match integer_of(text) {
-            Some(integer) => Ok(integer != 0),
-            None => {
-                let what = if text == written {
-                    format!("{} is no condition", quoted(text))
-                } else {
-                    format!(
-                        "{} is {}, which is no condition",
-                        quoted(written),
-                        quoted(text)
-                    )
-                };
-                Err(failure_with_hint(
-                    what,
-                    "write true, false or ${…} with a comparison",
-                ))
+        text => {
+            if let Some(integer) = integer_of(text) {
+                return Ok(integer != 0);
             }
-        },
+            let what = if text == written {
+                format!("{} is no condition", quoted(text))
+            } else {
+                format!(
+                    "{} is {}, which is no condition",
+                    quoted(written),
+                    quoted(text)
+                )
+            };
+            Err(failure_with_hint(
+                what,
+                "write true, false or ${…} with a comparison",
+            ))
+        }
     }
 }

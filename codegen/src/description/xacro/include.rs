@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::element::Expanded;
+use super::element::{Expanded, required};
 use super::expansion::{Expansion, boolean};
 use super::expression::value::Value;
 use super::failure::{Failure, failure, failure_with_hint};
@@ -21,7 +21,7 @@ impl Expansion {
         into: &mut Expanded,
     ) -> Result<(), Failure> {
         self.check_attributes(element, &["filename", "ns", "optional"]);
-        let written = self.required(element, "filename")?;
+        let written = required(element, "filename")?;
         let inner = match element.attribute("ns") {
             Some(namespace) if !namespace.text.is_empty() => {
                 let name = self.text(namespace, here.symbols)?;

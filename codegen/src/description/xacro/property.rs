@@ -1,5 +1,6 @@
 //! `<xacro:property>`.
 
+use super::element::required;
 use super::expansion::{Expansion, boolean, literal};
 use super::expression::function::global_value;
 use super::expression::parse::is_name;
@@ -20,7 +21,7 @@ impl Expansion {
         scope: ScopeId,
     ) -> Result<(), Failure> {
         self.check_attributes(element, &ATTRIBUTES);
-        let name = self.required(element, "name")?;
+        let name = required(element, "name")?;
         let name = self.text(name, scope)?;
         if !is_name(&name) || name.starts_with("__") {
             return Err(failure_with_hint(

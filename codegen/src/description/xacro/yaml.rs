@@ -317,9 +317,7 @@ impl<'t> Reader<'t, '_> {
                 let what = format!("the tag {} is not supported", quoted(tag));
                 return Err(at(failure_with_hint(what, hint)));
             };
-            let written = match self.scalar_text(rest.trim(), number)? {
-                (text, _) => text,
-            };
+            let (written, _) = self.scalar_text(rest.trim(), number)?;
             let value = (self.evaluate)(&written).map_err(at)?;
             let value = value.as_number().or_else(|| match &value {
                 Value::Text(text) => super::expression::function::float_of(text),
@@ -417,8 +415,7 @@ fn without_comment(line: &str) -> &str {
     let mut before = ' ';
     for (at, letter) in line.char_indices() {
         match (quote, letter) {
-            (Some(open), _) if open == letter => quote = None,
-            (Some(_), _) => {}
+            (Some(open), _) => quote = Some(open).filter(|open| *open != letter),
             (None, '#') if before.is_whitespace() => return &line[..at],
             // A quote inside a word is an apostrophe.
             (None, '\'' | '"') if before.is_whitespace() || "[{,:".contains(before) => {
@@ -440,7 +437,7 @@ fn is_item(text: &str) -> bool {
 fn key_end(text: &str) -> Option<usize> {
     let ends = |at: usize| {
         let next = text[at + 1..].chars().next();
-        next.is_none_or(|next| next.is_whitespace())
+        next.is_none_or(char::is_whitespace)
     };
     if let Some(quote) = text
         .chars()
@@ -464,8 +461,7 @@ fn scalar_end(text: &str) -> usize {
     let mut quote = None;
     for (at, letter) in text.char_indices() {
         match (quote, letter) {
-            (Some(open), _) if open == letter => quote = None,
-            (Some(_), _) => {}
+            (Some(open), _) => quote = Some(open).filter(|open| *open != letter),
             (None, '\'' | '"') if text[..at].trim().is_empty() => quote = Some(letter),
             (None, ',' | ']' | '}') => return at,
             _ => {}
@@ -480,8 +476,7 @@ fn depth_of(text: &str) -> isize {
     let mut depth = 0;
     for letter in text.chars() {
         match (quote, letter) {
-            (Some(open), _) if open == letter => quote = None,
-            (Some(_), _) => {}
+            (Some(open), _) => quote = Some(open).filter(|open| *open != letter),
             (None, '\'' | '"') => quote = Some(letter),
             (None, '[' | '{') => depth += 1,
             (None, ']' | '}') => depth -= 1,

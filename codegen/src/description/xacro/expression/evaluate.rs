@@ -270,13 +270,11 @@ impl Evaluator<'_> {
             .ok_or_else(|| failure(format!("{} has no parts", value.kind())))?;
         self.surroundings.budget().spend(all.len())?;
         let part = part(&all, bounds)?;
-        match value {
-            Value::List(list) => List::new(part, list.is_tuple).map(Value::List),
-            _ => {
-                let letters: Vec<_> = part.iter().map(Value::text).collect();
-                Ok(letters.concat().into())
-            }
+        if let Value::List(list) = value {
+            return List::new(part, list.is_tuple).map(Value::List);
         }
+        let letters: Vec<_> = part.iter().map(Value::text).collect();
+        Ok(letters.concat().into())
     }
 }
 

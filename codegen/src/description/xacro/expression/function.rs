@@ -510,7 +510,7 @@ fn sorted(call: &mut Call<'_>) -> Result<Value, Failure> {
     let mut items = call.items(&values)?;
     let mut is_ordered = true;
     items.sort_by(|a, b| {
-        let order = a.order(b).flatten();
+        let order = a.order(b).ok().flatten();
         is_ordered &= order.is_some();
         order.unwrap_or(std::cmp::Ordering::Equal)
     });

@@ -101,9 +101,9 @@ fn of_text(text: &str, call: &mut Call<'_>) -> Result<Value, Failure> {
         }
         "lower" => no_arguments(call).map(|()| text.to_lowercase().into()),
         "upper" => no_arguments(call).map(|()| text.to_uppercase().into()),
-        "isalpha" => all(text, char::is_alphabetic),
-        "isdigit" => all(text, |letter| letter.is_ascii_digit()),
-        "isspace" => all(text, char::is_whitespace),
+        "isalpha" => Ok(all(text, char::is_alphabetic)),
+        "isdigit" => Ok(all(text, |letter| letter.is_ascii_digit())),
+        "isspace" => Ok(all(text, char::is_whitespace)),
         "count" => {
             let part = one_text(call)?;
             Value::count(text.matches(&*part).count())
@@ -169,8 +169,8 @@ fn one_text(call: &mut Call<'_>) -> Result<std::rc::Rc<str>, Failure> {
 }
 
 /// True if there are letters and all are of a kind.
-fn all(text: &str, is: impl Fn(char) -> bool) -> Result<Value, Failure> {
-    Ok(Value::Bool(!text.is_empty() && text.chars().all(is)))
+fn all(text: &str, is: impl Fn(char) -> bool) -> Value {
+    Value::Bool(!text.is_empty() && text.chars().all(is))
 }
 
 /// True if a text has an end, or one of several in a tuple.
@@ -186,9 +186,10 @@ fn ends(call: &mut Call<'_>, has: impl Fn(&str) -> bool) -> Result<Value, Failur
 }
 
 fn stripped(text: &str, call: &mut Call<'_>) -> Result<Value, Failure> {
-    let letters = match call.values.len() {
-        0 => None,
-        _ => Some(one_text(call)?),
+    let letters = if call.values.is_empty() {
+        None
+    } else {
+        Some(one_text(call)?)
     };
     let is = |letter: char| match &letters {
         None => letter.is_whitespace(),
@@ -208,16 +209,15 @@ fn stripped(text: &str, call: &mut Call<'_>) -> Result<Value, Failure> {
 }
 
 fn split(text: &str, call: &mut Call<'_>) -> Result<Value, Failure> {
-    let (separator, most) = match call.values.len() {
-        0 => (None, None),
-        _ => {
-            let (separator, most) = call.one_or_two()?;
-            let separator = match separator {
-                Value::None => None,
-                other => Some(call.text(&other)?),
-            };
-            (separator, most)
-        }
+    let (separator, most) = if call.values.is_empty() {
+        (None, None)
+    } else {
+        let (separator, most) = call.one_or_two()?;
+        let separator = match separator {
+            Value::None => None,
+            other => Some(call.text(&other)?),
+        };
+        (separator, most)
     };
     call.surroundings.budget().spend(text.len())?;
     let most = most.map(|most| call.integer(&most)).transpose()?;
@@ -310,12 +310,11 @@ fn of_list(list: &List, call: &mut Call<'_>) -> Result<Value, Failure> {
         }
         "pop" if list.is_tuple => Err(failure("a tuple cannot change")),
         _ => {
-            let at = match call.values.len() {
-                0 => -1,
-                _ => {
-                    let [at] = call.exactly()?;
-                    call.integer(&at)?
-                }
+            let at = if call.values.is_empty() {
+                -1
+            } else {
+                let [at] = call.exactly()?;
+                call.integer(&at)?
             };
             let length = list.items().len();
             let at = position(at, length).ok_or_else(|| beyond(at, length))?;

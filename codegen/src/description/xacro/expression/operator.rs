@@ -191,14 +191,7 @@ pub(super) fn floor_and_rest(a: f64, b: f64) -> (f64, f64) {
 
 /// The result of a comparison.
 pub(super) fn compare(comparison: Comparison, a: &Value, b: &Value) -> Result<bool, Failure> {
-    let ordered = |is: fn(Ordering) -> bool| match a.order(b) {
-        Some(order) => Ok(order.is_some_and(is)),
-        None => Err(failure(format!(
-            "{} and {} have no order",
-            a.kind(),
-            b.kind()
-        ))),
-    };
+    let ordered = |is: fn(Ordering) -> bool| a.order(b).map(|order| order.is_some_and(is));
     let identical = || match (a, b) {
         (Value::None | Value::Bool(_), _) | (_, Value::None | Value::Bool(_)) => {
             Ok(a.kind() == b.kind() && a.equals(b))

@@ -289,22 +289,29 @@ impl Value {
         }
     }
 
-    /// Python's order of numbers, texts and lists; the outer `None` for other pairs, the inner one for NaN.
-    pub(in crate::description::xacro) fn order(&self, other: &Self) -> Option<Option<Ordering>> {
+    /// Python's order of numbers, texts and lists; `None` with NaN, and an error for other pairs.
+    pub(in crate::description::xacro) fn order(
+        &self,
+        other: &Self,
+    ) -> Result<Option<Ordering>, Failure> {
         if let (Some(a), Some(b)) = (self.as_number(), other.as_number()) {
-            return Some(a.partial_cmp(&b));
+            return Ok(a.partial_cmp(&b));
         }
         match (self, other) {
-            (Self::Text(a), Self::Text(b)) => Some(Some(a.cmp(b))),
+            (Self::Text(a), Self::Text(b)) => Ok(Some(a.cmp(b))),
             (Self::List(a), Self::List(b)) if a.is_tuple == b.is_tuple => {
                 let (items, others) = (a.items(), b.items());
                 let different = items.iter().zip(others.iter()).find(|(a, b)| !a.equals(b));
                 match different {
                     Some((a, b)) => a.order(b),
-                    None => Some(Some(items.len().cmp(&others.len()))),
+                    None => Ok(Some(items.len().cmp(&others.len()))),
                 }
             }
-            _ => None,
+            _ => Err(failure(format!(
+                "{} and {} have no order",
+                self.kind(),
+                other.kind()
+            ))),
         }
     }
 

@@ -84,9 +84,10 @@ fn anchors_are_shared_and_merged() {
         "{'a': {'m': 1, 'n': 2}, 'b': {'m': 1, 'n': 2}, 'c': {'m': 1, 'n': 3}, 'd': 5, 'e': [5, 5]}"
     );
     // A file of a few lines that stands for a billion items.
-    let lines: String = (1..12)
+    let lines = (1..12)
         .map(|k| format!("a{k}: &a{k} [{}]\n", format!("*a{}, ", k - 1).repeat(10)))
-        .collect();
+        .collect::<Vec<_>>()
+        .concat();
     assert!(refused(&format!("a0: &a0 1\n{lines}")).contains("has more than 100000 items"),);
 }
 
@@ -110,8 +111,9 @@ fn what_is_not_supported_is_an_error() {
     }
     let deep = "[".repeat(100_000);
     assert_eq!(refused(&deep), "1: mappings are nested too deeply");
-    let deep: String = (0..1000)
+    let deep = (0..1000)
         .map(|k| format!("{}a:\n", " ".repeat(k)))
-        .collect();
+        .collect::<Vec<_>>()
+        .concat();
     assert!(refused(&deep).contains("nested too deeply"));
 }

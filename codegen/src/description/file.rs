@@ -136,11 +136,20 @@ fn text_in(
             .trim_start()
             .starts_with('<'),
     };
+    let is_xacro = !is_table && !mjcf::is_meant(text) && xacro::is_meant(text, file);
+    if !is_xacro && !given.arguments.is_empty() {
+        errors.set_file(file, anchor);
+        errors.push_with_hint(
+            anchor.map_or(Place::Unknown, Place::Token),
+            "arguments are given, but the file is not xacro",
+            "a xacro file declares xmlns:xacro=\"http://www.ros.org/wiki/xacro\" and uses it, or its name ends in .xacro",
+        );
+    }
     if is_table {
         denavit_hartenberg::read(text, file, anchor, errors)
     } else if mjcf::is_meant(text) {
         mjcf::read(text, file, folder, anchor, errors)
-    } else if xacro::is_meant(text, file) {
+    } else if is_xacro {
         xacro::read(text, file, folder, given, anchor, errors)
     } else {
         urdf::read(text, file, anchor, errors)

@@ -11,7 +11,6 @@ use super::expression::{evaluate, parse::parse};
 use super::failure::{Failure, Mistake, failure, failure_with_hint};
 use super::files::Files;
 use super::scope::{Scopes, Symbol};
-use super::substitution;
 use super::text::{Piece, pieces};
 use super::tree::{Element, FileId, Origin, Written};
 use super::yaml;
@@ -211,7 +210,7 @@ impl Expansion {
         if let Some(text) = inner.strip_prefix("eval ") {
             return self.eval(text);
         }
-        substitution::value(self, &inner)
+        self.substituted(&inner)
     }
 
     /// The value of `$(eval …)`: an expression whose names are arguments.

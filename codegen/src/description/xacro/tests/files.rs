@@ -135,6 +135,32 @@ fn the_sources_of_a_robot_are_known() {
 }
 
 #[test]
+fn arguments_belong_to_xacro_files() {
+    let given = Given {
+        arguments: vec![("a".to_owned(), "1".to_owned())],
+        packages: Vec::new(),
+    };
+    let read = |name: &str, text: &str| {
+        let folder = folder(name, &[("arm.urdf", text)]);
+        let mut errors = Errors::new();
+        let robot = read_file_with(&folder.join("arm.urdf"), &given, None, &mut errors);
+        fs::remove_dir_all(folder).unwrap();
+        (robot, errors.to_string())
+    };
+    let (_, errors) = read("urdf", "<robot name=\"r\"><link name=\"a\"/></robot>");
+    assert!(
+        errors.starts_with("error: arguments are given, but the file is not xacro\n"),
+        "{errors}"
+    );
+    let (robot, errors) = read("unused", &robot("<link name=\"${'a'}\"/>"));
+    assert_eq!(errors, "");
+    let [warning] = &robot.unwrap().warnings[..] else {
+        panic!("one warning");
+    };
+    assert_eq!(warning.message, "the file does not use the given \"a\"");
+}
+
+#[test]
 fn files_that_cannot_be_read_are_errors() {
     let errors_of = |name: &str, elements: &str, others: &[(&str, &str)]| {
         let text = robot(elements);

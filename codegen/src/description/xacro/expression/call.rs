@@ -37,6 +37,15 @@ impl Call<'_> {
         }
     }
 
+    /// The only argument, if there is one.
+    pub(super) fn optional(&mut self) -> Result<Option<Value>, Failure> {
+        self.unnamed()?;
+        if self.values.is_empty() {
+            return Ok(None);
+        }
+        self.exactly().map(|[value]| Some(value))
+    }
+
     /// Rejects arguments with names.
     pub(super) fn unnamed(&self) -> Result<(), Failure> {
         match self.named.first() {

@@ -84,6 +84,22 @@ fn angle(y: Double, x: Double) -> f64 {
     }
 }
 
+/// The length of a vector.
+pub(super) fn hypot(x: f64, y: f64) -> f64 {
+    let is_moderate =
+        |value: f64| value == 0.0 || (MODERATE[0]..MODERATE[1]).contains(&value.abs());
+    if is_moderate(x) && is_moderate(y) {
+        let (x, y) = (Double::from(x), Double::from(y));
+        return (x * x + y * y).sqrt().to_f64();
+    }
+    let larger = x.abs().max(y.abs());
+    if larger.is_infinite() {
+        return larger;
+    }
+    let [x, y] = [x / larger, y / larger];
+    larger * (x * x + y * y).sqrt()
+}
+
 /// eˣ; infinite if it is too large.
 pub(super) fn exp(x: f64) -> f64 {
     exponential(Double::from(x)).to_f64()
@@ -222,5 +238,7 @@ mod tests {
         assert!(sin(1e30).is_nan());
         assert!(pow(-8.0, 0.5).is_nan());
         assert_eq!(pow(0.0, 2.0), 0.0);
+        assert_eq!(hypot(3e200, 4e200), 5e200);
+        assert_eq!(hypot(0.0, -2.0), 2.0);
     }
 }

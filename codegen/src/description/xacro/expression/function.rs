@@ -49,7 +49,9 @@ const OF_PYTHON: [Function; 26] = [
         Value::count(items.len())
     }),
     global("str", |call| {
-        let [value] = call.exactly()?;
+        let Some(value) = call.optional()? else {
+            return Ok("".into());
+        };
         call.surroundings.budget().spend(value.steps())?;
         let text = value.text();
         call.surroundings.budget().spend_text(text.len())?;
@@ -58,8 +60,8 @@ const OF_PYTHON: [Function; 26] = [
     global("float", float),
     global("int", int),
     global("bool", |call| {
-        let [value] = call.exactly()?;
-        Ok(Value::Bool(value.is_true()))
+        let value = call.optional()?;
+        Ok(Value::Bool(value.is_some_and(|value| value.is_true())))
     }),
     global("min", |call| extreme(call, Comparison::Less)),
     global("max", |call| extreme(call, Comparison::Greater)),
@@ -151,16 +153,7 @@ const OF_MATH: [Function; 26] = [
     global("atan", |call| number(call, elementary::atan)),
     global("atan2", |call| numbers(call, elementary::atan2)),
     global("sqrt", |call| within(call, [0.0, f64::INFINITY], f64::sqrt)),
-    global("hypot", |call| {
-        numbers(call, |a, b| {
-            let larger = a.abs().max(b.abs());
-            if larger == 0.0 || !larger.is_finite() {
-                return larger;
-            }
-            let [a, b] = [a / larger, b / larger];
-            larger * (a * a + b * b).sqrt()
-        })
-    }),
+    global("hypot", |call| numbers(call, elementary::hypot)),
     global("exp", |call| number(call, elementary::exp)),
     global("log", |call| {
         let (value, base) = call.one_or_two()?;
@@ -367,12 +360,10 @@ pub(super) fn run(
 
 /// The items of the only argument; none without one.
 fn optional_items(call: &mut Call<'_>) -> Result<Vec<Value>, Failure> {
-    if call.values.is_empty() {
-        call.unnamed()?;
-        return Ok(Vec::new());
+    match call.optional()? {
+        None => Ok(Vec::new()),
+        Some(value) => call.items(&value),
     }
-    let [value] = call.exactly()?;
-    call.items(&value)
 }
 
 fn dict(call: &mut Call<'_>) -> Result<Value, Failure> {
@@ -412,7 +403,9 @@ fn map(call: &mut Call<'_>) -> Result<Value, Failure> {
 }
 
 fn float(call: &mut Call<'_>) -> Result<Value, Failure> {
-    let [value] = call.exactly()?;
+    let Some(value) = call.optional()? else {
+        return Ok(Value::Float(0.0));
+    };
     let Value::Text(text) = &value else {
         return call.number(&value).map(Value::Float);
     };
@@ -440,7 +433,9 @@ pub(in crate::description::xacro) fn integer_of(text: &str) -> Option<i64> {
 }
 
 fn int(call: &mut Call<'_>) -> Result<Value, Failure> {
-    let [value] = call.exactly()?;
+    let Some(value) = call.optional()? else {
+        return Ok(Value::Integer(0));
+    };
     match &value {
         Value::Text(text) => {
             let integer = integer_of(text);
@@ -632,7 +627,7 @@ fn within(
 
 fn positive(call: &Call<'_>, value: &Value) -> Result<f64, Failure> {
     let number = call.number(value)?;
-    if number > 0.0 {
+    if number > 0.0 || number.is_nan() {
         Ok(number)
     } else {
         Err(failure(format!("{} of {number} is undefined", call.name)))

@@ -329,6 +329,11 @@ impl Parser {
                 self.at += 2;
                 named.push((name, self.expression()?));
             } else {
+                if !named.is_empty() {
+                    return Err(failure(
+                        "an argument without a name follows one with a name",
+                    ));
+                }
                 let value = self.expression()?;
                 let value = if self.is_word("for") {
                     self.each(value)?

@@ -238,7 +238,7 @@ mod tests {
         assert!(sin(1e30).is_nan());
         assert!(pow(-8.0, 0.5).is_nan());
         assert_eq!(pow(0.0, 2.0), 0.0);
-        assert_eq!(hypot(3e200, 4e200), 5e200);
+        assert_eq!(hypot(f64::MAX, 0.0), f64::MAX);
         assert_eq!(hypot(0.0, -2.0), 2.0);
     }
 }

@@ -24,16 +24,19 @@ mod yaml;
 
 use std::collections::HashMap;
 use std::path::Path;
+use std::thread;
 
 use proc_macro2::Span;
 
 pub use self::given::Given;
 
-use self::expansion::{Argument, Expansion};
+use self::budget::{Budget, FEW_LEVELS, MOST_LEVELS, STACK};
+use self::expansion::{Argument, Expansion, Report};
 use self::files::Files;
 use self::tree::{FileId, Origin};
+use self::write::Part;
 use super::fingerprint::fingerprint;
-use super::position::{Positions, Segments};
+use super::position::{Positions, Segment, Segments};
 use super::xml::{self, plain};
 use super::{Description, Source, urdf};
 use crate::error::{Complaint, Errors, Place};
@@ -124,21 +127,94 @@ fn expand(
         "a xacro file begins with <robot name=\"…\">",
         errors,
     )?;
+    let Outcome {
+        files,
+        arguments,
+        errors: found,
+        warnings,
+        written,
+    } = on_a_large_stack(text, file, folder, given);
+    errors.set_included(files.included());
+    let all = (0..files.count()).map(|file| files.positions(FileId(file)));
+    let all: Vec<Positions<'_>> = all.collect();
+    let place = |origin: Origin| all[origin.file.0].place(origin.offset);
+    let complaint = |report: Report| Complaint {
+        place: place(report.origin),
+        message: report.what,
+        hint: report.hint,
+    };
+    let mut warnings: Vec<Complaint> = warnings.into_iter().map(complaint).collect();
+    warnings.extend(unused(&arguments));
+    if !found.is_empty() {
+        errors.warn(warnings);
+        for report in found {
+            errors.record(complaint(report));
+        }
+        return None;
+    }
+    let (text, parts) = written?;
+    let segments = parts.into_iter().map(|part| Segment {
+        start: part.start,
+        place: place(part.origin),
+        is_verbatim: part.is_verbatim,
+    });
+    Some(Urdf {
+        segments: segments.collect(),
+        source: Source {
+            file: Some(file.to_owned()),
+            anchor: None,
+            included: files.included(),
+            beside: files.beside(),
+            hash: fingerprint(text.as_bytes()),
+        },
+        text,
+        warnings,
+    })
+}
+
+/// Result of an expansion.
+struct Outcome {
+    files: Files,
+    arguments: HashMap<String, Argument>,
+    errors: Vec<Report>,
+    warnings: Vec<Report>,
+    /// The text of URDF, with the places of its parts; `None` if the first file is no XML.
+    written: Option<(String, Vec<Part>)>,
+}
+
+/// The result of [`elements`], on a stack for deep recursions of macros where the platform has threads.
+fn on_a_large_stack(text: &str, file: &str, folder: Option<&Path>, given: &Given) -> Outcome {
+    let ended = thread::scope(|scope| {
+        let large = thread::Builder::new().stack_size(STACK);
+        let run = || elements(text, file, folder, given, MOST_LEVELS);
+        let spawned = large.spawn_scoped(scope, run);
+        spawned.ok().and_then(|thread| thread.join().ok())
+    });
+    ended.unwrap_or_else(|| elements(text, file, folder, given, FEW_LEVELS))
+}
+
+/// Expands the elements of a file.
+fn elements(
+    text: &str,
+    file: &str,
+    folder: Option<&Path>,
+    given: &Given,
+    levels: usize,
+) -> Outcome {
     let arguments = given.arguments.iter().map(|(name, value)| {
         let argument = Argument {
-            value: value.as_str().into(),
+            value: value.clone(),
             is_given: true,
             is_used: false,
         };
         (name.clone(), argument)
     });
-    let arguments: HashMap<String, Argument> = arguments.collect();
     let files = Files::new(text, file, folder, given);
-    let mut expansion = Expansion::new(files, arguments);
+    let mut expansion = Expansion::new(files, arguments.collect(), Budget::new(levels));
     let first = FileId(0);
     let here = expansion.scopes.inside(None);
-    let root = match expansion.root(first) {
-        Ok(root) => Some(expansion.expand(&root, here)),
+    let written = match expansion.root(first) {
+        Ok(root) => Some(write::write(&expansion.expand(&root, here))),
         Err(failure) => {
             let offset = 0;
             expansion.report(
@@ -151,45 +227,21 @@ fn expand(
             None
         }
     };
-    errors.set_included(expansion.files.included());
-    let all = (0..expansion.files.count()).map(|file| expansion.files.positions(FileId(file)));
-    let all: Vec<Positions<'_>> = all.collect();
-    let place = |origin: Origin| all[origin.file.0].place(origin.offset);
-    let complaint = |report: &expansion::Report| Complaint {
-        place: place(report.origin),
-        message: report.what.clone(),
-        hint: report.hint.clone(),
-    };
-    let mut warnings: Vec<Complaint> = expansion.warnings.iter().map(complaint).collect();
-    warnings.extend(unused(&expansion));
-    let found: Vec<Complaint> = expansion.errors.iter().map(complaint).collect();
-    if !found.is_empty() {
-        errors.warn(warnings);
-        for complaint in found {
-            errors.record(complaint);
-        }
-        return None;
+    Outcome {
+        files: expansion.files,
+        arguments: expansion.arguments,
+        errors: expansion.errors,
+        warnings: expansion.warnings,
+        written,
     }
-    let (text, segments) = write::write(&root?, place);
-    Some(Urdf {
-        source: Source {
-            file: Some(file.to_owned()),
-            anchor: None,
-            included: expansion.files.included(),
-            beside: expansion.files.beside(),
-            hash: fingerprint(text.as_bytes()),
-        },
-        text,
-        segments,
-        warnings,
-    })
 }
 
 /// The warning of given arguments that the file does not have.
-fn unused(expansion: &Expansion) -> Option<Complaint> {
-    let arguments = || expansion.arguments.iter();
+fn unused(arguments: &HashMap<String, Argument>) -> Option<Complaint> {
     let names = |is_used: bool| {
-        let names = arguments().filter(|(_, argument)| argument.is_used == is_used);
+        let names = arguments
+            .iter()
+            .filter(|(_, argument)| argument.is_used == is_used);
         let mut names: Vec<String> = names.map(|(name, _)| quoted(name)).collect();
         names.sort_unstable();
         names

@@ -6,8 +6,15 @@ use super::failure::{Failure, failure_with_hint};
 /// thousands.
 const MOST_STEPS: usize = 20_000_000;
 
-/// Maximum depth of nested elements, macros, included files, properties and operations.
-const MOST_LEVELS: usize = 600;
+/// Maximum depth of nested elements, macros, included files, properties and operations. A macro that calls itself takes
+/// twelve levels each time; the tool allows some 300 calls.
+pub(super) const MOST_LEVELS: usize = 4000;
+
+/// The same on a stack of unknown size.
+pub(super) const FEW_LEVELS: usize = 600;
+
+/// Bytes of the stack for [`MOST_LEVELS`], several times what they take without optimisation.
+pub(super) const STACK: usize = 32 << 20;
 
 /// Levels of an element, a macro or a property, which take more of the stack than an operation.
 pub(super) const HEAVY: usize = 4;
@@ -19,10 +26,11 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    pub(super) const fn new() -> Self {
+    /// All steps, and some levels.
+    pub(super) const fn new(levels: usize) -> Self {
         Self {
             steps: MOST_STEPS,
-            levels: MOST_LEVELS,
+            levels,
         }
     }
 

@@ -196,7 +196,7 @@ impl Expansion {
             }
         };
         let declared = super::expansion::Argument {
-            value,
+            value: value.to_string(),
             is_given: false,
             is_used: true,
         };

@@ -25,7 +25,7 @@ pub(super) struct Report {
 
 /// An argument of the file.
 pub(super) struct Argument {
-    pub(super) value: Rc<str>,
+    pub(super) value: String,
     /// True if the user gives it.
     pub(super) is_given: bool,
     /// True if the file declares or reads it.
@@ -54,14 +54,14 @@ pub(super) struct Expansion {
 }
 
 impl Expansion {
-    pub(super) fn new(files: Files, arguments: HashMap<String, Argument>) -> Self {
+    pub(super) fn new(files: Files, arguments: HashMap<String, Argument>, budget: Budget) -> Self {
         let first = FileId(0);
         Self {
             files,
             trees: HashMap::new(),
             scopes: Scopes::default(),
             arguments,
-            budget: Budget::new(),
+            budget,
             reading: vec![first],
             calls: Vec::new(),
             errors: Vec::new(),
@@ -270,7 +270,7 @@ impl Expansion {
     pub(super) fn argument(&mut self, name: &str) -> Result<Rc<str>, Failure> {
         if let Some(argument) = self.arguments.get_mut(name) {
             argument.is_used = true;
-            return Ok(Rc::clone(&argument.value));
+            return Ok(argument.value.as_str().into());
         }
         let mut names: Vec<&str> = self.arguments.keys().map(String::as_str).collect();
         names.sort_unstable();
@@ -294,7 +294,7 @@ impl Expansion {
         let argument = self.arguments.get_mut(name);
         let argument = argument.filter(|argument| argument.is_given)?;
         argument.is_used = true;
-        Some(Rc::clone(&argument.value))
+        Some(argument.value.as_str().into())
     }
 
     /// The place of the text that is evaluated at the moment.

@@ -1,33 +1,38 @@
 //! Writes expanded elements as text, with the place of each word in the files that it comes from.
 
 use super::tree::{Attribute, Element, Node, Origin, Written};
-use crate::description::position::{Segment, Segments};
-use crate::error::Place;
+
+/// A part of the text that comes from one place.
+pub(super) struct Part {
+    /// Offset of its beginning in the text.
+    pub(super) start: usize,
+    pub(super) origin: Origin,
+    /// True if its characters are those of the file.
+    pub(super) is_verbatim: bool,
+}
 
 /// The text of an element, and the places of its words.
-pub(super) fn write(root: &Element, place: impl Fn(Origin) -> Place) -> (String, Segments) {
+pub(super) fn write(root: &Element) -> (String, Vec<Part>) {
     let mut writer = Writer {
         text: String::new(),
-        segments: Vec::new(),
-        place,
+        parts: Vec::new(),
     };
     writer.element(root, 0);
     writer.text.push('\n');
-    (writer.text, writer.segments)
+    (writer.text, writer.parts)
 }
 
-struct Writer<P> {
+struct Writer {
     text: String,
-    segments: Segments,
-    place: P,
+    parts: Vec<Part>,
 }
 
-impl<P: Fn(Origin) -> Place> Writer<P> {
+impl Writer {
     /// Notes that the following text comes from a place.
     fn mark(&mut self, origin: Origin, is_verbatim: bool) {
-        self.segments.push(Segment {
+        self.parts.push(Part {
             start: self.text.len(),
-            place: (self.place)(origin),
+            origin,
             is_verbatim,
         });
     }

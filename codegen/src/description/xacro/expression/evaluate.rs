@@ -7,7 +7,7 @@ use super::function::{self, global_value};
 use super::method;
 use super::operator::{binary, compare, unary};
 use super::surroundings::Surroundings;
-use super::tree::{Each, Expression};
+use super::tree::{Binary, Comparison, Each, Expression, Unary};
 use super::value::{List, Value};
 use crate::description::xacro::failure::{Failure, failure, failure_with_hint};
 use crate::wording::{nearest, quoted};
@@ -38,76 +38,91 @@ impl Evaluator<'_> {
         value
     }
 
+    /// Each kind has a function of its own, so that nested expressions take little of the stack.
     fn inner(&mut self, expression: &Expression) -> Result<Value, Failure> {
         match expression {
             Expression::Constant(value) => Ok(value.clone()),
             Expression::Name(name) => self.name(name),
-            Expression::Unary(operator, operand) => {
-                let operand = self.value(operand)?;
-                unary(*operator, &operand)
-            }
-            Expression::Binary(operator, operands) => {
-                let [a, b] = [self.value(&operands[0])?, self.value(&operands[1])?];
-                binary(*operator, [&a, &b], self.surroundings.budget())
-            }
-            Expression::And(operands) => {
-                let first = self.value(&operands[0])?;
-                if first.is_true() {
-                    self.value(&operands[1])
-                } else {
-                    Ok(first)
-                }
-            }
-            Expression::Or(operands) => {
-                let first = self.value(&operands[0])?;
-                if first.is_true() {
-                    Ok(first)
-                } else {
-                    self.value(&operands[1])
-                }
-            }
-            Expression::Compare(first, others) => {
-                let mut left = self.value(first)?;
-                for (comparison, right) in others {
-                    let right = self.value(right)?;
-                    self.surroundings
-                        .budget()
-                        .spend(left.steps() + right.steps())?;
-                    if !compare(*comparison, &left, &right)? {
-                        return Ok(Value::Bool(false));
-                    }
-                    left = right;
-                }
-                Ok(Value::Bool(true))
-            }
-            Expression::If(parts) => {
-                let [test, value, other] = &**parts;
-                let test = self.value(test)?;
-                self.value(if test.is_true() { value } else { other })
-            }
-            Expression::List(items, is_tuple) => {
-                let items = items.iter().map(|item| self.value(item));
-                let items = items.collect::<Result<_, _>>()?;
-                List::new(items, *is_tuple).map(Value::List)
-            }
-            Expression::Each(item, loops) => {
-                let mut found = Vec::new();
-                self.each(item, loops, &mut found)?;
-                Value::list(found)
-            }
-            Expression::Member(owner, name) => {
-                let owner = self.value(owner)?;
-                self.member(&owner, name)
-            }
-            Expression::Index(parts) => {
-                let [value, index] = [self.value(&parts[0])?, self.value(&parts[1])?];
-                let steps = value.steps() / 16 + index.steps();
-                self.surroundings.budget().spend(steps)?;
-                item(&value, &index)
-            }
+            Expression::Unary(operator, operand) => self.unary(*operator, operand),
+            Expression::Binary(operator, operands) => self.binary(*operator, operands),
+            Expression::And(operands) => self.choice(operands, true),
+            Expression::Or(operands) => self.choice(operands, false),
+            Expression::Compare(first, others) => self.comparisons(first, others),
+            Expression::If(parts) => self.conditional(parts),
+            Expression::List(items, is_tuple) => self.list(items, *is_tuple),
+            Expression::Each(item, loops) => self.comprehension(item, loops),
+            Expression::Member(owner, name) => self.member_of(owner, name),
+            Expression::Index(parts) => self.index(parts),
             Expression::Slice(value, ends) => self.slice(value, ends),
             Expression::Call(function, values, named) => self.call(function, values, named),
         }
+    }
+
+    fn unary(&mut self, operator: Unary, operand: &Expression) -> Result<Value, Failure> {
+        let operand = self.value(operand)?;
+        unary(operator, &operand)
+    }
+
+    fn binary(&mut self, operator: Binary, operands: &[Expression; 2]) -> Result<Value, Failure> {
+        let [a, b] = [self.value(&operands[0])?, self.value(&operands[1])?];
+        binary(operator, [&a, &b], self.surroundings.budget())
+    }
+
+    /// The second operand if the first one is as true as `goes_on`, otherwise the first one.
+    fn choice(&mut self, operands: &[Expression; 2], goes_on: bool) -> Result<Value, Failure> {
+        let first = self.value(&operands[0])?;
+        if first.is_true() == goes_on {
+            self.value(&operands[1])
+        } else {
+            Ok(first)
+        }
+    }
+
+    fn comparisons(
+        &mut self,
+        first: &Expression,
+        others: &[(Comparison, Expression)],
+    ) -> Result<Value, Failure> {
+        let mut left = self.value(first)?;
+        for (comparison, right) in others {
+            let right = self.value(right)?;
+            let steps = left.steps() + right.steps();
+            self.surroundings.budget().spend(steps)?;
+            if !compare(*comparison, &left, &right)? {
+                return Ok(Value::Bool(false));
+            }
+            left = right;
+        }
+        Ok(Value::Bool(true))
+    }
+
+    fn conditional(&mut self, [test, value, other]: &[Expression; 3]) -> Result<Value, Failure> {
+        let test = self.value(test)?;
+        self.value(if test.is_true() { value } else { other })
+    }
+
+    fn list(&mut self, items: &[Expression], is_tuple: bool) -> Result<Value, Failure> {
+        let items = items.iter().map(|item| self.value(item));
+        let items = items.collect::<Result<_, _>>()?;
+        List::new(items, is_tuple).map(Value::List)
+    }
+
+    fn comprehension(&mut self, item: &Expression, loops: &[Each]) -> Result<Value, Failure> {
+        let mut found = Vec::new();
+        self.each(item, loops, &mut found)?;
+        Value::list(found)
+    }
+
+    fn member_of(&mut self, owner: &Expression, name: &str) -> Result<Value, Failure> {
+        let owner = self.value(owner)?;
+        self.member(&owner, name)
+    }
+
+    fn index(&mut self, parts: &[Expression; 2]) -> Result<Value, Failure> {
+        let [value, index] = [self.value(&parts[0])?, self.value(&parts[1])?];
+        let steps = value.steps() / 16 + index.steps();
+        self.surroundings.budget().spend(steps)?;
+        item(&value, &index)
     }
 
     fn name(&mut self, name: &str) -> Result<Value, Failure> {

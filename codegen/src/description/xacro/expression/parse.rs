@@ -11,6 +11,9 @@ use crate::wording::quoted;
 /// Maximum number of operations and values of an expression.
 const MOST_PARTS: usize = 400;
 
+/// Maximum depth of operations in operations.
+const MOST_NESTED: usize = 40;
+
 /// Words that are no names.
 const KEYWORDS: [&str; 35] = [
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue",
@@ -35,6 +38,7 @@ pub(in crate::description::xacro) fn parse(text: &str) -> Result<Expression, Fai
         tokens: tokens(text)?,
         at: 0,
         parts: 0,
+        depth: 0,
     };
     if parser.tokens.is_empty() {
         return Err(failure("the expression is empty"));
@@ -61,6 +65,7 @@ struct Parser {
     tokens: Vec<Token>,
     at: usize,
     parts: usize,
+    depth: usize,
 }
 
 impl Parser {
@@ -174,6 +179,19 @@ impl Parser {
     /// An operation whose operators are stronger than a strength.
     fn operation(&mut self, weakest: u8) -> Result<Expression, Failure> {
         self.count()?;
+        self.depth += 1;
+        if self.depth > MOST_NESTED {
+            return Err(failure(format!(
+                "an expression is nested more than {MOST_NESTED} deep"
+            )));
+        }
+        let found = self.operators(weakest);
+        self.depth -= 1;
+        found
+    }
+
+    /// The operand at hand, and the operators behind it.
+    fn operators(&mut self, weakest: u8) -> Result<Expression, Failure> {
         let mut left = if self.take_word("not") {
             if weakest > NOT {
                 self.at -= 1;

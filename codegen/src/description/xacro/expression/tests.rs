@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::super::budget::Budget;
+use super::super::budget::{Budget, FEW_LEVELS};
 use super::super::failure::{Failure, failure};
 use super::evaluate;
 use super::parse::{is_name, parse};
@@ -58,7 +58,7 @@ fn evaluated(text: &str) -> Result<Value, Failure> {
         ("limits", Value::Map(limits)),
     ];
     let mut properties = Properties {
-        budget: Budget::new(),
+        budget: Budget::new(FEW_LEVELS),
         values: values
             .into_iter()
             .map(|(name, value)| (name.to_owned(), value))
@@ -326,11 +326,12 @@ fn hostile_expressions_end_with_an_error() {
         );
     }
     let deep = format!("{}1{}", "(".repeat(1000), ")".repeat(1000));
-    let message = "an expression has more than 400 operations and values";
+    let message = "an expression is nested more than 40 deep";
     assert_eq!(refused(&deep), message);
     assert_eq!(refused(&"-".repeat(5000)), message);
-    assert_eq!(refused(&format!("1{}", "+1".repeat(5000))), message);
     assert_eq!(refused(&format!("[{}]", "[".repeat(1000))), message);
+    let message = "an expression has more than 400 operations and values";
+    assert_eq!(refused(&format!("1{}", "+1".repeat(5000))), message);
 }
 
 #[test]

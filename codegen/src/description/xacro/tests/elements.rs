@@ -182,3 +182,10 @@ fn every_mistake_is_reported_once() {
          hint: a name begins with a letter or _, has letters, digits and _, and is no word of Python\n"
     );
 }
+
+#[test]
+fn macros_call_themselves_as_often_as_in_the_tool() {
+    let text = "<xacro:macro name=\"m\" params=\"n\"><l/><xacro:if value=\"${n}\"><xacro:m n=\"${n - 1}\"/></xacro:if>\
+                </xacro:macro><xacro:m n=\"300\"/>";
+    assert_eq!(expand(text), "<l/>".repeat(301));
+}

@@ -10,11 +10,7 @@ use crate::wording::{known, list, quoted};
 /// ```
 /// use homogen_codegen::formulation::{Formulation, Forward, Parameters};
 ///
-/// let formulation = Formulation {
-///     parameters: Parameters::Raw,
-///     forward: Some(Forward::MassMatrix { refinements: 1 }),
-///     ..Formulation::default()
-/// };
+/// let formulation = Formulation::default().with_parameters(Parameters::Raw).with_forward(Forward::MassMatrix { refinements: 1 });
 /// assert_eq!(formulation.words(), ["raw", "refined = 1"]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -373,10 +369,7 @@ mod tests {
     #[test]
     fn refinements_without_end_are_refused() {
         let forward = Some(Forward::MassMatrix { refinements: 9 });
-        let formulation = Formulation {
-            forward,
-            ..Formulation::default()
-        };
+        let formulation = Formulation::default().with_forward(forward);
         assert!(formulation.check().is_err());
     }
 }

@@ -4,11 +4,11 @@
 //! In: robots/*.urdf, seeds. Out: structs with generated functions, and numbers that are the same on every machine.
 //! Limits are up to the tests, except in [`rounding`].
 
+pub mod actuators;
 pub mod arguments;
 pub mod big;
 pub mod cholesky;
 pub mod climb;
-pub mod drives;
 pub mod dual;
 pub mod fire;
 pub mod functions;

@@ -292,10 +292,7 @@ fn a_non_physical_inertia_has_no_bound() {
     let description = row(&segments);
     for function in [Function::ForwardDynamics, Function::MassMatrixInverse] {
         let request = Request {
-            formulation: Formulation {
-                forward: Some(Forward::UNREFINED),
-                ..Formulation::default()
-            },
+            formulation: Formulation::default().with_forward(Forward::UNREFINED),
             ..Request::default()
         };
         let generated = generated(&description, request, function, Real::F64);
@@ -325,10 +322,7 @@ fn a_coaxial_pair_with_a_nearly_massless_first_body_has_no_bound() {
         },
     ]);
     let request = Request {
-        formulation: Formulation {
-            forward: Some(Forward::UNREFINED),
-            ..Formulation::default()
-        },
+        formulation: Formulation::default().with_forward(Forward::UNREFINED),
         ..Request::default()
     };
     let generated = generated(

@@ -11,7 +11,7 @@ use homogen_codegen::description::Description;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::formulation::{Formulation, Forward};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::range::Range;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
@@ -56,7 +56,8 @@ fn velocities_are_within_their_bounds_by_the_kinetic_energy() {
         let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
         let moving: Vec<Expr> = (chain.frames.ids())
             .flat_map(|frame| {
-                let of = |function: Function| function.build(&graph, &bodies, frame, Way::PLAIN);
+                let of =
+                    |function: Function| function.build(&graph, &bodies, frame, Algorithm::PLAIN);
                 [of(Function::TipVelocity), of(Function::ForwardKinematics)].concat()
             })
             .map(Term::expr)
@@ -108,10 +109,7 @@ fn velocities_are_within_their_bounds_by_the_kinetic_energy() {
 /// Accelerations with a printed bound are finite and within it, at torques of accelerations in the range.
 fn accelerations<T: Tested>(description: &Description, form: Option<Forward>) {
     let request = Request {
-        formulation: Formulation {
-            forward: form,
-            ..Formulation::default()
-        },
+        formulation: Formulation::default().with_forward(form),
         ..Request::default()
     };
     let function = Function::ForwardDynamics;

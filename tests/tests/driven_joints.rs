@@ -274,7 +274,7 @@ fn power_in_link_frame<const F: usize, const B: usize>(
     qd: &[f64; N],
     action: &Action<f64>,
 ) -> f64 {
-    dot(&generic::torques_of_action(chain, frame, q, action), qd)
+    dot(&generic::torques_of_wrench(chain, frame, q, action), qd)
 }
 
 /// The power of a wrench in frame 0: W ⊗ Φ.

@@ -3,7 +3,7 @@
 //! dynamics.
 
 use homogen::robot::{ForwardDynamics, MassMatrixInverse};
-use homogen::{Chain, Drive, Real, Robot, generic};
+use homogen::{Chain, JointActuator, Real, Robot, generic};
 use homogen_tests::dual::Dual;
 use homogen_tests::functions::{Block, EveryFunction, evaluate};
 use homogen_tests::rounding::{DOUBLE, SINGLE, Worst};
@@ -151,16 +151,16 @@ fn every_algorithm_of_forward_dynamics_inverts_inverse_dynamics() {
 
 #[test]
 fn each_velocity_of_a_joint_has_its_own_actuator() {
-    let drives = Quill::chain().joints.map(|joint| {
+    let actuators = Quill::chain().joints.map(|joint| {
         [
-            joint.drives[0].armature,
-            joint.drives[0].damping,
-            joint.drives[0].friction,
+            joint.actuators[0].armature,
+            joint.actuators[0].damping,
+            joint.actuators[0].friction,
         ]
         .map(|number| (number * 1e6).round() / 1e6)
     });
     assert_eq!(
-        drives,
+        actuators,
         [[0.2, 0.5, 0.125], [0.01, 0.25, 0.5], [2.0, 8.0, 0.5]]
     );
     let (q, qd) = ([0.3, 0.2, 0.1], [0.0, -2.0, 4.0]);
@@ -168,7 +168,7 @@ fn each_velocity_of_a_joint_has_its_own_actuator() {
     let without = Chain {
         joints: Quill::chain()
             .joints
-            .map(|joint| joint.with_drive(0, Drive::NONE)),
+            .map(|joint| joint.with_actuator(0, JointActuator::NONE)),
         ..Quill::chain()
     };
     let bodies = generic::bias(&without, &q, &qd);
@@ -194,7 +194,7 @@ fn power_is_conserved() {
         let power: f64 = tau.iter().zip(&qd).map(|(tau, qd)| tau * qd).sum();
         let lost = joints.iter().zip(&qd);
         let lost = lost.map(|(joint, qd)| {
-            joint.drives[0].damping * qd * qd + joint.drives[0].friction * qd.abs()
+            joint.actuators[0].damping * qd * qd + joint.actuators[0].friction * qd.abs()
         });
         let lost: f64 = lost.sum();
         assert!(lost > 0.0);
@@ -231,7 +231,7 @@ fn generated_code_agrees_with_pinocchio() {
     let armatures: Vec<f64> = chain
         .joints
         .iter()
-        .map(|joint| joint.drives[0].armature)
+        .map(|joint| joint.actuators[0].armature)
         .collect();
     assert_eq!(armatures, numbers(&reference["armature"]));
     let mut worst = Worst::in_units_of(DOUBLE);

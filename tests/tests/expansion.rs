@@ -10,11 +10,11 @@ use homogen_codegen::description::{Description, Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
 use homogen_codegen::formulation::{Formulation, Forward, Parameters, Products, Sines};
-use homogen_codegen::print::rust::{self, Item, Source, World};
+use homogen_codegen::print::rust::{self, Item, Library, Source};
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 use homogen_codegen::space::FrameId;
-use homogen_codegen::{Builder, Function, Real, door};
+use homogen_codegen::{Builder, Function, Real, front_end};
 use homogen_tests::for_every_robot;
 use homogen_tests::programs::program;
 use quote::{format_ident, quote};
@@ -102,15 +102,15 @@ fn a_pendulum_with_a_field() {
             bob: f64,
         }
     };
-    let text = Source::new("", &door::derive(tokens)).to_string();
+    let text = Source::new("", &front_end::derive(tokens)).to_string();
     assert!(text.lines().count() <= READABLE, "{text}");
     insta::assert_snapshot!(text);
 }
 
 /// The operation count of a function, for a row of the table.
-fn price(chain: &Chain, function: Function) -> Price {
+fn operation_count(chain: &Chain, function: Function) -> OperationCount {
     let program = program(chain, &[function], FrameId::FIRST, Real::Generic);
-    Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")))
+    OperationCount::of(&program.unwrap_or_else(|errors| panic!("{errors}")))
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn prices_of_every_robot() {
         )
         .expect("a string takes everything");
         for function in Function::ALL {
-            let Price {
+            let OperationCount {
                 mul,
                 add,
                 div,
@@ -146,7 +146,7 @@ fn prices_of_every_robot() {
                 depth,
                 literals,
                 ..
-            } = price(&chain, function);
+            } = operation_count(&chain, function);
             writeln!(
                 table,
                 "  {:28}{mul:4} {add:4} {div:4} {sqrt:4} {sin:4} {cos:4} {fused:5} {depth:5} {literals:8}",
@@ -162,7 +162,7 @@ fn prices_of_every_robot() {
 #[test]
 fn no_operation_count_rises_above_the_published_one() {
     let panda = chain_of("panda_class", "link8");
-    let price_of = |function| price(&panda, function);
+    let price_of = |function| operation_count(&panda, function);
     let inverse_dynamics = price_of(Function::InverseDynamics);
     assert!(
         inverse_dynamics.mul + inverse_dynamics.add <= 605,
@@ -174,12 +174,18 @@ fn no_operation_count_rises_above_the_published_one() {
         "{inverse_dynamics}"
     );
     for (function, bar) in [(Function::MassMatrix, 420), (Function::Gravity, 102)] {
-        let price = price_of(function);
-        assert!(price.mul + price.add <= bar, "{function:?}: {price}");
+        let operation_count = price_of(function);
+        assert!(
+            operation_count.mul + operation_count.add <= bar,
+            "{function:?}: {operation_count}"
+        );
     }
     for (robot, bar) in [("stanford_general", 436), ("puma560_general", 499)] {
-        let price = price(&chain_of(robot, "tool"), Function::InverseDynamics);
-        assert!(price.mul + price.add <= bar, "{robot}: {price}");
+        let operation_count = operation_count(&chain_of(robot, "tool"), Function::InverseDynamics);
+        assert!(
+            operation_count.mul + operation_count.add <= bar,
+            "{robot}: {operation_count}"
+        );
     }
 }
 
@@ -214,13 +220,11 @@ fn every_front_end_gives_the_same_code() {
 
 #[test]
 fn every_front_end_gives_the_same_formulation() {
-    let formulation = Formulation {
-        parameters: Parameters::Raw,
-        forward: Some(Forward::Articulated),
-        products: Products::Unfused,
-        sines: Sines::Platform,
-        ..Formulation::default()
-    };
+    let formulation = Formulation::default()
+        .with_parameters(Parameters::Raw)
+        .with_forward(Forward::Articulated)
+        .with_products(Products::Unfused)
+        .with_sines(Sines::Platform);
     let formulated = front_ends("raw, articulated, unfused, platform_sines", formulation);
     assert!(!formulated.contains("mul_add") && !formulated.contains("sin_cos_all"));
     assert!(formulated != front_ends("", Formulation::default()));
@@ -234,15 +238,15 @@ fn front_ends(words: &str, formulation: Formulation) -> String {
     let words: proc_macro2::TokenStream = words.parse().expect("tokens");
     let source = |tokens| Source::new("", &tokens).to_string();
 
-    let derived = source(door::derive(quote! {
+    let derived = source(front_end::derive(quote! {
         #[robot(urdf = "../robots/two_link.urdf", generate(#(#names),*), formulation(#words))]
         pub struct TwoLink;
     }));
-    let by_chain = source(door::chain(quote! {
+    let by_chain = source(front_end::chain(quote! {
         pub struct TwoLink { generate(#(#names),*), formulation(#words) }
         #inline
     }));
-    let by_attribute = source(door::derive(quote! {
+    let by_attribute = source(front_end::derive(quote! {
         #[robot(generate(#(#names),*), formulation(#words); #inline)]
         pub struct TwoLink;
     }));
@@ -256,7 +260,7 @@ fn front_ends(words: &str, formulation: Formulation) -> String {
     };
     let module = expand(&described("two_link"), &request).expect("no mistakes");
     let item = Item::named_after("two link");
-    let by_library = source(rust::print(&module, &item, &World::default()));
+    let by_library = source(rust::print(&module, &item, &Library::default()));
 
     let expected = methods(&derived);
     // Each function is a method and a trait method; `chain` is one more.

@@ -51,7 +51,7 @@ fn expected(state: &State<f64, 7>, actions: &[Action<f64>; 2]) -> [f64; 7] {
         let frame = chain
             .frame(link)
             .expect("links with external wrenches are frames of the chain");
-        let of_action = generic::torques_of_action(&chain, &frame, q, action);
+        let of_action = generic::torques_of_wrench(&chain, &frame, q, action);
         tau = from_fn(|k| tau[k] - of_action[k]);
     }
     tau

@@ -11,7 +11,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::{Formulation, Forward, Frame, Parameters};
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::{Price, run};
+use homogen_codegen::schedule::{OperationCount, run};
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::{Function, Real};
 use homogen_tests::functions::{EveryFunction, evaluate};
@@ -172,11 +172,9 @@ fn unfused_code_gives_the_bits_of_the_program() {
     let State { q, qd, qdd } = &state;
     let plain = interpreted(Formulation::default(), &state);
     assert_eq!(bits(Plain.inverse_dynamics(q, qd, qdd)), bits(plain));
-    let in_frame_0 = Formulation {
-        frame: Frame::Base,
-        parameters: Parameters::Raw,
-        ..Formulation::default()
-    };
+    let in_frame_0 = Formulation::default()
+        .with_frame(Frame::Base)
+        .with_parameters(Parameters::Raw);
     let in_frame_0 = interpreted(in_frame_0, &state);
     assert_eq!(
         bits(InFrame0.inverse_dynamics(q, qd, qdd)),
@@ -191,13 +189,11 @@ fn the_cheapest_algorithm_is_chosen_of_those_that_are_accurate_enough() {
     const FACTORS: Forward = Forward::UNREFINED;
     const REFINED: Forward = Forward::MassMatrix { refinements: 1 };
     let cost = |chain: &Chain, function, forward| {
-        let formulation = Formulation {
-            forward,
-            ..Formulation::default()
-        };
+        let formulation = Formulation::default().with_forward(forward);
         let program = program_as(formulation, chain, &[function], FrameId::FIRST, Real::F64);
-        let price = Price::of(&program.unwrap_or_else(|errors| panic!("{errors}")));
-        price.mul + price.add
+        let operation_count =
+            OperationCount::of(&program.unwrap_or_else(|errors| panic!("{errors}")));
+        operation_count.mul + operation_count.add
     };
     let of_robots = [
         ("panda_class/0", FACTORS, FACTORS),

@@ -280,7 +280,7 @@ fn limits_without_a_finite_number_between_are_an_error() {
         limits[3] = ends;
         let error = solve(&Solver::within(limits), &target, [0.3; 6]).expect_err("no range");
         assert!(
-            matches!(error, Error::NoRange { coordinate: 3, .. }),
+            matches!(error, Error::EmptyRange { coordinate: 3, .. }),
             "{error}"
         );
     }

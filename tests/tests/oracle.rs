@@ -13,13 +13,13 @@ use homogen_codegen::description::{self, Description, Number, inline};
 use homogen_codegen::error::Errors;
 use homogen_codegen::layout::{Layout, Sliding};
 use homogen_codegen::list::Id;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::{FrameId, Variable};
+use homogen_tests::actuators::with_actuators;
 use homogen_tests::arguments;
 use homogen_tests::big::Big;
-use homogen_tests::drives::with_actuators;
 use homogen_tests::metrics;
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::oracle::state::exact;
@@ -56,7 +56,7 @@ const LAYOUTS: [Layout; 2] = [
     Layout {
         normals: true,
         sliding: Sliding::AtMassCenter,
-        turn_ends: true,
+        rotate_ends: true,
         regroup: true,
     },
 ];
@@ -89,10 +89,10 @@ fn agree_within(
         .chain(OF_LOOPS.into_iter().filter(|_| !chain.loops.is_empty()))
         .collect();
     let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);
-    let way = Way::PLAIN;
-    let sources =
-        LAYOUTS.map(|layout| link_frames::expressions(&chain, &functions, frame, layout, way));
-    let sizes = program_by(&chain, &functions, frame, LAYOUTS[0], way);
+    let algorithm = Algorithm::PLAIN;
+    let sources = LAYOUTS
+        .map(|layout| link_frames::expressions(&chain, &functions, frame, layout, algorithm));
+    let sizes = program_by(&chain, &functions, frame, LAYOUTS[0], algorithm);
     let mut random = Random::new(50);
     let mut worst: f64 = 0.0;
     for _ in 0..states {

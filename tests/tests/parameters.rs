@@ -178,7 +178,7 @@ fn placements_of_the_file_give_the_constant_model_and_others_their_chain() {
                     place[..3].copy_from_slice(&offset.map(|entry| entry.value));
                 }
                 Step::Rotate(axis, angle) => place[3 + *axis as usize] = angle.value,
-                Step::Turn(_) => unreachable!("the file has no quaternions"),
+                Step::Quaternion(_) => unreachable!("the file has no quaternions"),
             }
         }
         place

@@ -4,7 +4,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
 use homogen_codegen::module::Module;
 use homogen_codegen::request::Request;
-use homogen_codegen::{Builder, Function, Processor, Real, description, door};
+use homogen_codegen::{Builder, Function, Processor, Real, description, front_end};
 use quote::quote;
 
 const PANDA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots/panda_class.urdf");
@@ -47,9 +47,12 @@ fn costs_depend_on_the_processor() {
     .map(|(processor, scalar)| {
         let module = module(processor, scalar).unwrap_or_else(|errors| panic!("{errors}"));
         let counts = module.functions.iter().map(|generated| {
-            let (of, cycles) = generated.price.cycles.expect("a processor was chosen");
+            let (of, cycles) = generated
+                .operation_count
+                .cycles
+                .expect("a processor was chosen");
             assert_eq!(of, processor);
-            (cycles, generated.price.fused)
+            (cycles, generated.operation_count.fused)
         });
         counts.collect::<Vec<_>>()
     });
@@ -71,7 +74,7 @@ fn without_a_processor_no_cycles_are_stated() {
         portable
             .functions
             .iter()
-            .all(|generated| generated.price.cycles.is_none())
+            .all(|generated| generated.operation_count.cycles.is_none())
     );
     assert!(!file(Processor::Portable).contains("cycles"));
 }
@@ -83,7 +86,7 @@ fn products_are_fused_if_the_processor_can() {
             #[robot(urdf = #PANDA, tip = "link8", processor = #processor, generate(gravity))]
             struct Panda;
         };
-        door::derive(tokens).to_string().contains("mul_add (")
+        front_end::derive(tokens).to_string().contains("mul_add (")
     };
     assert!(fuses("portable") && fuses("x86-64-v3") && fuses("aarch64"));
     assert!(!fuses("x86-64") && !fuses("cortex-m4") && !fuses("cortex-m7"));
@@ -116,14 +119,14 @@ fn f64_on_a_processor_without_it_is_refused() {
 
 #[test]
 fn an_unknown_processor_is_reported_with_a_suggestion() {
-    let refusal = door::derive(quote! {
+    let refusal = front_end::derive(quote! {
         #[robot(urdf = #PANDA, processor = "cortexm4")]
         struct Panda;
     });
     let text = refusal.to_string();
     assert!(text.contains("unknown processor"), "{text}");
     assert!(text.contains("did you mean"), "{text}");
-    let no_name = door::derive(quote! {
+    let no_name = front_end::derive(quote! {
         #[robot(urdf = #PANDA, processor = 4)]
         struct Panda;
     });

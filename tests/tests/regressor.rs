@@ -3,7 +3,7 @@
 //!
 //! Errors are in units of rounding times the largest entry in any state.
 
-use homogen::{Chain, Drive, Robot, robot};
+use homogen::{Chain, JointActuator, Robot, robot};
 use homogen_tests::functions::Block;
 use homogen_tests::robots::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
@@ -44,11 +44,11 @@ fn parameters<const N: usize, const F: usize>(chain: &Chain<N, F>) -> Vec<f64> {
         [m, qx, qy, qz, xx, xy, xz, yy, yz, zz]
     });
     let actuators = chain.joints.iter().flat_map(|joint| {
-        let Drive {
+        let JointActuator {
             armature,
             damping,
             friction,
-        } = joint.drives[0];
+        } = joint.actuators[0];
         [armature, damping, friction]
     });
     bodies.chain(actuators).collect()

@@ -12,7 +12,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Program, run};
@@ -121,11 +121,11 @@ fn hold(description: &Description, request: &Request) {
         };
         for layout in layouts {
             for angles in [Angles::Apart, Angles::Merged] {
-                let way = Way {
+                let algorithm = Algorithm {
                     angles,
-                    ..Way::PLAIN
+                    ..Algorithm::PLAIN
                 };
-                let program = program_by(&chain, &functions, FrameId::FIRST, layout, way);
+                let program = program_by(&chain, &functions, FrameId::FIRST, layout, algorithm);
                 compare(&robot, function, &program);
             }
         }

@@ -12,7 +12,7 @@ use crate::function::Function;
 use crate::module::{About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
 use crate::request::Target;
-use crate::schedule::{Price, sections};
+use crate::schedule::{OperationCount, sections};
 use crate::space::{Entry, Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
@@ -40,7 +40,7 @@ pub(super) fn of_function(
     module: &Module,
     generated: &GeneratedFunction,
     angles: Option<&Angles>,
-    once: Option<&Price>,
+    once: Option<&OperationCount>,
 ) -> Vec<String> {
     let about = &module.about;
     let base = frame_0(module);
@@ -77,7 +77,7 @@ pub(super) fn of_function(
     lines.push(origin(module));
     lines.extend(facts(about));
     let of_bodies = |function: &Function| function.is_of_bodies();
-    if about.driven && generated.functions.iter().any(of_bodies) {
+    if about.actuated && generated.functions.iter().any(of_bodies) {
         lines.push(
             "Momenta and the Coriolis matrix do not include friction and armature.".to_owned(),
         );
@@ -88,7 +88,7 @@ pub(super) fn of_function(
         lines.push("After the parameters of all links, π has armature, damping and friction of each degree of freedom of a joint, zero or not.".to_owned());
     }
     lines.push(String::new());
-    lines.push(format!("{}.", generated.price));
+    lines.push(format!("{}.", generated.operation_count));
     lines.extend(split(module, generated));
     lines
         .extend(once.map(|once| format!("Computed once by `prepare`, for all functions: {once}.")));
@@ -137,7 +137,7 @@ fn frame_0(module: &Module) -> String {
 }
 
 /// Comment of the method that computes everything that depends on fields alone.
-pub(super) fn of_prepare(price: &Price) -> Vec<String> {
+pub(super) fn of_prepare(operation_count: &OperationCount) -> Vec<String> {
     vec![
         "The same robot with everything precomputed that depends only on its fields, for loops in which they do not \
          change."
@@ -146,7 +146,7 @@ pub(super) fn of_prepare(price: &Price) -> Vec<String> {
         "Results are the same, bit for bit. The doc comment of each function has its remaining cost."
             .to_owned(),
         String::new(),
-        format!("{price}."),
+        format!("{operation_count}."),
     ]
 }
 
@@ -188,7 +188,7 @@ pub(super) fn of_mechanism(module: &Module) -> Vec<String> {
 }
 
 const fn is_of_actuator(entry: &Entry) -> bool {
-    matches!(entry.kind, Kind::Drive { .. })
+    matches!(entry.kind, Kind::Actuator { .. })
 }
 
 /// Comment of the values of base parameters.
@@ -289,8 +289,8 @@ pub(super) fn head(module: &Module, asked: &str) -> Vec<String> {
 }
 
 /// Cost and error bounds of a function, for the head of a file.
-pub(super) fn price(generated: &GeneratedFunction, name: &str) -> Vec<String> {
-    let mut lines = vec![format!("{name}: {}.", generated.price)];
+pub(super) fn operation_count(generated: &GeneratedFunction, name: &str) -> Vec<String> {
+    let mut lines = vec![format!("{name}: {}.", generated.operation_count)];
     let bounds = generated.accuracy.iter().flat_map(error::lines);
     lines.extend(bounds.map(|line| match line.strip_prefix("Error") {
         Some(rest) => format!("    error{rest}"),
@@ -316,7 +316,8 @@ fn range(angles: &Angles) -> String {
 /// Arguments with their units.
 fn arguments(arguments: &[Variable]) -> String {
     let units = |argument: &Variable| {
-        let [rotation, translation] = [Kind::Turn, Kind::Slide].map(|kind| argument.unit(kind));
+        let [rotation, translation] =
+            [Kind::Rotation, Kind::Translation].map(|kind| argument.unit(kind));
         match argument {
             Variable::Actions => {
                 format!("{} (c, f) in {rotation}, {translation}", argument.letter())

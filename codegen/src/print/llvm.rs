@@ -52,7 +52,7 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
     let symbols = symbols(module, writing.prefix);
     let mut head = documentation::head(module, writing.asked);
     for (generated, name) in module.functions.iter().zip(&symbols) {
-        head.extend(documentation::price(generated, name));
+        head.extend(documentation::operation_count(generated, name));
     }
     let mut text = comment(&head) + "\n";
     let own_sines = module.sines == Sines::Own && has_angles(module);

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::name::Name;
 use crate::wording::quoted;
 
@@ -295,7 +295,7 @@ impl Target {
 
     /// The joint and the part, for a target of armature, damping or friction.
     #[must_use]
-    pub const fn drives(&self) -> Option<(&Name, Part)> {
+    pub const fn actuators(&self) -> Option<(&Name, Part)> {
         match self {
             Self::ArmatureOf(joint) => Some((joint, Part::Armature)),
             Self::DampingOf(joint) => Some((joint, Part::Damping)),

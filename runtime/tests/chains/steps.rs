@@ -4,7 +4,7 @@
 //! 180°.
 
 use crate::sample::{Random, agree, largest};
-use homogen::robot::posture::{
+use homogen::robot::manifold::{
     difference_floating, difference_planar, difference_spherical, integrate_floating,
     integrate_planar, integrate_spherical, log, normalized, turn,
 };
@@ -312,11 +312,11 @@ fn chain(random: &mut Random) -> Chain<13, 0, 15, 6> {
     Chain::new(
         [
             Joint::floating("root", None, here, inertia),
-            hinge("follower", Some(0)).following(3, -2.0),
+            hinge("follower", Some(0)).mimic(3, -2.0),
             Joint::spherical("ball", Some(1), here, inertia),
             hinge("leader", Some(2)),
             Joint::planar("puck", Some(0), here, inertia),
-            hinge("slow", Some(4)).following(3, 0.5),
+            hinge("slow", Some(4)).mimic(3, 0.5),
         ],
         [],
         [0.0; 3],

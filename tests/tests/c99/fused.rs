@@ -27,7 +27,7 @@ fn expected(robot: &Robot, real: Real, states: &[f64]) -> Vec<u8> {
         module
             .functions
             .iter()
-            .any(|generated| generated.price.fused > 0)
+            .any(|generated| generated.operation_count.fused > 0)
     );
     let joints = robot.spaces.velocities.len();
     let mut bytes = Vec::new();

@@ -15,12 +15,12 @@ fn gives_every_price_by_name() {
         .filter(|function| !function.of_a_frame());
     let whole: Vec<&str> = whole.map(Function::name).collect();
     assert_eq!(keys(&counted["functions"]), whole);
-    for price in functions.values() {
+    for operation_count in functions.values() {
         let wanted = [
             "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals",
             "naive", "errors",
         ];
-        assert_eq!(keys(price), wanted);
+        assert_eq!(keys(operation_count), wanted);
     }
     let errors = |name: &str| &functions[name]["errors"][0];
     let error = errors("gravity")["f64"]["N m"].as_f64();

@@ -53,7 +53,7 @@ fn mistakes_are_told() {
     let states = |actions: &str| {
         format!("{{\"states\":[{{\"q\":[0,0,0],\"qd\":[0,0,0],\"qdd\":[0,0,0]{actions}}}]}}")
     };
-    for (actions, told) in [
+    for (actions, reported) in [
         ("", "state 0 has no \"actions\""),
         (",\"actions\":[]", "state 0 has 0 actions for 1 links"),
         (
@@ -70,7 +70,7 @@ fn mistakes_are_told() {
             &states(actions),
         );
         assert_eq!(answer.code, 1, "{actions}");
-        assert!(answer.remarks.contains(told), "{}", answer.remarks);
+        assert!(answer.remarks.contains(reported), "{}", answer.remarks);
     }
     assert_eq!(
         refused("count - --functions gravity --external hand", ARM),

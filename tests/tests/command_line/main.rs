@@ -3,9 +3,9 @@
 //! In: arguments and standard input. Out: the answer, word for word where others rely on it. A file a
 //! command, one for the formulation; here is what holds for all.
 
+mod actuators;
 mod check;
 mod count;
-mod drives;
 mod eval;
 mod external;
 mod formulation;

@@ -7,7 +7,7 @@ use homogen_codegen::description::{Description, Name, read_file, read_text};
 use homogen_codegen::error::Errors;
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::request::{Parameter, Request, Target};
-use homogen_tests::drives::with_actuators;
+use homogen_tests::actuators::with_actuators;
 use homogen_tests::subjects::{Subject, subject};
 use quote::format_ident;
 

@@ -4,11 +4,11 @@
 //! its bound, or if a bound is far above the worst error.
 
 use homogen_codegen::Function;
-use homogen_codegen::accuracy::{self, Accuracy, Means};
+use homogen_codegen::accuracy::{self, Accuracy, RoundingModel};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Term};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::range::Range;
 use homogen_codegen::schedule::{Operand, Program, run};
 use homogen_codegen::space::FrameId;
@@ -74,7 +74,7 @@ pub fn check<T: Tested>(asked: Asked) {
     let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
     let functions = functions();
     let exact: Vec<Expr> = (functions.iter())
-        .flat_map(|&function| function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN))
+        .flat_map(|&function| function.build(&graph, &bodies, FrameId::FIRST, Algorithm::PLAIN))
         .map(Term::expr)
         .collect();
     let exact = Evaluation::of(&graph, &exact);
@@ -102,11 +102,11 @@ pub fn check<T: Tested>(asked: Asked) {
     let mut table = format!("{} in {}\n", asked.robot, T::NAME);
     let mut all = true;
     for ((function, program), measured) in functions.iter().zip(&programs).zip(&measured) {
-        let means = Means {
+        let rounding = RoundingModel {
             scalar: T::REAL,
-            ..Means::default()
+            ..RoundingModel::default()
         };
-        let accuracy = accuracy::of(&chain, &[*function], program, means);
+        let accuracy = accuracy::of(&chain, &[*function], program, rounding);
         let Some(Accuracy::Within(bound)) = accuracy else {
             panic!("{function:?}: {accuracy:?}");
         };

@@ -152,10 +152,7 @@ fn panda() -> Asked {
 #[test]
 fn in_frame_0() {
     let asked = Asked {
-        formulation: Formulation {
-            frame: Frame::Base,
-            ..Formulation::default()
-        },
+        formulation: Formulation::default().with_frame(Frame::Base),
         farthest: 6500.0,
         ..panda()
     };
@@ -170,10 +167,7 @@ fn in_frame_0() {
 
 #[test]
 fn with_the_angles_of_parallel_axes_merged() {
-    let formulation = Formulation {
-        angles: Angles::Merged,
-        ..Formulation::default()
-    };
+    let formulation = Formulation::default().with_angles(Angles::Merged);
     for (robot, tip) in [("ur5_class", "tool0"), ("puma560_general", "tool")] {
         check_both(Asked {
             formulation,
@@ -185,10 +179,7 @@ fn with_the_angles_of_parallel_axes_merged() {
 #[test]
 fn with_the_parameters_of_the_description() {
     check_both(Asked {
-        formulation: Formulation {
-            parameters: Parameters::Raw,
-            ..Formulation::default()
-        },
+        formulation: Formulation::default().with_parameters(Parameters::Raw),
         farthest: 250.0,
         ..panda()
     });
@@ -198,10 +189,7 @@ fn with_the_parameters_of_the_description() {
 #[test]
 fn refined() {
     let refined = |refinements, robot, tip| Asked {
-        formulation: Formulation {
-            forward: Some(Forward::MassMatrix { refinements }),
-            ..Formulation::default()
-        },
+        formulation: Formulation::default().with_forward(Forward::MassMatrix { refinements }),
         ..asked(robot, tip)
     };
     for refinements in [1, 2] {
@@ -259,10 +247,7 @@ fn by_articulated_bodies() {
 /// `bounded`: true for double and for single precision if bounds must exist.
 fn check_articulated(asked: Asked, bounded: [bool; 2]) {
     let asked = Asked {
-        formulation: Formulation {
-            forward: Some(Forward::Articulated),
-            ..Formulation::default()
-        },
+        formulation: Formulation::default().with_forward(Forward::Articulated),
         ..asked
     };
     let found = [
@@ -310,10 +295,7 @@ fn with_actuators_and_external_wrenches() {
             (Forward::Articulated, 1500.0),
         ] {
             let asked = Asked {
-                formulation: Formulation {
-                    forward: Some(forward),
-                    ..Formulation::default()
-                },
+                formulation: Formulation::default().with_forward(forward),
                 has_actuators: true,
                 farthest,
                 ..asked(robot, tip)

@@ -4,7 +4,7 @@
 
 use homogen_codegen::chain::{Chain, Position};
 use homogen_codegen::expression::Input;
-use homogen_codegen::joint::Posture;
+use homogen_codegen::joint::Manifold;
 use homogen_codegen::list::Id;
 use homogen_codegen::range::Range;
 use homogen_codegen::space::{Arguments, Variable};
@@ -47,8 +47,8 @@ pub fn state<T: Tested>(
     let mut arguments = Arguments::of(|variable| rounded(&range.arguments[variable]));
     for joint in &chain.joints {
         let first = match joint.position {
-            Position::Posture(Posture::Spherical, first) => first.index(),
-            Position::Posture(Posture::Floating, first) => first.index() + 3,
+            Position::Manifold(Manifold::Spherical, first) => first.index(),
+            Position::Manifold(Manifold::Floating, first) => first.index() + 3,
             _ => continue,
         };
         let quaternion = &mut arguments[Variable::Q][first..][..4];

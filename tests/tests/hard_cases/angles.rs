@@ -3,7 +3,7 @@
 use homogen_codegen::Function;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::{Operand, Program};
 use homogen_codegen::space::{FrameId, Variable};
@@ -103,16 +103,16 @@ fn merged_angle() {
         let chain = subject(label).chain();
         let joints = chain.joints.len();
         let made = |angles| {
-            let way = Way {
+            let algorithm = Algorithm {
                 angles,
-                ..Way::PLAIN
+                ..Algorithm::PLAIN
             };
             program_by(
                 &chain,
                 &[ForwardKinematics],
                 FrameId::FIRST,
                 Layout::DESCRIBED,
-                way,
+                algorithm,
             )
         };
         let (merged, products) = (made(Angles::Merged), made(Angles::Apart));

@@ -3,7 +3,7 @@
 use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::{FrameId, Variable};
@@ -109,7 +109,7 @@ fn bias(chain: &Chain) -> Program {
         &[Bias],
         FrameId::FIRST,
         Layout::DESCRIBED,
-        Way::PLAIN,
+        Algorithm::PLAIN,
     )
 }
 

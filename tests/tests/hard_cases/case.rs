@@ -6,7 +6,7 @@ use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::Evaluation;
 use homogen_codegen::formulation::Forward;
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::{FrameId, Variable};
@@ -26,7 +26,7 @@ pub struct Case {
     /// The name of the hard case, and of a part of it.
     pub name: &'static str,
     pub function: Function,
-    pub algorithm: Algorithm,
+    pub variant: Variant,
     pub metric: Metric,
     /// The largest allowed error [u] in double and in single precision, for every type of it; `None` if the case is not
     /// for this precision.
@@ -37,7 +37,7 @@ pub struct Case {
 
 /// The algorithm and layout of a function.
 #[derive(Clone, Copy, Debug)]
-pub enum Algorithm {
+pub enum Variant {
     /// The generator's choice.
     Generated,
     /// The default algorithm in a layout.
@@ -79,7 +79,7 @@ impl Case {
         Self {
             name,
             function,
-            algorithm: Algorithm::Generated,
+            variant: Variant::Generated,
             metric: Metric::Scaled,
             limits: [Some(limit); 2],
             growth: Growth::Constant,
@@ -87,11 +87,11 @@ impl Case {
     }
 
     /// Relative errors of forward dynamics by an algorithm, in double precision.
-    pub const fn solved(name: &'static str, algorithm: Algorithm, limit: f64) -> Self {
+    pub const fn solved(name: &'static str, variant: Variant, limit: f64) -> Self {
         Self {
             name,
             function: Function::ForwardDynamics,
-            algorithm,
+            variant,
             metric: Metric::Relative,
             limits: [Some(limit), None],
             growth: Growth::Constant,
@@ -133,19 +133,21 @@ impl Case {
 
     fn program(&self, chain: &Chain, scalar: Real) -> Program {
         let functions = [self.function];
-        let way = |forward| Way {
+        let algorithm = |forward| Algorithm {
             forward,
-            ..Way::PLAIN
+            ..Algorithm::PLAIN
         };
-        let by = |layout, way| program_by(chain, &functions, FrameId::FIRST, layout, way);
-        match self.algorithm {
-            Algorithm::Generated => program(chain, &functions, FrameId::FIRST, scalar)
+        let by =
+            |layout, algorithm| program_by(chain, &functions, FrameId::FIRST, layout, algorithm);
+        match self.variant {
+            Variant::Generated => program(chain, &functions, FrameId::FIRST, scalar)
                 .unwrap_or_else(|errors| panic!("{}: {errors}", self.name)),
-            Algorithm::WithLayout(layout) => by(layout, Way::PLAIN),
-            Algorithm::Refined(refinements) => {
-                by(Layout::DESCRIBED, way(Forward::MassMatrix { refinements }))
-            }
-            Algorithm::Articulated => by(Layout::DESCRIBED, way(Forward::Articulated)),
+            Variant::WithLayout(layout) => by(layout, Algorithm::PLAIN),
+            Variant::Refined(refinements) => by(
+                Layout::DESCRIBED,
+                algorithm(Forward::MassMatrix { refinements }),
+            ),
+            Variant::Articulated => by(Layout::DESCRIBED, algorithm(Forward::Articulated)),
         }
     }
 }
@@ -180,7 +182,7 @@ impl Bench {
                 &[torques],
                 FrameId::FIRST,
                 Layout::DESCRIBED,
-                Way::PLAIN,
+                Algorithm::PLAIN,
             );
             (link_frames::truth(&chain, torques, FrameId::FIRST), sizes)
         };

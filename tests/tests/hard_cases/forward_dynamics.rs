@@ -12,10 +12,10 @@ use homogen_tests::arguments::Arguments;
 use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 
-use crate::case::{Algorithm, Case, Metric, judge};
+use crate::case::{Case, Metric, Variant, judge};
 use crate::states::{of_size, states};
 
-use Algorithm::{Articulated, Generated, Refined};
+use Variant::{Articulated, Generated, Refined};
 
 pub const CASES: &[Case] = &[
     STRAIGHT[0],
@@ -163,8 +163,8 @@ const BACKWARD: [Case; 3] = [
     backward("fd_backward/articulated", Articulated, 5.0),
 ];
 
-const fn backward(name: &'static str, algorithm: Algorithm, limit: f64) -> Case {
-    Case::solved(name, algorithm, limit)
+const fn backward(name: &'static str, variant: Variant, limit: f64) -> Case {
+    Case::solved(name, variant, limit)
         .in_single(limit)
         .measured_by(Metric::Backward)
 }

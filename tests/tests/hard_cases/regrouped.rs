@@ -2,13 +2,13 @@
 
 use homogen_codegen::Function::{self, InverseDynamics};
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::program_by;
 use homogen_codegen::space::FrameId;
 use homogen_tests::metrics;
 use homogen_tests::tested::{F32, F64, Tested};
 
-use crate::case::{Algorithm, Bench, Case, judge};
+use crate::case::{Bench, Case, Variant, judge};
 use crate::states::states;
 
 pub const CASES: &[Case] = &[RAW, REGROUPED];
@@ -20,7 +20,7 @@ const BASE: Layout = Layout {
 
 const fn by(name: &'static str, layout: Layout) -> Case {
     Case {
-        algorithm: Algorithm::WithLayout(layout),
+        variant: Variant::WithLayout(layout),
         ..Case::scaled(name, InverseDynamics, 10.0)
     }
 }
@@ -45,8 +45,15 @@ fn regrouped_par() {
 fn assert_no_worse<T: Tested>(label: &str) {
     const FUNCTIONS: [Function; 1] = [InverseDynamics];
     let bench = Bench::new(label, InverseDynamics);
-    let [raw, base] = [Layout::DESCRIBED, BASE]
-        .map(|layout| program_by(&bench.chain, &FUNCTIONS, FrameId::FIRST, layout, Way::PLAIN));
+    let [raw, base] = [Layout::DESCRIBED, BASE].map(|layout| {
+        program_by(
+            &bench.chain,
+            &FUNCTIONS,
+            FrameId::FIRST,
+            layout,
+            Algorithm::PLAIN,
+        )
+    });
     let mut worst: f64 = 0.0;
     for arguments in states(120, 7, |_, _| ()) {
         let found = metrics::results::<T>(&base, &arguments);

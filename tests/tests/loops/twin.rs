@@ -4,7 +4,7 @@
 use std::array::from_fn;
 
 use homogen::loop_closure::{Outcome, project};
-use homogen::{Mechanism, generic, robot};
+use homogen::{ClosedLoopRobot, generic, robot};
 use homogen_tests::states::{Random, State};
 
 use super::four_bar::FourBar;
@@ -66,7 +66,7 @@ arms! {
 /// The worst differences of residuals, their Jacobian and their bias, each relative to the largest entry.
 fn agree<R, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>(
     robot: &R,
-    mechanism: &Mechanism<N, F, C, Q, B>,
+    closed_loops: &ClosedLoopRobot<N, F, C, Q, B>,
 ) -> [f64; 3]
 where
     R: robot::Constraint<N, C, f64, Q>
@@ -76,19 +76,19 @@ where
     let mut random = Random::new(3);
     let mut worst = [0.0_f64; 3];
     for _ in 0..50 {
-        let State { q, qd, .. } = State::<f64, N, Q>::of(&mechanism.chain, &mut random);
+        let State { q, qd, .. } = State::<f64, N, Q>::of(&closed_loops.chain, &mut random);
         let pairs: [[Vec<f64>; 2]; 3] = [
             [
                 robot.constraint(&q).to_vec(),
-                generic::constraint(mechanism, &q).to_vec(),
+                generic::constraint(closed_loops, &q).to_vec(),
             ],
             [
                 robot.constraint_jacobian(&q).concat(),
-                generic::constraint_jacobian(mechanism, &q).concat(),
+                generic::constraint_jacobian(closed_loops, &q).concat(),
             ],
             [
                 robot.constraint_bias(&q, &qd).to_vec(),
-                generic::constraint_bias(mechanism, &q, &qd).to_vec(),
+                generic::constraint_bias(closed_loops, &q, &qd).to_vec(),
             ],
         ];
         for (worst, [found, expected]) in worst.iter_mut().zip(pairs) {
@@ -101,9 +101,9 @@ where
 #[test]
 fn loops_of_every_type_agree_with_the_recursions() {
     let worst = [
-        agree(&Hands, &Hands::mechanism()),
-        agree(&Rotations, &Rotations::mechanism()),
-        agree(&Translations, &Translations::mechanism()),
+        agree(&Hands, &Hands::closed_loops()),
+        agree(&Rotations, &Rotations::closed_loops()),
+        agree(&Translations, &Translations::closed_loops()),
     ];
     println!("{worst:?}");
     let largest = worst
@@ -115,14 +115,14 @@ fn loops_of_every_type_agree_with_the_recursions() {
 
 #[test]
 fn connected_arms_agree_with_the_recursions() {
-    let mechanism = Hands::mechanism();
+    let closed_loops = Hands::closed_loops();
     let mut random = Random::new(5);
     let (mut motion, mut torques) = (0.0_f64, 0.0_f64);
     for _ in 0..50 {
-        let State { q, qd, qdd } = State::of(&mechanism.chain, &mut random);
+        let State { q, qd, qdd } = State::of(&closed_loops.chain, &mut random);
         let tau = from_fn(|_| 4.0 * random.unit());
         let found = Hands.constrained_forward_dynamics(&q, &qd, &tau);
-        let expected = generic::constrained_forward_dynamics(&mechanism, &q, &qd, &tau);
+        let expected = generic::constrained_forward_dynamics(&closed_loops, &q, &qd, &tau);
         for (found, expected) in [
             (&found.qdd[..], &expected.qdd[..]),
             (&found.multipliers, &expected.multipliers),
@@ -130,9 +130,9 @@ fn connected_arms_agree_with_the_recursions() {
             motion = motion.max(difference(found, expected) / largest(expected));
         }
         let found = Hands.actuated_inverse_dynamics(&q, &qd, &qdd);
-        let expected = generic::actuated_inverse_dynamics(&mechanism, &q, &qd, &qdd);
+        let expected = generic::actuated_inverse_dynamics(&closed_loops, &q, &qd, &qdd);
         torques = torques.max(difference(&found, &expected) / largest(&expected));
-        let joints = mechanism.driven.iter().zip(found);
+        let joints = closed_loops.actuated.iter().zip(found);
         assert!(
             joints
                 .clone()
@@ -149,13 +149,13 @@ fn connected_arms_agree_with_the_recursions() {
 
 #[test]
 fn a_leg_on_a_floating_base_agrees_with_the_recursions() {
-    let mechanism = FreeLeg::mechanism();
+    let closed_loops = FreeLeg::closed_loops();
     let mut random = Random::new(9);
     for _ in 0..20 {
-        let State { q, qd, .. } = State::of(&mechanism.chain, &mut random);
+        let State { q, qd, .. } = State::of(&closed_loops.chain, &mut random);
         let tau = from_fn(|_| 4.0 * random.unit());
         let found = FreeLeg.constrained_forward_dynamics(&q, &qd, &tau);
-        let expected = generic::constrained_forward_dynamics(&mechanism, &q, &qd, &tau);
+        let expected = generic::constrained_forward_dynamics(&closed_loops, &q, &qd, &tau);
         let off = difference(&found.qdd, &expected.qdd) / largest(&expected.qdd);
         assert!(off < 1e-9, "{off}");
     }
@@ -163,11 +163,11 @@ fn a_leg_on_a_floating_base_agrees_with_the_recursions() {
 
 #[test]
 fn projection_by_data_agrees_with_generated_code() {
-    let mechanism = FourBar::mechanism();
+    let closed_loops = FourBar::closed_loops();
     let start = [1.0, 0.2, 1.7];
     let [generated, data] = [
         project(&FourBar, &start, 1e-14),
-        project(&mechanism, &start, 1e-14),
+        project(&closed_loops, &start, 1e-14),
     ];
     assert_eq!(generated.outcome, Outcome::Closed);
     assert_eq!(data.outcome, Outcome::Closed);
@@ -175,7 +175,7 @@ fn projection_by_data_agrees_with_generated_code() {
         difference(&generated.q, &data.q) < 1e-12,
         "{generated:?} {data:?}"
     );
-    let names = mechanism.residuals.map(|residual| residual.name);
+    let names = closed_loops.residuals.map(|residual| residual.name);
     assert_eq!(names, ["pin.x", "pin.y"]);
     let moved: [f64; 3] = from_fn(|k| data.q[k] - start[k]);
     assert!(largest(&moved) > 1e-3, "the start was closed");

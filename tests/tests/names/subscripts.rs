@@ -13,7 +13,7 @@ use homogen_codegen::description::read_text;
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Block, Label};
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::{Carried, Way};
+use homogen_codegen::model::{Algorithm, Carried};
 use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Operand, Program, run};
@@ -47,7 +47,7 @@ fn states_of(function: Function, chain: &Chain, state: &Arguments) -> Vec<Argume
                 &solved,
                 FrameId::FIRST,
                 Layout::DESCRIBED,
-                Way::PLAIN,
+                Algorithm::PLAIN,
             );
             let found = run(&program, |input| arguments::at(&state, input));
             let states = [rest, found].map(|qdd| {
@@ -135,18 +135,19 @@ fn names_are_those_of_appendix_b() {
     for (label, chain) in robots() {
         let state = arguments::random(chain.joints.len(), &mut random);
         for function in Function::ALL {
-            let outwards = Way {
+            let outwards = Algorithm {
                 pose: Carried::Outwards,
-                ..Way::PLAIN
+                ..Algorithm::PLAIN
             };
-            for (frames, way) in [
-                ("link", Way::PLAIN),
+            for (frames, algorithm) in [
+                ("link", Algorithm::PLAIN),
                 ("outwards", outwards),
-                ("0", Way::IN_FRAME_0),
+                ("0", Algorithm::IN_FRAME_0),
             ] {
                 for layout in [Layout::DESCRIBED, normals, regrouped] {
                     let what = format!("{label}, {}, frames {frames}, {layout:?}", function.name());
-                    let program = program_by(&chain, &[function], FrameId::FIRST, layout, way);
+                    let program =
+                        program_by(&chain, &[function], FrameId::FIRST, layout, algorithm);
                     let states = states_of(function, &chain, &state).into_iter();
                     let matrices: Vec<_> = states
                         .map(|state| Matrices::at(&chain, layout, &state))

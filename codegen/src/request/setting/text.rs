@@ -23,11 +23,11 @@ impl Setting {
     pub fn take(&self, text: &str, request: &mut Request) -> Result<(), String> {
         match self.form {
             SettingForm::Switch(of) => *of(request) = true,
-            SettingForm::Drive(_, Some(alone)) if text.is_empty() => *alone(request) = true,
-            SettingForm::Drive(part, alone) => {
+            SettingForm::Actuator(_, Some(alone)) if text.is_empty() => *alone(request) = true,
+            SettingForm::Actuator(part, alone) => {
                 let (joint, numbers) = text.rsplit_once('=').ok_or("write JOINT=NUMBER")?;
                 let numbers = numbers.split(',').map(number).collect::<Result<_, _>>()?;
-                request.drives.push((joint.into(), part, numbers));
+                request.actuators.push((joint.into(), part, numbers));
                 if let Some(alone) = alone {
                     *alone(request) = true;
                 }
@@ -69,7 +69,7 @@ impl Setting {
         let texts = |names: &[Name]| names.iter().map(|name| Some(name.text.clone())).collect();
         let one = |value: Option<String>| value.into_iter().map(Some).collect();
         match self.form {
-            SettingForm::Switch(of) | SettingForm::Drive(_, Some(of)) => {
+            SettingForm::Switch(of) | SettingForm::Actuator(_, Some(of)) => {
                 of(request).then_some(None).into_iter().collect()
             }
             SettingForm::Name(of) => texts(of(request).as_slice()),
@@ -117,7 +117,9 @@ impl Setting {
                 pairs.collect()
             }
             // Folders are left out, as that of the file is.
-            SettingForm::File | SettingForm::Packages | SettingForm::Drive(_, None) => Vec::new(),
+            SettingForm::File | SettingForm::Packages | SettingForm::Actuator(_, None) => {
+                Vec::new()
+            }
         }
     }
 }

@@ -71,7 +71,7 @@ const MUTATIONS: [Mutation; 46] = [
     },
     Mutation {
         name: "quaternions: the inverse rotation",
-        file: "codegen/src/joint/posture.rs",
+        file: "codegen/src/joint/manifold.rs",
         from: "let (wx, wy, wz) = (twice_x * w, twice_y * w, twice_z * w);",
         to: "let (wx, wy, wz) = (-twice_x * w, -twice_y * w, -twice_z * w);",
         noticed_by: engine(KINDS),
@@ -180,14 +180,14 @@ const MUTATIONS: [Mutation; 46] = [
     },
     Mutation {
         name: "merging: a locked joint without its displacement",
-        file: "codegen/src/chain/merge/seat.rs",
+        file: "codegen/src/chain/merge/links.rs",
         from: "pose: pose * held_at(graph, joint.kind, axes, reader.number(&held)),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },
     Mutation {
         name: "merging: the inertia of a fixed link not moved to its parent's frame",
-        file: "codegen/src/chain/merge/seat.rs",
+        file: "codegen/src/chain/merge/links.rs",
         from: "bodies[body].inertia + inertia.change_frame(attachment.pose)",
         to: "bodies[body].inertia + inertia",
         noticed_by: engine(CHECKED),
@@ -301,7 +301,7 @@ const MUTATIONS: [Mutation; 46] = [
     },
     Mutation {
         name: "columns: a result read from the row of another",
-        file: "codegen/src/schedule/routine/rounds.rs",
+        file: "codegen/src/schedule/routine/loops.rs",
         from: "let row = row.unwrap_or_default();",
         to: "let row = row.map_or(0, |row| row ^ 1);",
         noticed_by: engine("schedule::routine::rounds::tests::loops_compute_the_same_as_all_steps"),

@@ -4,7 +4,7 @@
 //! components the entry is made of. Lengths do not grow with the number of rotations of a frame, as sums of magnitudes
 //! would, so that they stay in proportion to rounding errors.
 
-use super::{MOMENTS, Posture, Rates, Scalar};
+use super::{Configuration, MOMENTS, Rates, Scalar};
 use crate::dense::{BodyId, Columns, Matrix};
 use crate::list::{Id, List};
 use crate::space::{ParameterId, VelocityId};
@@ -49,7 +49,7 @@ impl Lengths {
     }
 }
 
-impl Posture {
+impl Configuration {
     /// The sizes of the entries of the regressor's columns; links without a wanted column have empty ones.
     pub(in crate::dense) fn regressor_sizes(
         &self,
@@ -80,8 +80,12 @@ impl Posture {
                 columns.extend(std::iter::repeat_n(sizes.clone(), count));
             }
         }
-        let drives = self.regressor_of_drives(rates);
-        columns.extend(drives.iter().map(|column| column.map(|entry| entry.size())));
+        let actuators = self.regressor_of_actuators(rates);
+        columns.extend(
+            actuators
+                .iter()
+                .map(|column| column.map(|entry| entry.size())),
+        );
         columns
     }
 

@@ -4,7 +4,7 @@
 //! every joint that moves, with a different number for each velocity.
 
 use homogen_codegen::description::{Description, Number};
-use homogen_codegen::joint::drive::Part;
+use homogen_codegen::joint::actuator::Part;
 use homogen_codegen::request::Request;
 
 /// The request with actuators.
@@ -19,7 +19,7 @@ pub fn with_actuators(description: &Description, mut request: Request) -> Reques
         let mimics_locked = joint
             .mimic
             .as_ref()
-            .is_some_and(|mimic| is_locked(&mimic.leader.text));
+            .is_some_and(|mimic| is_locked(&mimic.mimicked.text));
         joint.kind.moves() && !is_locked(&joint.name.text) && !mimics_locked
     });
     let mut settings = Vec::new();
@@ -32,7 +32,7 @@ pub fn with_actuators(description: &Description, mut request: Request) -> Reques
             (Part::Damping, 0.7),
             (Part::Friction, 0.3),
         ] {
-            let numbers = joint.kind.freedoms().iter().map(|_| {
+            let numbers = joint.kind.degrees_of_freedom().iter().map(|_| {
                 entry += 1.0;
                 // Between half and three halves of the size.
                 let share: f64 = entry * 0.618_033_988_749_895;
@@ -41,7 +41,7 @@ pub fn with_actuators(description: &Description, mut request: Request) -> Reques
             settings.push((joint.name.clone(), part, numbers.collect()));
         }
     }
-    request.drives = settings;
+    request.actuators = settings;
     request
 }
 

@@ -7,12 +7,12 @@ use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand::expand;
 use homogen_codegen::module::{About, GeneratedFunction};
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 use homogen_codegen::space::Spaces;
 use homogen_codegen::{Function, Real};
 
 /// The model of a robot, and the operation count of each of its functions.
-pub struct Prices {
+pub struct OperationCounts {
     /// The facts in the doc comments.
     pub about: About,
     /// The lists of coordinates, velocities, frames and others that arguments and results range over.
@@ -20,16 +20,19 @@ pub struct Prices {
     functions: Vec<GeneratedFunction>,
 }
 
-impl Prices {
+impl OperationCounts {
     /// The operation count of a function.
     ///
     /// # Panics
     /// Never: all functions have been counted.
     #[must_use]
-    pub fn of(&self, function: Function) -> Price {
+    pub fn of(&self, function: Function) -> OperationCount {
         let generated = self.functions.iter();
         let mut generated = generated.filter(|generated| generated.functions == [function]);
-        generated.next().expect("all functions are counted").price
+        generated
+            .next()
+            .expect("all functions are counted")
+            .operation_count
     }
 }
 
@@ -37,7 +40,7 @@ impl Prices {
 ///
 /// # Errors
 /// All errors of the description.
-pub fn count(file: &str, text: &str, tip: &str) -> Result<Prices, Errors> {
+pub fn count(file: &str, text: &str, tip: &str) -> Result<OperationCounts, Errors> {
     let mut errors = Errors::new();
     let Some(description) = read_text(text, file, None, &mut errors) else {
         return Err(errors);
@@ -53,7 +56,7 @@ pub fn count(file: &str, text: &str, tip: &str) -> Result<Prices, Errors> {
         ..Request::default()
     };
     let module = expand(&description, &request)?;
-    Ok(Prices {
+    Ok(OperationCounts {
         about: module.about,
         spaces: module.spaces,
         functions: module.functions,

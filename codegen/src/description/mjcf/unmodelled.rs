@@ -4,14 +4,14 @@
 //! here.
 
 use crate::description::xml::elements::NotModelled;
-use crate::error::{Complaint, Place};
+use crate::error::{Diagnostic, Place};
 
 /// The noted kinds.
 #[derive(Default)]
 pub(super) struct Noted(Vec<Kind>);
 
 struct Kind {
-    lost: &'static NotModelled,
+    unmodelled: &'static NotModelled,
     place: Place,
     item: String,
     others: usize,
@@ -19,11 +19,15 @@ struct Kind {
 
 impl Noted {
     /// Notes an occurrence.
-    pub(super) fn note(&mut self, lost: &'static NotModelled, place: Place, item: String) {
-        match self.0.iter_mut().find(|kind| kind.lost.what == lost.what) {
+    pub(super) fn note(&mut self, unmodelled: &'static NotModelled, place: Place, item: String) {
+        match self
+            .0
+            .iter_mut()
+            .find(|kind| kind.unmodelled.what == unmodelled.what)
+        {
             Some(known) => known.others += 1,
             None => self.0.push(Kind {
-                lost,
+                unmodelled,
                 place,
                 item,
                 others: 0,
@@ -32,10 +36,10 @@ impl Noted {
     }
 
     /// The warnings.
-    pub(super) fn warnings(self) -> impl Iterator<Item = Complaint> {
+    pub(super) fn warnings(self) -> impl Iterator<Item = Diagnostic> {
         self.0.into_iter().map(|kind| {
             let Kind {
-                lost,
+                unmodelled,
                 place,
                 item,
                 others,
@@ -45,10 +49,10 @@ impl Noted {
                 1 => " and 1 other".to_owned(),
                 count => format!(" and {count} others"),
             };
-            Complaint {
+            Diagnostic {
                 place,
-                message: format!("not modelled: {item}{more}: {}", lost.what),
-                hint: Some(lost.hint.to_owned()),
+                message: format!("not modelled: {item}{more}: {}", unmodelled.what),
+                hint: Some(unmodelled.hint.to_owned()),
             }
         })
     }

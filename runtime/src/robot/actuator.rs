@@ -1,6 +1,6 @@
 //! Armature and friction of a joint as data.
 //!
-//! In: numbers. Out: a [`Drive`], as a constant. [`crate::generic`] computes its torque.
+//! In: numbers. Out: a [`JointActuator`], as a constant. [`crate::generic`] computes its torque.
 
 /// The largest number of velocities of a joint.
 pub(crate) const VELOCITIES: usize = 6;
@@ -9,7 +9,7 @@ pub(crate) const VELOCITIES: usize = 6;
 ///
 /// They add armature · q̈ + damping · q̇ + friction · sign q̇ to the torque; the sign is 0 at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive {
+pub struct JointActuator {
     /// Inertia of the motor's rotor, reflected to the joint: times the square of the gear ratio [kg m²; kg for a
     /// prismatic joint].
     pub armature: f64,
@@ -19,7 +19,7 @@ pub struct Drive {
     pub friction: f64,
 }
 
-impl Drive {
+impl JointActuator {
     /// No armature and no friction.
     pub const NONE: Self = Self::new(0.0, 0.0, 0.0);
 

@@ -5,7 +5,7 @@ use crate::real::Real;
 
 /// One algorithm among several that compute the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Way {
+pub struct Algorithm {
     /// The frame of the recursions; that of articulated bodies runs in the frames of the links.
     pub frame: Frame,
     /// Sums of the angles of parallel axes, or products of their rotations.
@@ -42,7 +42,7 @@ pub enum Carried {
     Outwards,
 }
 
-impl Way {
+impl Algorithm {
     /// All columns passed inwards, accelerations by the mass matrix.
     pub const PLAIN: Self = Self {
         frame: Frame::Link,

@@ -14,7 +14,7 @@ use crate::error::{Errors, Place};
 use crate::expand::{expand, settled, understand};
 use crate::function::Function;
 use crate::module::About;
-use crate::print::rust::{self, Declaration, World};
+use crate::print::rust::{self, Declaration, Library};
 use crate::space::Spaces;
 use crate::{chain, request};
 
@@ -71,8 +71,8 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
                 let watched = file.iter().chain(beside).map(|path| watch(path));
                 let watch: TokenStream = watched.collect();
                 let warnings = warnings(&module.about, item);
-                let world = World::runtime(item.request.runtime.as_ref());
-                let robot = rust::print(&module, &target, &world);
+                let library = Library::runtime(item.request.runtime.as_ref());
+                let robot = rust::print(&module, &target, &library);
                 return quote! { #robot #watch #warnings };
             }
             Err(mistakes) => errors.append(mistakes),

@@ -12,7 +12,7 @@ use crate::space::Kind;
 
 /// Coordinates of a joint whose velocities are in the frame of the moved body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Posture {
+pub enum Manifold {
     /// x, y and the angle about z.
     Planar,
     /// A unit quaternion, scalar last.
@@ -21,23 +21,23 @@ pub enum Posture {
     Floating,
 }
 
-impl Posture {
+impl Manifold {
     /// Names and kinds of the coordinates.
     #[must_use]
     pub const fn coordinates(self) -> &'static [(&'static str, Kind)] {
         const FLOATING: [(&str, Kind); 7] = [
-            ("x", Kind::Slide),
-            ("y", Kind::Slide),
-            ("z", Kind::Slide),
+            ("x", Kind::Translation),
+            ("y", Kind::Translation),
+            ("z", Kind::Translation),
             ("qx", Kind::Quaternion),
             ("qy", Kind::Quaternion),
             ("qz", Kind::Quaternion),
             ("qw", Kind::Quaternion),
         ];
         const PLANAR: [(&str, Kind); 3] = [
-            ("x", Kind::Slide),
-            ("y", Kind::Slide),
-            ("angle", Kind::Turn),
+            ("x", Kind::Translation),
+            ("y", Kind::Translation),
+            ("angle", Kind::Rotation),
         ];
         match self {
             Self::Planar => &PLANAR,
@@ -59,7 +59,7 @@ impl Posture {
     #[must_use]
     pub fn reach(self, range: impl Fn(usize) -> [f64; 2]) -> f64 {
         let kinds = self.coordinates().iter().enumerate();
-        let translations = kinds.filter(|(_, (_, kind))| matches!(kind, Kind::Slide));
+        let translations = kinds.filter(|(_, (_, kind))| matches!(kind, Kind::Translation));
         let farthest = translations.map(|(entry, _)| {
             let [least, most] = range(entry);
             least.abs().max(most.abs())
@@ -84,7 +84,7 @@ impl Posture {
     }
 }
 
-impl Posture {
+impl Manifold {
     /// The rates of the coordinates if velocity `k` is 1 and the others are 0: a column of N in q̇ = N v. Velocities
     /// are those of the moved body in its own frame, linear before angular.
     #[must_use]

@@ -19,7 +19,7 @@ pub struct Place {
 
 /// Entry c x + s y or c y − s x of a rotated vector (x, y).
 #[derive(Clone, Copy, Debug)]
-pub struct Turn {
+pub struct PlaneRotation {
     /// Index of the rotation.
     pub angle: u32,
     /// Factor of the cosine, and true if the product is subtracted.
@@ -28,7 +28,7 @@ pub struct Turn {
     pub by_sine: (Operand, bool),
 }
 
-impl Turn {
+impl PlaneRotation {
     /// The sum of two products as an entry of a rotated vector.
     pub fn of(
         place: impl Fn(Operand) -> Option<Place>,
@@ -37,10 +37,10 @@ impl Turn {
         second: [Operand; 2],
         second_minus: bool,
     ) -> Option<Self> {
-        let ways = |pair: [Operand; 2]| [(pair[0], pair[1]), (pair[1], pair[0])];
-        ways(first).into_iter().find_map(|(of_first, x)| {
+        let algorithms = |pair: [Operand; 2]| [(pair[0], pair[1]), (pair[1], pair[0])];
+        algorithms(first).into_iter().find_map(|(of_first, x)| {
             let one = place(of_first)?;
-            ways(second).into_iter().find_map(|(of_second, y)| {
+            algorithms(second).into_iter().find_map(|(of_second, y)| {
                 let other = place(of_second)?;
                 let (x, y) = ((x, first_minus), (y, second_minus));
                 let (by_cosine, by_sine) = if one.sine { (y, x) } else { (x, y) };
@@ -73,7 +73,7 @@ impl Turn {
 
 /// Rotations of a program up to the current step.
 #[derive(Default)]
-pub struct Turns {
+pub struct PlaneRotations {
     /// Sine and cosine of each angle of the program.
     given: Vec<([Value; 2], Option<Reason>)>,
     found: Vec<Shifted>,
@@ -88,7 +88,7 @@ struct Shifted {
     steps: [Option<u32>; 2],
 }
 
-impl Turns {
+impl PlaneRotations {
     /// Adds an angle of the program.
     pub fn push(&mut self, angle: Value, reason: Option<Reason>, scalar: Real) {
         let both = match reason {
@@ -127,10 +127,10 @@ impl Turns {
 
     /// The sine or cosine that a step with two constant factors is: of the sum of the angle and a constant, if the
     /// factors are a cosine and a sine.
-    pub fn place(&mut self, step: u32, turn: &Turn) -> Option<Place> {
+    pub fn place(&mut self, step: u32, rotation: &PlaneRotation) -> Option<Place> {
         /// Larger than the deviation of a sum of squares from 1 by rounded literals.
         const NEARLY: f64 = 1e-9;
-        let [c, s] = turn.numbers()?;
+        let [c, s] = rotation.numbers()?;
         if (c * c + s * s - 1.0).abs() > NEARLY {
             return None;
         }
@@ -140,7 +140,7 @@ impl Turns {
         let lacking = self.found.iter().position(|other| {
             let [p, r] = other.cosine;
             let across = [-r, p] == [c, s] || [r, -p] == [c, s];
-            other.angle == turn.angle && other.steps[0].is_none() && across
+            other.angle == rotation.angle && other.steps[0].is_none() && across
         });
         if let Some(at) = lacking {
             self.found[at].steps[0] = Some(step);
@@ -148,7 +148,7 @@ impl Turns {
             return Some(Place { angle, sine: true });
         }
         self.found.push(Shifted {
-            angle: turn.angle,
+            angle: rotation.angle,
             cosine: [c, s],
             steps: [None, Some(step)],
         });

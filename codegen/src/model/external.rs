@@ -5,9 +5,9 @@
 
 use std::iter::successors;
 
+use super::algorithm::Algorithm;
 use super::carry::{joints, left, placed};
 use super::state::State;
-use super::way::Way;
 use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::formulation::Frame;
@@ -16,22 +16,22 @@ use crate::list::List;
 use crate::matrix::{Action, Pose, Rotation};
 
 /// The external wrenches, each with its body, in the frame of the matrices of the body's joint.
-pub fn outside<'g>(
+pub fn external<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
-    way: Way,
+    algorithm: Algorithm,
 ) -> Vec<(BodyId, Action<Term<'g>>)> {
     if bodies.external.is_empty() {
         return Vec::new();
     }
-    let left = left(bodies, state, way);
-    let joints = joints(bodies, state, way);
+    let left = left(bodies, state, algorithm);
+    let joints = joints(bodies, state, algorithm);
     let external = bodies.external.iter().enumerate();
     external
         .filter_map(|(k, &(body, placement))| {
             let body = body?;
             let action = state.action(k);
-            let action = match (bodies.external_in_frame_0, way.frame) {
+            let action = match (bodies.external_in_frame_0, algorithm.frame) {
                 (true, Frame::Base) => action,
                 (true, Frame::Link) => {
                     let inwards = |&body: &BodyId| joints[body].parent;
@@ -51,7 +51,7 @@ pub fn outside<'g>(
                         None => placement,
                     };
                     let seen = action.change_frame(rotated);
-                    match way.frame {
+                    match algorithm.frame {
                         Frame::Link => seen,
                         Frame::Base => {
                             let poses: List<BodyId, _> = placed(&joints).into();

@@ -110,7 +110,7 @@ pub fn way<T: Scalar>(omega: [T; 3], v: [T; 3]) -> [T; 3] {
     let angle = angle(omega);
     let ([sine, half_sine], _) = T::sin_cos_all([angle, half * angle]);
     let ratio = half_sine / angle;
-    let bulge = angle.less_sine(sine) / (angle * angle * angle);
+    let bulge = angle.minus_sine(sine) / (angle * angle * angle);
     let across = cross(omega, v);
     let turned = add(
         scale(two * ratio * ratio, across),

@@ -5,7 +5,7 @@
 
 use homogen_codegen::description::Joint;
 use homogen_codegen::expression::Arithmetic;
-use homogen_codegen::joint::drive::Part;
+use homogen_codegen::joint::actuator::Part;
 use homogen_codegen::request::Request;
 
 use super::motion::Motion;
@@ -54,7 +54,7 @@ impl Actuator {
             let ratio = number(Part::Ratio).unwrap_or_else(Big::one);
             // A gear multiplies the rotor's speed and its torque, so its inertia by the square of the ratio.
             let mut rotor = or_zero(number(Part::Rotor)) * &ratio * &ratio;
-            for motor in request.further_motors(&joint.name.text, &joint.drive) {
+            for motor in request.further_motors(&joint.name.text, &joint.actuator) {
                 let ratio = motor
                     .ratio
                     .map_or_else(Big::one, |ratio| Big::new(ratio.value));
@@ -125,7 +125,7 @@ impl Actuator {
 
 /// The number of a part that is modelled, for one of the joint's velocities.
 fn setting(request: &Request, joint: &Joint, part: Part, velocity: usize) -> Option<Big> {
-    let mut settings = request.drives.iter();
+    let mut settings = request.actuators.iter();
     let setting = settings.find(|(name, of, _)| *of == part && name.text == joint.name.text);
     let modelled = if part.resists() {
         request.models_friction()
@@ -134,7 +134,7 @@ fn setting(request: &Request, joint: &Joint, part: Part, velocity: usize) -> Opt
     };
     let numbers = match setting {
         Some((_, _, numbers)) => numbers.as_slice(),
-        None if modelled => joint.drive.of(part),
+        None if modelled => joint.actuator.of(part),
         None => &[],
     };
     let number = numbers.get(velocity).or(numbers.first())?;

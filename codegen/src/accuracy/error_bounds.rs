@@ -20,13 +20,13 @@ use crate::space::{FieldId, Space, Variable};
 #[derive(Clone, Debug, PartialEq)]
 pub enum Accuracy {
     /// Forward error: in every state of a range, no result is farther from the exact one.
-    Within(Promise),
+    Within(ErrorBounds),
     /// Backward error: in every state of a range, the result is the exact solution for data that differ by no more
     /// from the given ones.
-    Backward(Perturbed, Promise),
+    Backward(Perturbed, ErrorBounds),
     /// In every state of a range, no entry (i, j) of the inverse of the mass matrix is farther from the exact one
     /// than so many times √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ); a bound for each row.
-    BesideDiagonal(Promise),
+    BesideDiagonal(ErrorBounds),
     /// No bound, for a reason.
     Unknown(&'static str),
 }
@@ -46,7 +46,7 @@ pub enum Perturbed {
 
 /// Error bounds with the range in which they hold.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Promise {
+pub struct ErrorBounds {
     /// The worst for each joint and unit, in the order of the results.
     pub bounds: Vec<Bound>,
     /// The range in words.
@@ -71,14 +71,14 @@ pub struct Bound {
 
 /// The arithmetic of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Means {
+pub struct RoundingModel {
     /// The type of numbers; for a generic scalar, `f32` and `f64`.
     pub scalar: Real,
     /// Its sine and cosine.
     pub trigonometry: Trigonometry,
 }
 
-impl Means {
+impl RoundingModel {
     /// The arithmetic of the programs of a request.
     #[must_use]
     pub const fn of(request: &Request) -> Self {
@@ -111,13 +111,13 @@ pub(super) fn owners(chain: &Chain, function: Function) -> Vec<Owner> {
 ///
 /// Every error is a sum of products of sizes with powers of the roundoff, and of the smallest normal
 /// number: a bound in `f32` times the ratio of both roundoffs is one in `f64`.
-pub(super) fn promise(
+pub(super) fn error_bounds(
     chain: &Chain,
-    means: Means,
+    rounding: RoundingModel,
     owners: &[Owner],
     worst: impl Fn(Real) -> Worst,
-) -> Result<Promise, &'static str> {
-    let (double, single) = match means.scalar {
+) -> Result<ErrorBounds, &'static str> {
+    let (double, single) = match rounding.scalar {
         Real::F64 => (Some(worst(Real::F64)), None),
         Real::F32 => (None, Some(worst(Real::F32))),
         Real::Generic => {
@@ -165,7 +165,7 @@ pub(super) fn promise(
             single,
         }
     });
-    Ok(Promise {
+    Ok(ErrorBounds {
         bounds: bounds.collect(),
         range: String::new(),
         lacks,
@@ -176,30 +176,30 @@ impl Accuracy {
     /// Removes the bound in `f32`, for a reason.
     #[must_use]
     pub fn without_single(self, reason: &'static str) -> Self {
-        let without = |mut promise: Promise| {
-            for bound in &mut promise.bounds {
+        let without = |mut error_bounds: ErrorBounds| {
+            for bound in &mut error_bounds.bounds {
                 bound.single = bound.single.map(|_| f64::INFINITY);
             }
-            promise.lacks = promise.lacks.or(Some(reason));
-            promise
+            error_bounds.lacks = error_bounds.lacks.or(Some(reason));
+            error_bounds
         };
         match self {
-            Self::Within(promise) => Self::Within(without(promise)),
-            Self::Backward(of, promise) => Self::Backward(of, without(promise)),
-            Self::BesideDiagonal(promise) => Self::BesideDiagonal(without(promise)),
+            Self::Within(error_bounds) => Self::Within(without(error_bounds)),
+            Self::Backward(of, error_bounds) => Self::Backward(of, without(error_bounds)),
+            Self::BesideDiagonal(error_bounds) => Self::BesideDiagonal(without(error_bounds)),
             Self::Unknown(reason) => Self::Unknown(reason),
         }
     }
 }
 
-impl Promise {
+impl ErrorBounds {
     /// Adds the range of some arguments, and of the fields and sines that the programs read.
     pub(super) fn within(
         self,
         chain: &Chain,
         arguments: &[Variable],
         programs: &[&Program],
-        means: Means,
+        rounding: RoundingModel,
     ) -> Self {
         let reads = |field: FieldId| {
             let mut operands = programs.iter().flat_map(|program| program.operands());
@@ -210,7 +210,7 @@ impl Promise {
         };
         let mut range = range::words(chain, arguments, reads);
         let turns = programs.iter().any(|program| !program.angles.is_empty());
-        if turns && means.trigonometry == Trigonometry::Other {
+        if turns && rounding.trigonometry == Trigonometry::Other {
             let between = if range.is_empty() { "" } else { ", " };
             range.push_str(between);
             range.push_str("sines within 1 unit in the last place");
@@ -224,7 +224,7 @@ pub(super) fn backward(
     chain: &Chain,
     perturbed: Perturbed,
     programs: &[&Program],
-    means: Means,
+    rounding: RoundingModel,
     worst: impl Fn(Real) -> Worst,
 ) -> Accuracy {
     let of = match perturbed {
@@ -236,10 +236,10 @@ pub(super) fn backward(
         Perturbed::UnitForces => vec![Variable::Q],
         _ => of.arguments_with(chain.spaces().actions() > 0),
     };
-    match promise(chain, means, &owners(chain, of), worst) {
-        Ok(promise) => Accuracy::Backward(
+    match error_bounds(chain, rounding, &owners(chain, of), worst) {
+        Ok(error_bounds) => Accuracy::Backward(
             perturbed,
-            promise.within(chain, &arguments, programs, means),
+            error_bounds.within(chain, &arguments, programs, rounding),
         ),
         Err(reason) => Accuracy::Unknown(reason),
     }
@@ -249,16 +249,16 @@ pub(super) fn backward(
 pub(super) fn beside_diagonal(
     chain: &Chain,
     programs: &[&Program],
-    means: Means,
+    rounding: RoundingModel,
     worst: impl Fn(Real) -> Worst,
 ) -> Accuracy {
     let rows = chain.spaces().velocities.len();
     let owners: Vec<Owner> = (0..rows)
         .map(|row| (Some((Space::Velocities, row)), "1"))
         .collect();
-    match promise(chain, means, &owners, worst) {
-        Ok(promise) => {
-            Accuracy::BesideDiagonal(promise.within(chain, &[Variable::Q], programs, means))
+    match error_bounds(chain, rounding, &owners, worst) {
+        Ok(error_bounds) => {
+            Accuracy::BesideDiagonal(error_bounds.within(chain, &[Variable::Q], programs, rounding))
         }
         Err(reason) => Accuracy::Unknown(reason),
     }
@@ -268,13 +268,13 @@ pub(super) fn beside_diagonal(
 pub(super) fn computed(
     program: &Program,
     range: &Range,
-    means: Means,
+    rounding: RoundingModel,
     scalar: Real,
 ) -> Vec<bound::Found> {
     let input = |input: Input| value(range, input, scalar);
     let conditions = Conditions {
         scalar,
-        angles: means.trigonometry.reach(scalar),
+        angles: rounding.trigonometry.reach(scalar),
         range: &input,
         quaternions: &range.quaternions,
     };

@@ -10,11 +10,11 @@ use crate::real::Real;
 
 /// Library that generated code may use.
 #[derive(Clone, Debug)]
-pub enum World {
+pub enum Library {
     /// The runtime crate at this path: results are matrix types, and there are traits.
     Runtime(TokenStream),
     /// `core` and these functions: results are arrays.
-    Core(Library),
+    Core(CoreFunctions),
     /// A crate at this path with a trait `number::Number`, for scalars and vectors, and functions of single joints in
     /// `posture`: arguments and results are flat arrays.
     Lanes(TokenStream),
@@ -22,14 +22,14 @@ pub enum World {
 
 /// Functions around code without the runtime.
 #[derive(Clone, Debug, Default)]
-pub struct Library {
+pub struct CoreFunctions {
     /// Function from an angle to its sine and cosine as a pair; without it, the struct gets a private one.
     pub sin_cos: Option<TokenStream>,
     /// Prefix of functions for C; `None` for no such functions.
     pub c_prefix: Option<String>,
 }
 
-impl World {
+impl Library {
     /// The runtime at a path, or at the default one.
     #[must_use]
     pub fn runtime(path: Option<&TokenStream>) -> Self {
@@ -37,14 +37,14 @@ impl World {
     }
 }
 
-impl Default for World {
+impl Default for Library {
     /// The runtime at `::homogen`.
     fn default() -> Self {
         Self::Runtime(quote! { ::homogen })
     }
 }
 
-impl Library {
+impl CoreFunctions {
     /// Angles for which its sines and cosines are accurate.
     pub(super) fn angles(&self, real: Real) -> Angles {
         match &self.sin_cos {

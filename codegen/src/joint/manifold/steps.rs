@@ -3,7 +3,7 @@
 //! The formulas and the order of operations are those of `homogen::robot::posture`, which explains them: generated
 //! files round as the runtime does. There are no branches, and accuracy is kept near 0 and near half a revolution.
 
-use super::{Posture, rotation_matrix};
+use super::{Manifold, rotation_matrix};
 use crate::expression::Term;
 use crate::matrix::{Rotation, Vector};
 use crate::real::Real;
@@ -21,7 +21,7 @@ const ARC_TANGENT: u8 = 12;
 /// A quaternion: x, y, z, and w.
 type Quaternion<'g> = (Vector<Term<'g>>, Term<'g>);
 
-impl Posture {
+impl Manifold {
     /// The coordinates after one unit of time with constant velocities `v` from `q`.
     pub fn integrate<'g>(
         self,
@@ -119,7 +119,7 @@ fn displacement<'g>(omega: Vector<Term<'g>>, v: Vector<Term<'g>>, real: Real) ->
     let number = |value: f64| omega.z().graph().constant(value);
     let angle = angle(omega);
     let ratio = (number(0.5) * angle).sin_cos().0 / angle;
-    let bulge = less_sine(angle, real) / (angle * angle * angle);
+    let bulge = minus_sine(angle, real) / (angle * angle * angle);
     let across = omega.cross(v);
     v + (across * (number(2.0) * ratio * ratio) + omega.cross(across) * bulge)
 }
@@ -157,7 +157,7 @@ fn half_angle<'g>(v: Vector<Term<'g>>, w: Term<'g>) -> Term<'g> {
 }
 
 /// φ − sin φ for φ ≥ 0: by its series up to 2 rad, where the difference would cancel.
-fn less_sine(angle: Term<'_>, real: Real) -> Term<'_> {
+fn minus_sine(angle: Term<'_>, real: Real) -> Term<'_> {
     let number = |value: f64| angle.graph().constant(value);
     // Enough terms for the type up to 2 rad.
     let terms: u8 = match real {

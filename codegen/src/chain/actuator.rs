@@ -8,8 +8,8 @@ use super::names::Names;
 use super::numbers::LARGEST;
 use super::tree::Tree;
 use crate::description::{Description, Joint, JointId, Modelled, Name, Number};
-use crate::error::{Complaint, Errors};
-use crate::joint::drive::Part;
+use crate::error::{Diagnostic, Errors};
+use crate::joint::actuator::Part;
 use crate::request::Request;
 use crate::wording::quoted;
 
@@ -21,16 +21,16 @@ pub fn check(
     joints: &Names<'_, JointId>,
     errors: &mut Errors,
 ) {
-    for (k, (name, part, _)) in request.drives.iter().enumerate() {
+    for (k, (name, part, _)) in request.actuators.iter().enumerate() {
         check_joint(name, *part, description, tree, joints, errors);
-        let mut before = request.drives[..k].iter();
+        let mut before = request.actuators[..k].iter();
         if before.any(|(other, of, _)| of == part && other.text == name.text) {
             let message = format!("the {} occurs twice", called(*part, name));
             errors.push(name.place, message);
         }
     }
     for parameter in &request.parameters {
-        if let Some((name, part)) = parameter.target.drives() {
+        if let Some((name, part)) = parameter.target.actuators() {
             check_joint(name, part, description, tree, joints, errors);
         }
     }
@@ -67,11 +67,11 @@ fn check_joint(
 
 /// Checks that there is one number for all velocities, or one for each, and that none is negative.
 fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
-    let count = joint.kind.freedoms().len();
+    let count = joint.kind.degrees_of_freedom().len();
     let name = &joint.name.text;
     for part in Part::ALL {
-        let numbers = request.drive(name, &joint.drive, part);
-        let further = request.further_motors(name, &joint.drive).iter();
+        let numbers = request.actuator(name, &joint.actuator, part);
+        let further = request.further_motors(name, &joint.actuator).iter();
         let further = further.filter_map(|motor| match part {
             Part::Rotor => motor.rotor.as_ref(),
             Part::Ratio => motor.ratio.as_ref(),
@@ -98,9 +98,13 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
         }
     }
     check_motors(joint, request, errors);
-    let first = |part| request.drive(&joint.name.text, &joint.drive, part).first();
+    let first = |part| {
+        request
+            .actuator(&joint.name.text, &joint.actuator, part)
+            .first()
+    };
     // Many files have a gear ratio without a rotor, which has no effect.
-    let mut asked = request.drives.iter();
+    let mut asked = request.actuators.iter();
     let asked = asked.find(|(name, part, _)| *part == Part::Ratio && name.text == joint.name.text);
     if let (Some((name, ..)), None) = (asked, first(Part::Rotor)) {
         errors.push_with_hint(
@@ -114,16 +118,16 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
 /// Checks that the request replaces all motors of a joint with several: rotor and ratio together.
 fn check_motors(joint: &Joint, request: &Request, errors: &mut Errors) {
     let asked = |of: Part| {
-        let mut drives = request.drives.iter();
-        drives.find(|(name, part, _)| *part == of && name.text == joint.name.text)
+        let mut actuators = request.actuators.iter();
+        actuators.find(|(name, part, _)| *part == of && name.text == joint.name.text)
     };
-    let several = !joint.drive.further().is_empty();
+    let several = !joint.actuator.further().is_empty();
     let alone = match (asked(Part::Rotor), asked(Part::Ratio)) {
         (Some((name, part, _)), None) | (None, Some((name, part, _))) if several => (name, *part),
         _ => return,
     };
     let (name, part) = alone;
-    let count = 1 + joint.drive.further().len();
+    let count = 1 + joint.actuator.further().len();
     errors.push_with_hint(
         name.place,
         format!(
@@ -139,13 +143,17 @@ fn called(part: Part, joint: &Name) -> String {
 }
 
 /// Warnings about data that are described and not modelled, or requested and not described.
-pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Vec<Complaint> {
+pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Vec<Diagnostic> {
     let joint = |name: &str| {
         let mut joints = description.joints.iter();
         joints.find(|joint| joint.name.text == name)
     };
     let has_rotor = |name: &str| {
-        joint(name).is_some_and(|joint| !request.drive(name, &joint.drive, Part::Rotor).is_empty())
+        joint(name).is_some_and(|joint| {
+            !request
+                .actuator(name, &joint.actuator, Part::Rotor)
+                .is_empty()
+        })
     };
     let modelled = Modelled {
         friction: request.models_friction(),
@@ -160,12 +168,12 @@ pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Ve
             let mut parts = Part::ALL.into_iter().filter(|part| is(*part));
             parts.any(|part| {
                 !request
-                    .drive(&joint.name.text, &joint.drive, part)
+                    .actuator(&joint.name.text, &joint.actuator, part)
                     .is_empty()
             })
         };
         let mut fields = request.parameters.iter();
-        let field = fields.any(|field| field.target.drives().is_some_and(|(_, part)| is(part)));
+        let field = fields.any(|field| field.target.actuators().is_some_and(|(_, part)| is(part)));
         !field && !moving.iter().any(has_any)
     };
     let asked = [
@@ -173,7 +181,7 @@ pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Ve
         (request.rotors && none(|part| !part.resists()), "armature"),
     ];
     for (_, what) in asked.into_iter().filter(|(missing, _)| *missing) {
-        warnings.push(Complaint {
+        warnings.push(Diagnostic {
             place: description.name.place,
             message: format!("{what} is requested, but no moving joint has it in the description"),
             hint: Some("set its value for each joint".to_owned()),

@@ -1,6 +1,6 @@
 //! Armature, rotors, damping and friction of joints.
 //!
-//! [`Parts`] holds the described numbers of a joint, [`Drive`] the resulting terms of one velocity. Motors are not
+//! [`Parts`] holds the described numbers of a joint, [`ActuatorTerms`] the resulting terms of one velocity. Motors are not
 //! modelled beyond their inertia: torques and rates are those of the joint.
 
 use crate::expression::Term;
@@ -117,7 +117,7 @@ impl Parts {
 
 /// Armature and friction of one velocity.
 #[derive(Clone, Copy, Debug)]
-pub struct Drive<T> {
+pub struct ActuatorTerms<T> {
     /// Reflected inertia: the torque `armature` q̈.
     pub armature: T,
     /// Viscous friction: the torque `damping` q̇.
@@ -126,11 +126,11 @@ pub struct Drive<T> {
     pub friction: T,
 }
 
-impl<T> Drive<T> {
+impl<T> ActuatorTerms<T> {
     /// Applies a function to each number.
     #[must_use]
-    pub fn map<U>(self, mut of: impl FnMut(T) -> U) -> Drive<U> {
-        Drive {
+    pub fn map<U>(self, mut of: impl FnMut(T) -> U) -> ActuatorTerms<U> {
+        ActuatorTerms {
             armature: of(self.armature),
             damping: of(self.damping),
             friction: of(self.friction),
@@ -144,7 +144,7 @@ impl<T> Drive<T> {
     }
 }
 
-impl<'g> Drive<Term<'g>> {
+impl<'g> ActuatorTerms<Term<'g>> {
     /// The torque or force that friction requires at a rate.
     #[must_use]
     pub fn resistance(self, rate: Term<'g>) -> Term<'g> {

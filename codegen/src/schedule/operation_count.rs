@@ -1,6 +1,6 @@
 //! Operation counts of programs.
 //!
-//! In: a [`Program`]. Out: its [`Price`], which comments and `homogen count` print, and its cycles on a [`Processor`],
+//! In: a [`Program`]. Out: its [`OperationCount`], which comments and `homogen count` print, and its cycles on a [`Processor`],
 //! by which formulations are compared.
 
 use std::collections::BTreeSet;
@@ -14,7 +14,7 @@ use crate::real::Real;
 ///
 /// A fused operation counts as a product and a sum, so that the counts do not depend on the target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Price {
+pub struct OperationCount {
     /// Products.
     pub mul: usize,
     /// Sums and differences.
@@ -45,11 +45,11 @@ pub struct Price {
     pub cycles: Option<(Processor, usize)>,
 }
 
-impl Price {
+impl OperationCount {
     /// Counts of a program, without those of dense matrices.
     #[must_use]
     pub fn of(program: &Program) -> Self {
-        let mut price = Self::default();
+        let mut operation_count = Self::default();
         let mut literals = BTreeSet::new();
         let mut sines = BTreeSet::new();
         let mut cosines = BTreeSet::new();
@@ -70,13 +70,13 @@ impl Price {
             }
         }
         for operation in operations {
-            price.charge(operation);
+            operation_count.charge(operation);
         }
-        price.literals = literals.len();
-        price.sin = sines.len();
-        price.cos = cosines.len();
-        price.depth = depth(program);
-        price
+        operation_count.literals = literals.len();
+        operation_count.sin = sines.len();
+        operation_count.cos = cosines.len();
+        operation_count.depth = depth(program);
+        operation_count
     }
 
     /// The same counts with those of dense 4×4 matrices.
@@ -141,7 +141,7 @@ impl Price {
     }
 }
 
-impl fmt::Display for Price {
+impl fmt::Display for OperationCount {
     /// One line: `308 mul, 291 add, 0 div, 12 sin and cos; depth 44; dense 4×4 products: …`.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "{} mul, {} add, {} div", self.mul, self.add, self.div)?;
@@ -223,7 +223,7 @@ impl Depths {
 
 #[cfg(test)]
 mod tests {
-    use super::Price;
+    use super::OperationCount;
     use crate::expression::Input;
     use crate::processor::Processor;
     use crate::real::Real;
@@ -264,7 +264,7 @@ mod tests {
             ],
             vec![Operand::Step(1)],
         );
-        let (plain, fused) = (Price::of(&plain), Price::of(&fused));
+        let (plain, fused) = (OperationCount::of(&plain), OperationCount::of(&fused));
         assert_eq!(
             plain.to_string(),
             "2 mul, 1 add, 0 div, 2 sin and cos; depth 3"
@@ -276,15 +276,22 @@ mod tests {
     #[test]
     fn only_used_values_count() {
         let sine = program(vec![], vec![Operand::Sin(0), Operand::Literal(0.0)]);
-        let price = Price::of(&sine).beside_dense(64, 48);
-        assert_eq!((price.sin, price.cos, price.literals), (1, 0, 0));
+        let operation_count = OperationCount::of(&sine).beside_dense(64, 48);
         assert_eq!(
-            price.to_string(),
+            (
+                operation_count.sin,
+                operation_count.cos,
+                operation_count.literals
+            ),
+            (1, 0, 0)
+        );
+        assert_eq!(
+            operation_count.to_string(),
             "0 mul, 0 add, 0 div, 1 sin and cos; depth 1; dense 4×4 products: 64 mul, 48 add"
         );
     }
 
-    const PRICE: Price = Price {
+    const PRICE: OperationCount = OperationCount {
         mul: 30,
         add: 20,
         div: 2,

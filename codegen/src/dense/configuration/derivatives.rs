@@ -5,7 +5,7 @@
 //! as sums and products of 4×4 matrices, whose changes are passed from link to link. Neither composite inertias nor
 //! closed formulas of derivatives are used.
 
-use super::{Posture, Rates, Scalar};
+use super::{Configuration, Rates, Scalar};
 use crate::dense::{BodyId, Matrix};
 use crate::expression::Double;
 use crate::list::{List, Square};
@@ -26,7 +26,7 @@ struct Change {
     screws: Vec<Matrix<Scalar>>,
 }
 
-impl Posture {
+impl Configuration {
     /// ∂τ/∂q and ∂τ/∂q̇ of a motion, against gravity.
     pub(in crate::dense) fn torque_derivatives(
         &self,
@@ -35,10 +35,10 @@ impl Posture {
         let [by_coordinate, mut by_rate] = [Of::Coordinates, Of::Rates]
             .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)));
         // Of the actuator's terms only viscous friction depends on q̇; the sign is constant between its steps.
-        for freedom in self.freedoms() {
-            let [_, damping, _] = freedom.drive;
-            let own = &mut by_rate[(freedom.velocity, freedom.velocity)];
-            *own = *own + freedom.factor * freedom.factor * damping;
+        for degree_of_freedom in self.degrees_of_freedom() {
+            let [_, damping, _] = degree_of_freedom.actuator;
+            let own = &mut by_rate[(degree_of_freedom.velocity, degree_of_freedom.velocity)];
+            *own = *own + degree_of_freedom.factor * degree_of_freedom.factor * damping;
         }
         [by_coordinate, by_rate]
     }

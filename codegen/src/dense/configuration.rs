@@ -6,7 +6,7 @@
 mod derivatives;
 mod sizes;
 
-use super::{Approximate, BodyId, Closed, Columns, Freedom, Matrix, Moved, Robot};
+use super::{Approximate, BodyId, Closed, Columns, DegreeOfFreedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 use crate::list::{self, Id, List, Square};
@@ -15,7 +15,7 @@ use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 type Scalar = Approximate;
 
 /// A robot in a configuration: all matrices of its links, in frame 0.
-pub(super) struct Posture {
+pub(super) struct Configuration {
     robot: Robot,
     poses: List<BodyId, Matrix<Scalar>>,
     /// For the joint of each link, each L times its factor, with its velocity.
@@ -30,7 +30,7 @@ pub(super) struct Rates {
     pub(super) second: List<VelocityId, Scalar>,
 }
 
-impl Posture {
+impl Configuration {
     pub(super) fn of(robot: Robot, q: &[Double]) -> Self {
         let q = |k: CoordinateId| Scalar::exact(q[k.index()]);
         let mut poses: List<BodyId, Matrix<Scalar>> = List::new();
@@ -44,18 +44,21 @@ impl Posture {
                     offset,
                 } => Matrix::displacement(screw, &(factor * q(coordinate) + offset)),
                 Moved::Held(screw, at) => Matrix::displacement(screw, &Scalar::written(at)),
-                Moved::Posture(posture, first) => placed(posture, |entry| q(first.plus(entry))),
+                Moved::Manifold(manifold, first) => placed(manifold, |entry| q(first.plus(entry))),
             };
             let mut pose = body.placement.times(&displacement);
             if let Some(parent) = body.parent {
                 pose = poses[parent].times(&pose);
             }
-            let freedoms = body.freedoms.iter().map(|freedom| {
-                let [u, b] = freedom.screw;
+            let degrees_of_freedom = body.degrees_of_freedom.iter().map(|degree_of_freedom| {
+                let [u, b] = degree_of_freedom.screw;
                 let screw = pose.carries(&Matrix::screw(u, b));
-                (freedom.velocity, screw.scaled(&freedom.factor))
+                (
+                    degree_of_freedom.velocity,
+                    screw.scaled(&degree_of_freedom.factor),
+                )
             });
-            screws.push(freedoms.collect());
+            screws.push(degrees_of_freedom.collect());
             inertias.push(pose.times(&body.inertia).times(&pose.transposed()));
             poses.push(pose);
         }
@@ -77,7 +80,7 @@ impl Posture {
         let mut moves: List<BodyId, bool> = List::new();
         for body in &self.robot.bodies {
             let carried = body.parent.is_some_and(|parent| moves[parent]);
-            moves.push(carried || !body.freedoms.is_empty());
+            moves.push(carried || !body.degrees_of_freedom.is_empty());
         }
         moves
     }
@@ -98,8 +101,11 @@ impl Posture {
     }
 
     /// The degrees of freedom of all bodies.
-    pub(super) fn freedoms(&self) -> impl Iterator<Item = &Freedom> {
-        self.robot.bodies.iter().flat_map(|body| &body.freedoms)
+    pub(super) fn degrees_of_freedom(&self) -> impl Iterator<Item = &DegreeOfFreedom> {
+        self.robot
+            .bodies
+            .iter()
+            .flat_map(|body| &body.degrees_of_freedom)
     }
 
     /// Acceleration of gravity in frame 0.
@@ -222,16 +228,16 @@ impl Posture {
         let minus_gravity = self.minus_gravity();
         let motions = self.motions(rates);
         let mut forces = self.forces(|k| Some(motions[k].1.plus(&minus_gravity)));
-        for Freedom {
+        for DegreeOfFreedom {
             velocity,
             factor,
-            drive: [armature, damping, friction],
+            actuator: [armature, damping, friction],
             ..
-        } in self.freedoms()
+        } in self.degrees_of_freedom()
         {
             let [rate, second] = [&rates.first, &rates.second].map(|of| *factor * of[*velocity]);
-            let drive = *armature * second + *damping * rate + *friction * rate.sign();
-            forces[*velocity] = forces[*velocity] + *factor * drive;
+            let actuator = *armature * second + *damping * rate + *friction * rate.sign();
+            forces[*velocity] = forces[*velocity] + *factor * actuator;
         }
         forces
     }
@@ -267,18 +273,20 @@ impl Posture {
                 columns.push(column);
             }
         }
-        columns.extend(self.regressor_of_drives(rates));
+        columns.extend(self.regressor_of_actuators(rates));
         columns
     }
 
     /// The columns of armature, damping and friction.
-    fn regressor_of_drives(&self, rates: &Rates) -> Vec<List<VelocityId, Scalar>> {
+    fn regressor_of_actuators(&self, rates: &Rates) -> Vec<List<VelocityId, Scalar>> {
         let mut columns = Vec::new();
         let identified = self.robot.identified.iter().flatten();
-        for freedom in identified.flat_map(|&body| &self.robot.bodies[body].freedoms) {
-            let Freedom {
+        for degree_of_freedom in
+            identified.flat_map(|&body| &self.robot.bodies[body].degrees_of_freedom)
+        {
+            let DegreeOfFreedom {
                 velocity, factor, ..
-            } = freedom;
+            } = degree_of_freedom;
             let [rate, second] = [&rates.first, &rates.second].map(|of| *factor * of[*velocity]);
             for term in [second, rate, rate.sign()] {
                 let mut column = self.nothing();
@@ -343,12 +351,13 @@ impl Posture {
                 accelerations.push(outer.into_iter().chain(own).reduce(|a, b| a.plus(&b)));
             }
             let mut forces = self.forces(|link| accelerations[link].clone());
-            for freedom in self
-                .freedoms()
-                .filter(|freedom| freedom.velocity == velocity)
+            for degree_of_freedom in self
+                .degrees_of_freedom()
+                .filter(|degree_of_freedom| degree_of_freedom.velocity == velocity)
             {
-                let [armature, ..] = freedom.drive;
-                forces[velocity] = forces[velocity] + freedom.factor * freedom.factor * armature;
+                let [armature, ..] = degree_of_freedom.actuator;
+                forces[velocity] = forces[velocity]
+                    + degree_of_freedom.factor * degree_of_freedom.factor * armature;
             }
             forces
         };
@@ -379,7 +388,7 @@ fn units() -> impl Iterator<Item = Matrix<Scalar>> {
 }
 
 /// Q of several coordinates: a translation, and a rotation about z or 1 + 2 w v̲ + 2 v̲² of a quaternion v, w.
-fn placed(posture: joint::Posture, q: impl Fn(usize) -> Scalar) -> Matrix<Scalar> {
+fn placed(manifold: joint::Manifold, q: impl Fn(usize) -> Scalar) -> Matrix<Scalar> {
     let zero = Scalar::exact(0.0);
     let rotated = |first: usize| {
         let axis = Matrix::screw([q(first), q(first + 1), q(first + 2)], [zero; 3]);
@@ -388,11 +397,11 @@ fn placed(posture: joint::Posture, q: impl Fn(usize) -> Scalar) -> Matrix<Scalar
             .plus(&twice.scaled(&q(first + 3)))
             .plus(&twice.times(&axis))
     };
-    match posture {
-        joint::Posture::Planar => {
+    match manifold {
+        joint::Manifold::Planar => {
             Matrix::translation([q(0), q(1), zero]).times(&Matrix::rotation(2, q(2).sin_cos()))
         }
-        joint::Posture::Spherical => rotated(0),
-        joint::Posture::Floating => Matrix::translation([q(0), q(1), q(2)]).times(&rotated(3)),
+        joint::Manifold::Spherical => rotated(0),
+        joint::Manifold::Floating => Matrix::translation([q(0), q(1), q(2)]).times(&rotated(3)),
     }
 }

@@ -9,7 +9,7 @@ use crate::chain::BodyId;
 use crate::chain::tree::{Branch, Tree};
 use crate::description::{Description, LinkId};
 use crate::expression::Term;
-use crate::joint::Posture;
+use crate::joint::Manifold;
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
 
@@ -75,20 +75,20 @@ fn moved<'g>(
     let (kind, name) = (joint.kind, &joint.name.text);
     let mut link = Pose::identity(graph);
     let mut moved = Moved::Own;
-    if let Some(follow) = branch.follows {
-        reader.note_mimic(description, branch.joint, follow);
-        let offset = graph.number(follow.offset);
+    if let Some(law) = branch.mimics {
+        reader.note_mimic(description, branch.joint, law);
+        let offset = graph.number(law.offset);
         placement = placement * held_at(graph, kind, axes, offset);
-        moved = Moved::Follows {
-            leader: follow.leader,
-            factor: graph.number(follow.multiplier),
+        moved = Moved::Mimic {
+            mimicked: law.mimicked,
+            factor: graph.number(law.multiplier),
         };
     } else {
         reader.report.joints.push(name.clone());
     }
-    if let Some(posture) = kind.posture() {
-        moved = Moved::Posture(posture);
-        if posture == Posture::Planar {
+    if let Some(manifold) = kind.manifold() {
+        moved = Moved::Manifold(manifold);
+        if manifold == Manifold::Planar {
             let rotation = Rotation::across(axes[0]);
             reader.note_plane(name, &rotation);
             let frame = Pose::rotation(rotation);
@@ -96,22 +96,22 @@ fn moved<'g>(
             link = frame.inverse();
         }
     }
-    for (place, (velocity, freedom)) in kind.velocities(name).enumerate() {
-        let axis = direction(graph, freedom, axes);
+    for (place, (velocity, degree_of_freedom)) in kind.velocities(name).enumerate() {
+        let axis = direction(graph, degree_of_freedom, axes);
         let body = bodies.push(Body {
             joint: branch.joint,
             velocity,
             parent,
-            motion: reader.motion(kind, freedom),
+            motion: reader.motion(kind, degree_of_freedom),
             placement,
             axis,
             link: None,
             inertia: Inertia::zero(graph),
             moved,
-            drive: reader.drive(joint, place),
+            actuator: reader.actuator(joint, place),
         });
         (parent, placement) = (Some(body), Pose::identity(graph));
-        if kind.posture().is_some() {
+        if kind.manifold().is_some() {
             moved = Moved::Taken;
         }
     }

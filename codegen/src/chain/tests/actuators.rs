@@ -5,15 +5,15 @@ use crate::builder::Builder;
 use crate::description::{Number, read_text};
 use crate::expression::Double;
 use crate::function::Function;
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::request::Request;
 
 /// Armature, damping and friction of each velocity.
-fn drives(chain: &Chain) -> Vec<[f64; 3]> {
+fn actuators(chain: &Chain) -> Vec<[f64; 3]> {
     let value = |entry| chain.graph.value(entry).map_or(f64::NAN, Double::to_f64);
     let joints = chain.joints.iter();
     joints
-        .map(|joint| joint.drive.entries().map(value))
+        .map(|joint| joint.actuator.entries().map(value))
         .collect()
 }
 
@@ -25,7 +25,7 @@ fn actuators_in_attributes_are_modelled() {
         "armature(shoulder = 0.5), rotor(shoulder = 0.25, elbow = 2.0), ratio(shoulder = -4), \
          damping(elbow: 3/4), friction(\"elbow\" = [0.125])",
     ));
-    assert_eq!(drives(&chain), [[4.5, 0.0, 0.0], [2.0, 0.75, 0.125]]);
+    assert_eq!(actuators(&chain), [[4.5, 0.0, 0.0], [2.0, 0.75, 0.125]]);
 }
 
 /// A setting of the struct replaces the value in the joint.
@@ -36,7 +36,7 @@ fn actuators_in_an_inline_joint_are_modelled() {
         "joint elbow: cylindrical(y) { armature: [0.5, 2.0], damping: 0.25, friction: [1, 0], ",
     );
     let expected = [NOTHING, [0.5, 7.0, 1.0], [2.0, 7.0, 0.0]];
-    assert_eq!(drives(&fine(&arm)), expected);
+    assert_eq!(actuators(&fine(&arm)), expected);
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn modelled(request: &Request) -> (Vec<[f64; 3]>, Vec<String>) {
     let chain = build(&description, request).expect("a chain");
     let warnings = chain.report.warnings.iter();
     let warnings = warnings.map(|warning| description.source.errors().locate(warning));
-    (drives(&chain), warnings.collect())
+    (actuators(&chain), warnings.collect())
 }
 
 #[test]
@@ -109,21 +109,21 @@ fn actuators_of_a_file_are_modelled_if_requested() {
     let other = "r.urdf:2:127: not modelled: attribute \"D\" of the <dynamics> of joint \"j\": other dynamics";
     let gear = "r.urdf:4:20: not modelled: the reduction of transmission \"t\"";
     let rotor = "r.urdf:5:1: not modelled: the rotor of transmission \"t\"";
-    let told = |warnings: &[&str]| warnings.iter().map(|&warning| warning.to_owned()).collect();
+    let reported = |warnings: &[&str]| warnings.iter().map(|&warning| warning.to_owned()).collect();
     let nothing = Request::default();
-    let expected = (vec![NOTHING], told(&[other, friction, gear, rotor]));
+    let expected = (vec![NOTHING], reported(&[other, friction, gear, rotor]));
     assert_eq!(modelled(&nothing), expected);
     let asked = Request {
         friction: true,
         ..Request::default()
     };
-    let expected = (vec![[0.0, 0.5, 0.25]], told(&[other, gear, rotor]));
+    let expected = (vec![[0.0, 0.5, 0.25]], reported(&[other, gear, rotor]));
     assert_eq!(modelled(&asked), expected);
     let asked = Request {
         rotors: true,
         ..Request::default()
     };
-    let expected = (vec![[4.0, 0.0, 0.0]], told(&[other, friction]));
+    let expected = (vec![[4.0, 0.0, 0.0]], reported(&[other, friction]));
     assert_eq!(modelled(&asked), expected);
 }
 
@@ -138,7 +138,7 @@ fn drakes_gear_ratio_takes_precedence_over_a_reduction() {
         ..Request::default()
     };
     let chain = build(&read_file(&text), &asked).expect("a chain");
-    assert_eq!(drives(&chain), [[1.0, 0.0, 0.0]]);
+    assert_eq!(actuators(&chain), [[1.0, 0.0, 0.0]]);
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
         let (robot, _) = text.split_once("<gazebo>").expect("a robot");
         let description = read_file(&format!("{robot}{motors}</robot>"));
         let chain = build(&description, &asked()).expect("a chain");
-        assert_eq!(drives(&chain), [[9.0, 0.0, 0.0]], "{motors}");
+        assert_eq!(actuators(&chain), [[9.0, 0.0, 0.0]], "{motors}");
         // The check of every expansion computes the sum independently.
         let request = Request {
             functions: vec![vec![Function::InverseDynamics]],
@@ -185,7 +185,7 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
         let alone = (named("j"), Part::Rotor, vec![number(1.0)]);
         let ratio = (named("j"), Part::Ratio, vec![number(3.0)]);
         let mut request = asked();
-        request.drives = vec![alone.clone()];
+        request.actuators = vec![alone.clone()];
         let refused = build(&description, &request)
             .expect_err("a rotor of which motor")
             .to_string();
@@ -193,9 +193,9 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
             refused.contains("the rotor of joint \"j\" is for one motor, but the file has"),
             "{refused}"
         );
-        request.drives = vec![alone, ratio];
+        request.actuators = vec![alone, ratio];
         let chain = build(&description, &request).expect("a chain");
-        assert_eq!(drives(&chain), [[9.0, 0.0, 0.0]]);
+        assert_eq!(actuators(&chain), [[9.0, 0.0, 0.0]]);
     }
 }
 
@@ -210,14 +210,14 @@ fn a_rotor_of_no_joint_is_reported_although_rotors_are_requested() {
         ..Request::default()
     };
     let chain = build(&read_file(&text), &asked).expect("a chain");
-    let told: Vec<&str> = chain
+    let reported: Vec<&str> = chain
         .report
         .warnings
         .iter()
-        .map(|told| told.message.as_str())
+        .map(|reported| reported.message.as_str())
         .collect();
     let lost = "not modelled: the rotor of transmission \"t\", which has no single joint";
-    assert!(told.contains(&lost), "{told:?}");
+    assert!(reported.contains(&lost), "{reported:?}");
 }
 
 #[test]
@@ -271,11 +271,11 @@ fn every_front_end_gives_the_same_and_documents_it() {
     let expected = "armature of 1 joint; viscous friction of 1 joint; Coulomb friction (its sign \
          that of q̇, 0 at rest: a step) of 1 joint; ";
     assert!(facts.starts_with(expected), "{facts}");
-    let price = module.functions[0].price.to_string();
+    let operation_count = module.functions[0].operation_count.to_string();
     // 1 kg m² of the link, 3 of the armature.
     assert!(
-        price.starts_with("3 mul, 2 add, 0 div, 1 sign, "),
-        "{price}"
+        operation_count.starts_with("3 mul, 2 add, 0 div, 1 sign, "),
+        "{operation_count}"
     );
     let parameter = |target: fn(Name) -> Target| {
         builder
@@ -285,7 +285,7 @@ fn every_front_end_gives_the_same_and_documents_it() {
             .module()
             .expect("no mistakes")
             .functions[0]
-            .price
+            .operation_count
             .to_string()
     };
     for target in [Target::ArmatureOf, Target::DampingOf, Target::FrictionOf] {
@@ -301,7 +301,7 @@ fn every_type_of_joint_can_have_an_actuator() {
             "link {name} {{ mass: 1.5, com: [0.1, 0.02, -0.03], inertia: [0.02, 0.001, 0, 0.03, 0, 0.04] }}"
         )
     };
-    let drive = |count: usize| {
+    let actuator = |count: usize| {
         let list = |size: f64| {
             let entries = (1..=count)
                 .map(|k| format!("{:?}", size / f64::from(u8::try_from(k).unwrap_or(1))));
@@ -323,11 +323,11 @@ fn every_type_of_joint_can_have_an_actuator() {
         ("spherical", 3),
         ("floating", 6),
     ] {
-        let (drive, links) = (drive(count), [link("a"), link("b"), link("c")].concat());
+        let (actuator, links) = (actuator(count), [link("a"), link("b"), link("c")].concat());
         let text = format!(
             "struct Robot; link base; {links}
             joint one: revolute(z) {{ from: base, to: a, armature: 0.25, friction: 0.5 }}
-            joint two: {joint} {{ from: a, to: b, {drive} }}
+            joint two: {joint} {{ from: a, to: b, {actuator} }}
             joint three: revolute(x) {{ from: b, to: c, at: xyz(0, 0.2, 0), mimic: one, multiplier: -2.0,
                 armature: 0.125, damping: 0.5, friction: 0.75 }}"
         );
@@ -357,10 +357,7 @@ fn every_type_of_joint_can_have_an_actuator() {
         // Without the mimic joint there are articulated bodies as well.
         let alone = Request {
             drop: vec![named("c")],
-            formulation: crate::formulation::Formulation {
-                forward: Some(crate::formulation::Forward::Articulated),
-                ..Default::default()
-            },
+            formulation: Default::default().with_forward(crate::formulation::Forward::Articulated),
             ..request
         };
         generate(
@@ -417,8 +414,8 @@ fn the_coriolis_matrix_has_no_friction() {
         let module = builder(settings).module().expect("no mistakes");
         format!("{:?}", module.functions[0].program)
     };
-    let drives = "armature(shoulder = 1), damping(elbow = 2), friction(shoulder = 3)";
-    assert_eq!(program(drives), program(""));
+    let actuators = "armature(shoulder = 1), damping(elbow = 2), friction(shoulder = 3)";
+    assert_eq!(program(actuators), program(""));
     let says = |settings: &str| {
         let source = builder(settings)
             .to_source()
@@ -426,7 +423,7 @@ fn the_coriolis_matrix_has_no_friction() {
             .to_string();
         source.contains("do not include friction and armature")
     };
-    assert_eq!([says(drives), says("")], [true, false]);
+    assert_eq!([says(actuators), says("")], [true, false]);
 }
 
 /// The columns of links are followed by three for each velocity of a joint, if any of these is modelled. Every
@@ -439,18 +436,18 @@ fn regressors_have_columns_of_actuators() {
         let module = builder.generate([Function::BaseRegressor, Function::Regressor]);
         module.module().expect("no mistakes").spaces
     };
-    let of_drives = |settings: &str| -> Vec<String> {
+    let of_actuators = |settings: &str| -> Vec<String> {
         let parameters = said_of(settings).parameters;
         let names = parameters.into_iter().map(|entry| entry.name);
         names
             .filter(|name| !name.contains(".J_") && !name.contains(".q_") && !name.contains(".m"))
             .collect()
     };
-    assert_eq!(of_drives(""), [""; 0]);
+    assert_eq!(of_actuators(""), [""; 0]);
     let expected = ["shoulder", "elbow"]
         .map(|joint| ["armature", "damping", "friction"].map(|part| format!("{joint}.{part}")));
     for settings in ["damping(elbow = 2)", "friction", "rotors"] {
-        assert_eq!(of_drives(settings), expected.concat(), "{settings}");
+        assert_eq!(of_actuators(settings), expected.concat(), "{settings}");
     }
 }
 

@@ -36,7 +36,8 @@ impl Loop {
 impl Naming<'_> {
     /// Loop of a repeat.
     pub(super) fn loop_of(&mut self, repeat: &Repeat) -> Loop {
-        let [table, column] = [Meaning::Table, Meaning::Round].map(|meaning| self.named(meaning));
+        let [table, column] =
+            [Meaning::Table, Meaning::LoopIndex].map(|meaning| self.named(meaning));
         let row = |row: &Vec<Operand>| row.iter().map(|&operand| self.value(operand)).collect();
         let mut rows: Vec<Vec<Value>> = repeat.loads.iter().map(row).collect();
         // Rows that are written and not read.

@@ -5,10 +5,10 @@
 
 use super::JointType;
 use crate::description::Limits;
-use crate::description::mjcf::elements::lost::{ALIGNED, CUBIC, OF_WORLD, SPRING};
+use crate::description::mjcf::elements::unmodelled::{ALIGNED, CUBIC, OF_WORLD, SPRING};
 use crate::description::mjcf::reading::Mjcf;
 use crate::description::mjcf::values::Attributes;
-use crate::joint::drive::{Part, Parts};
+use crate::joint::actuator::{Part, Parts};
 
 /// A setting that may follow from the presence of a range.
 #[derive(Clone, Copy, PartialEq, Eq)]

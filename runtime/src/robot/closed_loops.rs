@@ -11,7 +11,7 @@ use super::chain::{Chain, Frame};
 /// It implements every function of loops, so that [`loop_closure`](mod@crate::loop_closure) projects its
 /// states like those of generated robots.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mechanism<
+pub struct ClosedLoopRobot<
     const N: usize,
     const F: usize,
     const C: usize,
@@ -23,7 +23,7 @@ pub struct Mechanism<
     /// The residuals of its loops.
     pub residuals: [Residual; C],
     /// True for each velocity that has an actuator; loops move the others.
-    pub driven: [bool; N],
+    pub actuated: [bool; N],
 }
 
 /// One equation of a loop: a number that is zero where the loop is closed.
@@ -34,13 +34,13 @@ pub struct Residual {
     /// The frames A and B of its loop.
     pub frames: [Frame; 2],
     /// The expression of the pose of B in A.
-    pub row: Row,
+    pub row: ResidualKind,
 }
 
 /// The expression of a residual in the pose M of frame B in frame A.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Row {
+pub enum ResidualKind {
     /// The coordinate of the origin of B along an axis of A \[m\].
     Along(usize),
     /// The scalar product of an axis of A and an axis of B: zero if they are perpendicular.
@@ -52,7 +52,7 @@ pub enum Row {
 }
 
 impl<const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
-    Mechanism<N, F, C, Q, B>
+    ClosedLoopRobot<N, F, C, Q, B>
 {
     /// A robot with closed loops. Nothing is checked, so that it can be a constant.
     #[inline]
@@ -60,12 +60,12 @@ impl<const N: usize, const F: usize, const C: usize, const Q: usize, const B: us
     pub const fn new(
         chain: Chain<N, F, Q, B>,
         residuals: [Residual; C],
-        driven: [bool; N],
+        actuated: [bool; N],
     ) -> Self {
         Self {
             chain,
             residuals,
-            driven,
+            actuated,
         }
     }
 }
@@ -74,12 +74,12 @@ impl Residual {
     /// A residual of two frames.
     #[inline]
     #[must_use]
-    pub const fn new(name: &'static str, frames: [Frame; 2], row: Row) -> Self {
+    pub const fn new(name: &'static str, frames: [Frame; 2], row: ResidualKind) -> Self {
         Self { name, frames, row }
     }
 }
 
-impl Row {
+impl ResidualKind {
     /// True if the residual is a length \[m\], false if it is a cosine.
     #[must_use]
     pub const fn is_length(self) -> bool {

@@ -14,14 +14,14 @@ use crate::list::List;
 
 /// A rotation about z.
 #[derive(Clone, Copy, Default)]
-pub struct Turn<'g> {
+pub struct AxisRotation<'g> {
     /// The sum of the coordinates; `None` without rotation.
     sum: Option<Term<'g>>,
     /// Sine and cosine of the constant.
     constant: Option<(Term<'g>, Term<'g>)>,
 }
 
-impl<'g> Turn<'g> {
+impl<'g> AxisRotation<'g> {
     /// A rotation by a coordinate, and by a constant with this sine and cosine.
     pub const fn by(coordinate: Term<'g>, constant: Option<(Term<'g>, Term<'g>)>) -> Self {
         Self {
@@ -69,12 +69,12 @@ pub fn of_body<'g>(
     body: &Body<'g>,
     k: BodyId,
     state: &State<'g>,
-    outer: Option<Turn<'g>>,
-) -> Turn<'g> {
-    let own = if body.turns_alone() {
-        Turn::by(state.q(k), body.offset)
+    outer: Option<AxisRotation<'g>>,
+) -> AxisRotation<'g> {
+    let own = if body.rotates_alone() {
+        AxisRotation::by(state.q(k), body.offset)
     } else {
-        Turn::default()
+        AxisRotation::default()
     };
     // With a rotation of the parent the axes are parallel: only their direction is open.
     let same = body.placement.rotation.0[2][2]
@@ -93,7 +93,7 @@ pub fn left_to_carried<'g>(
     state: &State<'g>,
     angles: Angles,
     leaves: impl Fn(BodyId) -> bool,
-) -> List<BodyId, Option<Turn<'g>>> {
+) -> List<BodyId, Option<AxisRotation<'g>>> {
     let mut left = List::filled(None, bodies.bodies.len());
     if angles == Angles::Merged {
         let leaves = |&(k, body): &(BodyId, &Body<'g>)| body.has_own_axis() && leaves(k);

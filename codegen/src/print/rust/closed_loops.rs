@@ -12,9 +12,9 @@ use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::literal;
+use super::library::Library;
 use super::results::square_and_column;
-use super::world::World;
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::module::{LoopData, Module};
 use crate::print::{Fields, documentation};
 use crate::schedule::Length;
@@ -25,8 +25,8 @@ const PLACEMENT: usize = 12;
 const LOOP: usize = 2 * PLACEMENT + 1;
 
 /// `fn mechanism() -> ::homogen::Mechanism<N, F, C, Q, B>`, a method if fields enter it.
-pub(super) fn mechanism(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
-    let World::Runtime(runtime) = &dialect.world else {
+pub(super) fn closed_loops(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
+    let Library::Runtime(runtime) = &dialect.library else {
         return TokenStream::new();
     };
     let data = &module.data;
@@ -46,7 +46,7 @@ pub(super) fn mechanism(module: &Module, item: &Item, dialect: &Dialect) -> Toke
     let results = results.numbers();
     let loops = data.loops.loops.iter().zip(results.chunks(LOOP));
     let residuals = loops.flat_map(|(closed, numbers)| residuals(closed, numbers, runtime));
-    let driven = &data.loops.driven;
+    let actuated = &data.loops.actuated;
 
     let about = doc(&documentation::of_mechanism(module));
     let visibility = &item.visibility;
@@ -65,11 +65,11 @@ pub(super) fn mechanism(module: &Module, item: &Item, dialect: &Dialect) -> Toke
     quote! {
         #about
         #[must_use]
-        #visibility #constant fn mechanism(#this) -> #runtime::Mechanism<
+        #visibility #constant fn closed_loops(#this) -> #runtime::ClosedLoopRobot<
             #velocities, #frames, #constraints, #coordinates, #joints
         > {
             #statements
-            #runtime::Mechanism::new(#chain, [#(#residuals),*], [#(#driven),*])
+            #runtime::ClosedLoopRobot::new(#chain, [#(#residuals),*], [#(#actuated),*])
         }
     }
 }
@@ -79,9 +79,9 @@ pub(super) fn absent(reads_fields: bool, runtime: &TokenStream) -> TokenStream {
     let this = reads_fields.then(|| quote! { &self });
     let names = ["N", "F", "C", "Q", "B"].map(|name| quote::format_ident!("{name}"));
     quote! {
-        fn mechanism<#(const #names: ::core::primitive::usize),*>(
+        fn closed_loops<#(const #names: ::core::primitive::usize),*>(
             #this
-        ) -> #runtime::Mechanism<#(#names),*>
+        ) -> #runtime::ClosedLoopRobot<#(#names),*>
     }
 }
 
@@ -99,18 +99,18 @@ fn residuals<'a>(
         });
         let size = &numbers[2 * PLACEMENT];
         let kind = match *row {
-            Row::Along(k) => {
+            ResidualKind::Along(k) => {
                 let k = literal(k);
                 quote! { Along(#k) }
             }
-            Row::Product(i, j) => {
+            ResidualKind::Product(i, j) => {
                 let [i, j] = [i, j].map(literal);
                 quote! { Product(#i, #j) }
             }
-            Row::Inclined => quote! { Inclined(#size) },
-            Row::Distance => quote! { Distance(#size) },
+            ResidualKind::Inclined => quote! { Inclined(#size) },
+            ResidualKind::Distance => quote! { Distance(#size) },
         };
         let name = row.name(&closed.name);
-        quote! { #runtime::Residual::new(#name, [#(#frames),*], #runtime::Row::#kind) }
+        quote! { #runtime::Residual::new(#name, [#(#frames),*], #runtime::ResidualKind::#kind) }
     })
 }

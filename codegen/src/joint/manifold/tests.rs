@@ -1,6 +1,6 @@
 //! Rates of coordinates: along a velocity in the body's frame, the rate of M is M L.
 
-use super::Posture;
+use super::Manifold;
 use crate::expression::{Double, Expr, Graph, Input, Term, along, evaluate};
 use crate::space::Variable;
 
@@ -12,10 +12,10 @@ fn input(k: usize) -> Input {
 }
 
 /// Compares M L of each velocity with the derivative of M along the rates.
-fn assert_rates(posture: Posture, q: &[f64], screws: &[([f64; 3], [f64; 3])]) {
+fn assert_rates(manifold: Manifold, q: &[f64], screws: &[([f64; 3], [f64; 3])]) {
     let graph = Graph::new();
     let coordinate = |k: usize| graph.input(input(k));
-    let pose = posture.displacement(coordinate);
+    let pose = manifold.displacement(coordinate);
     let entries: Vec<Expr> = pose.entries().map(Term::expr).into();
     let numbers = |terms: &[Term<'_>]| -> Vec<f64> {
         let exprs: Vec<Expr> = terms.iter().map(|term| term.expr()).collect();
@@ -27,9 +27,9 @@ fn assert_rates(posture: Posture, q: &[f64], screws: &[([f64; 3], [f64; 3])]) {
         found.map(Double::to_f64).collect()
     };
     let m = numbers(&pose.entries());
-    assert_eq!(posture.velocities(), screws.len());
+    assert_eq!(manifold.velocities(), screws.len());
     for (k, (u, b)) in screws.iter().enumerate() {
-        let rates = posture.rates(k, coordinate);
+        let rates = manifold.rates(k, coordinate);
         let rate = |of: Input| (0..q.len()).find(|&k| input(k) == of).map(|k| rates[k]);
         let found = numbers(&along(&graph, &entries, rate));
         // Columns of L: u × e, and b.
@@ -45,7 +45,7 @@ fn assert_rates(posture: Posture, q: &[f64], screws: &[([f64; 3], [f64; 3])]) {
                 let found = found[4 * row + place];
                 assert!(
                     (found - expected).abs() < 1e-15,
-                    "{posture:?}, velocity {k}"
+                    "{manifold:?}, velocity {k}"
                 );
             }
         }
@@ -58,17 +58,21 @@ const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 #[test]
 fn a_planar_joint_moves_along_its_own_axes() {
     let [x, y, z] = AXES;
-    assert_rates(Posture::Planar, &Q[..3], &[(NONE, x), (NONE, y), (z, NONE)]);
+    assert_rates(
+        Manifold::Planar,
+        &Q[..3],
+        &[(NONE, x), (NONE, y), (z, NONE)],
+    );
 }
 
 #[test]
 fn a_spherical_joint_rotates_about_its_own_axes() {
-    assert_rates(Posture::Spherical, &Q[3..], &AXES.map(|axis| (axis, NONE)));
+    assert_rates(Manifold::Spherical, &Q[3..], &AXES.map(|axis| (axis, NONE)));
 }
 
 #[test]
 fn a_floating_joint_moves_along_its_own_axes_and_rotates_about_them() {
     let along = AXES.map(|axis| (NONE, axis));
     let about = AXES.map(|axis| (axis, NONE));
-    assert_rates(Posture::Floating, &Q, &[along, about].concat());
+    assert_rates(Manifold::Floating, &Q, &[along, about].concat());
 }

@@ -9,6 +9,7 @@ mod colour;
 mod completions;
 mod count;
 mod eval;
+mod expand;
 mod fields;
 mod fresh;
 mod functions;
@@ -92,6 +93,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Inspect(inspect) => inspect.run(input),
         Command::Count(count) => count.run(input),
         Command::Eval(eval) => eval.run(input),
+        Command::Expand(expand) => expand.run(input),
         Command::Generate(generate) => generate.run(input),
         Command::Python(python) => python.run(input),
         Command::BaseParameters(parameters) => parameters.run(input),
@@ -121,6 +123,7 @@ enum Command {
     Inspect(inspect::Inspect),
     Count(count::Count),
     Eval(eval::Eval),
+    Expand(expand::Expand),
     Generate(generate::Generate),
     Python(python::Python),
     BaseParameters(base_parameters::BaseParameters),

@@ -8,11 +8,12 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum}
 
 use homogen_codegen::chain::Chain;
 use homogen_codegen::description::LARGEST_FILE;
+use homogen_codegen::description::xacro::Given;
 use homogen_codegen::description::{self, Description, Source, inline};
 use homogen_codegen::error::{Diagnostic, Errors, Place};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
-use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, Setting, SettingForm};
+use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, SOURCE, Setting, SettingForm};
 use homogen_codegen::wording::visible;
 
 /// Options of groups of settings, each with its value as written.
@@ -72,6 +73,8 @@ fn argument(setting: &'static Setting) -> Arg {
         SettingForm::Names(_)
         | SettingForm::Positions(_)
         | SettingForm::Actuator(..)
+        | SettingForm::Arguments
+        | SettingForm::Packages
         | SettingForm::Loops => argument.action(ArgAction::Append),
         _ => argument,
     }
@@ -106,10 +109,10 @@ impl<const GROUPS: u8> FromArgMatches for Asked<GROUPS> {
 /// The robot, and the part of it.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
-    /// A URDF or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
+    /// A URDF, xacro or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
     #[command(flatten)]
-    pub(super) asked: Asked<{ SCOPE | ROBOT }>,
+    pub(super) asked: Asked<{ SOURCE | SCOPE | ROBOT }>,
 }
 
 /// Format of an answer.
@@ -157,7 +160,8 @@ impl Robot {
             let bytes = read(input)?;
             description::read_bytes(&bytes, STANDARD_INPUT, None, &mut errors)
         } else {
-            description::read_file(&self.file, None, &mut errors)
+            let given = Given::of(&self.request(), Path::new(""));
+            description::read_file_with(&self.file, &given, None, &mut errors)
         };
         match description {
             Some(description) => errors.into_result(description),
@@ -225,7 +229,11 @@ pub(super) fn warnings(chain: &Chain) -> String {
 
 /// Warnings about a description, as printed on standard error.
 pub(super) fn warnings_of(source: &Source, warnings: &[Diagnostic]) -> String {
-    let errors = source.errors();
+    remarks(&source.errors(), warnings)
+}
+
+/// Warnings with the names of their files, which a list of errors has.
+pub(super) fn remarks(errors: &Errors, warnings: &[Diagnostic]) -> String {
     let mut text = String::new();
     for warning in warnings {
         // Writing to a string cannot fail.

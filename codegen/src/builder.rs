@@ -109,7 +109,7 @@ enum Origin {
 type Expand = fn(&Description, &Request) -> Result<Module, Errors>;
 
 impl Builder {
-    /// A robot in a URDF file; relative paths begin at the folder of the build script's package.
+    /// A robot in a URDF or xacro file; relative paths begin at the folder of the build script's package.
     pub fn from_urdf(path: impl Into<PathBuf>) -> Self {
         Self::new(Origin::File(path.into()))
     }
@@ -140,6 +140,18 @@ impl Builder {
             mistakes: Errors::new(),
             expand: expand::expand,
         }
+    }
+
+    /// An argument of a xacro file. It stands for the environment variable of the same name, too.
+    pub fn argument(self, name: impl Into<String>, value: impl Into<String>) -> Self {
+        let argument = (named(name), value.into());
+        self.with(|asked| asked.arguments.push(argument))
+    }
+
+    /// The folder of a ROS package, for `$(find name)` in a xacro file; by default packages are found near the file.
+    pub fn package(self, name: impl Into<String>, folder: impl Into<String>) -> Self {
+        let package = (named(name), folder.into());
+        self.with(|asked| asked.packages.push(package))
     }
 
     /// Replaces the whole request.

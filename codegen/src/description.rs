@@ -1,6 +1,6 @@
 //! Descriptions of robots as the user wrote them, before anything is derived.
 //!
-//! In: a URDF or MJCF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
+//! In: a URDF, xacro or MJCF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only
 //! what can be seen in one item alone; what takes two items belongs to the chain stage.
 
@@ -27,9 +27,10 @@ mod unmodelled;
 pub mod urdf;
 #[doc(hidden)]
 pub mod words;
+pub mod xacro;
 mod xml;
 
-pub use self::file::{is_utf_16, read_bytes, read_file, read_text};
+pub use self::file::{expand_file, is_utf_16, read_bytes, read_file, read_file_with, read_text};
 pub use self::item::Item;
 pub use self::robot::{
     Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,

@@ -47,6 +47,23 @@ impl Place {
         }
     }
 
+    /// The place some columns to the right.
+    #[must_use]
+    pub(crate) const fn shifted(self, columns: u32) -> Self {
+        match self {
+            Self::File { line, column } => Self::File {
+                line,
+                column: column + columns,
+            },
+            Self::Included { file, line, column } => Self::Included {
+                file,
+                line,
+                column: column + columns,
+            },
+            Self::Token(_) | Self::Unknown => self,
+        }
+    }
+
     /// Key to sort places by: the number of the file, line and column; `None` if the place is not in a file.
     #[must_use]
     pub const fn order(self) -> Option<(u32, u32, u32)> {
@@ -178,6 +195,12 @@ impl Errors {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.diagnostics.is_empty()
+    }
+
+    /// The warnings that are shown if there are errors.
+    #[must_use]
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.warnings
     }
 
     /// The errors, in the order in which they were found; at most the first thousand.

@@ -27,6 +27,10 @@ use crate::schedule::Length;
 #[derive(Clone, Debug, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a key of its own")]
 pub struct Request {
+    /// Names and values of the arguments of a xacro file.
+    pub arguments: Vec<(Name, String)>,
+    /// Names and folders of ROS packages, relative to the folder that paths begin at.
+    pub packages: Vec<(Name, String)>,
     /// The fixed link; the root by default.
     pub base: Option<Name>,
     /// Floating base: the base moves by the joint `root` relative to frame 0, the world.

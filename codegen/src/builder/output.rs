@@ -1,10 +1,13 @@
 //! From the options of a [`Builder`] to its module and tokens.
 
+use std::path::Path;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::ext::IdentExt;
 
 use super::{Builder, Origin};
+use crate::description::xacro::Given;
 use crate::description::{self, Description, inline};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};
@@ -150,7 +153,10 @@ impl Builder {
 
     fn description(&self, errors: &mut Errors) -> Option<Description> {
         match &self.origin {
-            Origin::File(path) => description::read_file(path, None, errors),
+            Origin::File(path) => {
+                let given = Given::of(&self.request, Path::new(""));
+                description::read_file_with(path, &given, None, errors)
+            }
             Origin::Description(description) => Some((**description).clone()),
         }
     }

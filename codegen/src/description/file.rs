@@ -7,12 +7,24 @@ use std::path::Path;
 use proc_macro2::Span;
 
 use super::load::load;
+use super::xacro::{self, Given};
 use super::{Description, denavit_hartenberg, mjcf, urdf};
 use crate::error::{Diagnostic, Errors, Place};
 
-/// Reads a file: `.dh` as a table; `.urdf` and `.xml` as XML; other endings as what the text looks like. XML with the
-/// root element of MuJoCo is MJCF, other XML is URDF.
+/// Reads a file without arguments: see [`read_file_with`].
 pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Option<Description> {
+    read_file_with(path, &Given::default(), anchor, errors)
+}
+
+/// Reads a file: `.dh` as a table; `.urdf`, `.xml` and `.xacro` as XML; other endings as what the text looks like. XML
+/// with the root element of MuJoCo is MJCF, other XML is URDF, and xacro is expanded first. `given` has the arguments
+/// of a xacro file and the folders of packages.
+pub fn read_file_with(
+    path: &Path,
+    given: &Given,
+    anchor: Option<Span>,
+    errors: &mut Errors,
+) -> Option<Description> {
     let name = path
         .file_name()
         .map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
@@ -32,7 +44,24 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
             return None;
         }
     };
-    bytes_in(&bytes, &name, path.parent(), anchor, errors)
+    bytes_in(&bytes, &name, path.parent(), given, anchor, errors)
+}
+
+/// The URDF that a xacro file expands to.
+pub fn expand_file(path: &Path, given: &Given, errors: &mut Errors) -> Option<String> {
+    let name = path
+        .file_name()
+        .map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
+    let text = load(path)
+        .and_then(|bytes| String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned()));
+    match text {
+        Ok(text) => xacro::expanded(&text, &name, path.parent(), given, errors),
+        Err(reason) => {
+            let message = format!("cannot read {}: {reason}", path.display());
+            errors.push(Place::Unknown, message);
+            None
+        }
+    }
 }
 
 /// Reads the bytes of a file, or of standard input, with the given name. Text that is not UTF-8 is read as Latin-1,
@@ -43,7 +72,7 @@ pub fn read_bytes(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
-    bytes_in(bytes, file, None, anchor, errors)
+    bytes_in(bytes, file, None, &Given::default(), anchor, errors)
 }
 
 /// The same, for a file in a folder that its relative paths begin at.
@@ -51,11 +80,12 @@ fn bytes_in(
     bytes: &[u8],
     file: &str,
     folder: Option<&Path>,
+    given: &Given,
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
     match std::str::from_utf8(bytes) {
-        Ok(text) if !is_utf_16(bytes) => text_in(text, file, folder, anchor, errors),
+        Ok(text) if !is_utf_16(bytes) => text_in(text, file, folder, given, anchor, errors),
         unread => {
             let valid = unread.map_or_else(|error| error.valid_up_to(), |_| 0);
             let warning = encoding_warning(bytes, valid);
@@ -63,7 +93,7 @@ fn bytes_in(
             let marked = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
             let text: String = marked.iter().map(|&byte| char::from(byte)).collect();
             let mut found = Errors::new();
-            if let Some(mut description) = text_in(&text, file, folder, anchor, &mut found) {
+            if let Some(mut description) = text_in(&text, file, folder, given, anchor, &mut found) {
                 errors.append(found);
                 description.warnings.insert(0, warning);
                 return Some(description);
@@ -86,7 +116,7 @@ pub fn read_text(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
-    text_in(text, file, None, anchor, errors)
+    text_in(text, file, None, &Given::default(), anchor, errors)
 }
 
 /// The same, for a file in a folder that its relative paths begin at.
@@ -94,6 +124,7 @@ fn text_in(
     text: &str,
     file: &str,
     folder: Option<&Path>,
+    given: &Given,
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
@@ -105,10 +136,21 @@ fn text_in(
             .trim_start()
             .starts_with('<'),
     };
+    let is_xacro = !is_table && !mjcf::is_mjcf(text) && xacro::is_mjcf(text, file);
+    if !is_xacro && !given.arguments.is_empty() {
+        errors.set_file(file, anchor);
+        errors.push_with_hint(
+            anchor.map_or(Place::Unknown, Place::Token),
+            "arguments are given, but the file is not xacro",
+            "a xacro file declares xmlns:xacro=\"http://www.ros.org/wiki/xacro\" and uses it, or its name ends in .xacro",
+        );
+    }
     if is_table {
         denavit_hartenberg::read(text, file, anchor, errors)
     } else if mjcf::is_mjcf(text) {
         mjcf::read(text, file, folder, anchor, errors)
+    } else if is_xacro {
+        xacro::read(text, file, folder, given, anchor, errors)
     } else {
         urdf::read(text, file, anchor, errors)
     }

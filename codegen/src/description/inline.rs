@@ -28,6 +28,7 @@ use self::joint::Joint;
 use super::item::Item;
 use super::settings::{self, Settings};
 use super::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
+use super::xacro::Given;
 use super::{Description, Link, Loop, Name, Source, Unmodelled, file, names};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::quoted;
@@ -205,7 +206,11 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
     }
     let file = settings.files.first().cloned();
     let mut description = match &file {
-        Some(path) => file::read_file(&folder.join(path.value()), Some(path.span()), errors),
+        Some(path) => {
+            let given = Given::of(&settings.request, folder);
+            let file = folder.join(path.value());
+            file::read_file_with(&file, &given, Some(path.span()), errors)
+        }
         None if parts.is_empty() => {
             // The description may be among the parts that could not be read.
             if errors.is_empty() {

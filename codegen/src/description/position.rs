@@ -7,9 +7,24 @@ use crate::error::Place;
 /// Bytes between two marks.
 const STRIDE: usize = 64;
 
+/// A part of an expanded text that comes from one place.
+pub(super) struct Segment {
+    /// Offset of its beginning in the expanded text.
+    pub(super) start: usize,
+    /// The place that it comes from.
+    pub(super) place: Place,
+    /// True if its characters are those of the file, one by one in one line.
+    pub(super) is_verbatim: bool,
+}
+
+/// The parts of an expanded text, in order.
+pub(super) type Segments = Vec<Segment>;
+
 /// A text, and the lines and columns of its bytes.
 pub(super) struct Positions<'t> {
     text: &'t str,
+    /// The places that an expanded text comes from; empty for the text of a file.
+    segments: Segments,
     /// The number of an included file; `None` for the first file.
     file: Option<u32>,
     /// Line and column of every byte whose offset is a multiple of [`STRIDE`].
@@ -29,8 +44,19 @@ impl<'t> Positions<'t> {
         }
         Self {
             text,
+            segments: Segments::new(),
             file: None,
             marks,
+        }
+    }
+
+    /// The places that an expanded text comes from.
+    pub(super) fn of_expanded(text: &'t str, segments: Segments) -> Self {
+        Self {
+            text,
+            segments,
+            file: None,
+            marks: Vec::new(),
         }
     }
 
@@ -42,6 +68,11 @@ impl<'t> Positions<'t> {
         }
     }
 
+    /// True if the text was expanded from others.
+    pub(super) const fn is_expanded(&self) -> bool {
+        self.marks.is_empty()
+    }
+
     /// The text.
     pub(super) const fn text(&self) -> &'t str {
         self.text
@@ -50,10 +81,26 @@ impl<'t> Positions<'t> {
     /// The place of the character at an offset; offsets beyond the end give the end.
     pub(super) fn place(&self, offset: usize) -> Place {
         let offset = offset.min(self.text.len());
+        if self.is_expanded() {
+            return self.origin(offset);
+        }
         let mark = offset / STRIDE;
         let passed = &self.text.as_bytes()[mark * STRIDE..offset];
         let (line, column) = after(self.marks[mark], passed);
         self.at(line, column)
+    }
+
+    /// The place that a character of an expanded text comes from.
+    fn origin(&self, offset: usize) -> Place {
+        let after = self.segments.partition_point(|part| part.start <= offset);
+        let Some(segment) = after.checked_sub(1).map(|at| &self.segments[at]) else {
+            return Place::Unknown;
+        };
+        if !segment.is_verbatim {
+            return segment.place;
+        }
+        let passed = self.text[segment.start..offset].chars().count();
+        segment.place.shifted(u32::try_from(passed).unwrap_or(0))
     }
 
     /// The place of a line and a column.

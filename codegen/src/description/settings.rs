@@ -6,7 +6,7 @@
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Ident, LitInt, LitStr, Path, Token, token};
+use syn::{Ident, Lit, LitInt, LitStr, Path, Token, token};
 
 use super::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use super::{Name, Number, number};
@@ -72,6 +72,15 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             let path = string(value()?, setting, "the path of a file")?;
             settings.files.push(path);
         }
+        SettingForm::Arguments => request.arguments = tokens::list(&list()?, argument)?,
+        SettingForm::Packages => {
+            request.packages = tokens::list(&list()?, |input| {
+                let name = tokens::name(input)?;
+                tokens::separator(input, &key)?;
+                let folder = string(input, setting, "folders of packages")?;
+                Ok((name, folder.value()))
+            })?;
+        }
         SettingForm::Switch(of) => *of(request) = true,
         SettingForm::Name(of) => *of(request) = Some(tokens::name(value()?)?),
         SettingForm::Names(of) => *of(request) = tokens::list(&list()?, tokens::name)?,
@@ -131,6 +140,23 @@ fn string(input: ParseStream, setting: &Setting, what: &str) -> Parsed<LitStr> {
         return Err(needs(input.span(), setting, what));
     }
     Ok(input.parse()?)
+}
+
+/// An argument of a xacro file: a string, or a number or a boolean as it is written.
+fn argument(input: ParseStream) -> Parsed<(Name, String)> {
+    let name = tokens::name(input)?;
+    tokens::separator(input, &Ident::new("arguments", Span::call_site()))?;
+    let sign = if input.peek(Token![-]) {
+        input.parse::<Token![-]>()?;
+        "-"
+    } else {
+        ""
+    };
+    let value = match input.parse::<Lit>()? {
+        Lit::Str(text) => text.value(),
+        other => other.to_token_stream().to_string(),
+    };
+    Ok((name, format!("{sign}{value}")))
 }
 
 /// A joint, with a coordinate if there is one.

@@ -22,16 +22,28 @@ use super::position::Positions;
 use super::xml::element::Reader;
 use super::xml::{self, plain, survey};
 use super::{Description, Name, Source, Unmodelled, names};
-use crate::error::{Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::quoted;
 
 #[doc(hidden)]
 pub use self::elements::page;
-/// Error and hint for a file with xacro in it.
-const XACRO: (&str, &str) = (
-    "this is a xacro file, which must be expanded to URDF first",
-    "run: xacro robot.urdf.xacro > robot.urdf",
-);
+/// Error and hint for xacro in a file that does not declare it.
+const UNDECLARED: [&str; 2] = [
+    "this file contains xacro, and does not declare it",
+    "write xmlns:xacro=\"http://www.ros.org/wiki/xacro\" in <robot …>, or end the name of the file in .xacro",
+];
+
+/// Error and hint for a dollar sign that an expansion left where a value is read.
+const LEFT: [&str; 2] = [
+    "the expansion of this value contains $",
+    "$$ stands for the character $: write one",
+];
+
+/// Error and hint for an incomplete expansion.
+const INCOMPLETE: [&str; 2] = [
+    "xacro did not know this macro, and links are missing",
+    "read the xacro file that this one was made from, and include the file of the macro",
+];
 
 /// Hint for a text without the root element.
 const BEGINS: &str = "a URDF file begins with <robot name=\"…\">";
@@ -47,9 +59,27 @@ pub fn read(
 ) -> Option<Description> {
     errors.set_file(file, anchor);
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
+    let source = Source {
+        file: Some(file.to_owned()),
+        anchor,
+        hash: fingerprint(text.as_bytes()),
+        ..Source::default()
+    };
+    read_at(&positions, source, Vec::new(), errors)
+}
+
+/// Reads a text with its places: those of the file, or of the files that it was expanded from. `warnings` are those of
+/// the expansion.
+pub(super) fn read_at(
+    positions: &Positions<'_>,
+    source: Source,
+    warnings: Vec<Diagnostic>,
+    errors: &mut Errors,
+) -> Option<Description> {
     let plain = plain::plain(positions.text());
-    let document = xml::parse(&plain, &positions, BEGINS, errors)?;
-    let mut reader = Reader::new(&positions);
+    let document = xml::parse(&plain, positions, BEGINS, errors)?;
+    let mut reader = Reader::new(positions);
+    reader.warnings = warnings;
     let mut description = robot(&mut reader, document.root_element());
     if description.is_some() {
         survey::survey(&mut reader, document.root_element(), &elements::URDF);
@@ -57,21 +87,22 @@ pub fn read(
     reader.warnings.sort_by_key(|warning| warning.place.order());
     let is_whole = || reader.errors.is_empty() && description.as_ref().is_some_and(has_its_links);
     let call = reader.call.filter(|_| !is_whole());
-    if let Some(place) = reader.xacro.or(call) {
+    let undeclared = if positions.is_expanded() {
+        LEFT
+    } else {
+        UNDECLARED
+    };
+    let found =
+        (reader.xacro.map(|place| (place, undeclared))).or(call.map(|place| (place, INCOMPLETE)));
+    if let Some((place, [message, hint])) = found {
         // Other errors are probably consequences of this one.
-        errors.push_with_hint(place, XACRO.0, XACRO.1);
+        errors.push_with_hint(place, message, hint);
         return None;
     }
     errors.append(reader.errors);
     errors.warn(reader.warnings.iter().cloned());
     if let Some(description) = &mut description {
-        description.source = Source {
-            file: Some(file.to_owned()),
-            anchor,
-            included: Vec::new(),
-            beside: Vec::new(),
-            hash: fingerprint(text.as_bytes()),
-        };
+        description.source = source;
         description.warnings = reader.warnings;
         description.unmodelled = reader.unmodelled;
         names::check(description, errors);

@@ -22,7 +22,7 @@ pub const LARGEST_FILE: usize = 64 << 20;
 const MOST_NODES: u32 = 1_000_000;
 
 /// Maximum number of attributes of an element: the parser compares each with each.
-const MOST_ATTRIBUTES: usize = 32;
+const MOST_ATTRIBUTES: usize = 128;
 
 /// Maximum number of namespace declarations: an element that declares one copies all outer ones.
 const MOST_NAMESPACES: usize = 64;

@@ -40,6 +40,10 @@ type Of<T> = fn(&mut Request) -> &mut T;
 pub enum SettingForm {
     /// The file that describes the robot.
     File,
+    /// Arguments of a xacro file, each with a value.
+    Arguments,
+    /// Packages, each with a folder.
+    Packages,
     /// The key alone.
     Switch(Of<bool>),
     /// A link.
@@ -83,6 +87,9 @@ pub const FIELDS: u8 = 1 << 4;
 /// Options of a file in Rust, C or LLVM IR.
 pub const FILE: u8 = 1 << 5;
 
+/// Options of the file that describes the robot.
+pub const SOURCE: u8 = 1 << 6;
+
 /// A row with default values.
 const SETTING: Setting = Setting {
     key: "",
@@ -97,10 +104,14 @@ const SETTING: Setting = Setting {
 
 /// All keys, in the order of help, heads of files and messages.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 33] = [
+pub const SETTINGS: [Setting; 35] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
     Setting { key: "mjcf", form: SettingForm::File, example: r#"mjcf = "arm.xml""#, ..SETTING },
     Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
+    Setting { key: "arguments", form: SettingForm::Arguments, example: r#"arguments(ur_type = "ur5e", safety_limits = true)"#, group: SOURCE, value: "NAME=VALUE",
+        help: "An argument of a xacro file; it stands for the environment variable of the same name, too", ..SETTING },
+    Setting { key: "packages", form: SettingForm::Packages, example: r#"packages(ur_description = "../ur_description")"#, group: SOURCE, value: "NAME=FOLDER",
+        help: "The folder of a ROS package, for $(find NAME) in a xacro file [default: near the file]", ..SETTING },
     Setting { key: "base", form: SettingForm::Name(|asked| &mut asked.base), example: r#"base = "link""#, group: SCOPE, value: "LINK",
         help: "The fixed link [default: the root]", ..SETTING },
     Setting { key: "floating", form: SettingForm::Switch(|asked| &mut asked.floating), example: "floating", group: SCOPE,

@@ -4,7 +4,7 @@
 //! the format.
 
 use std::borrow::Cow;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 use roxmltree::{Attribute, Node};
 
@@ -320,20 +320,24 @@ impl<'t> Reader<'_, 't> {
     where
         't: 'a,
     {
-        // Searched anew, because `range_value` stores the number of blanks around `=` in one byte.
-        let range = attribute.range();
-        let text = &self.positions.text()[range.clone()];
-        let equals = text.find('=').map_or(0, |at| at + 1);
-        let blanks = text[equals..].len() - text[equals..].trim_start().len();
-        let start = range.start + equals + blanks + 1;
-        let value = &self.positions.text()[start.min(range.end)..range.end];
-        let value = value.strip_suffix(['"', '\'']).unwrap_or(value);
-        if value.contains('&') {
-            // Character references would shift the offsets.
-            (start, Cow::Owned(unescaped(value)))
-        } else {
-            (start, Cow::Borrowed(value))
-        }
+        raw_value(self.positions.text(), attribute.range())
+    }
+}
+
+/// The value of the attribute in a range of a text, and its offset. Offsets in a borrowed value are those of the text.
+pub(in crate::description) fn raw_value(whole: &str, range: Range<usize>) -> (usize, Cow<'_, str>) {
+    // Searched anew, because `range_value` stores the number of blanks around `=` in one byte.
+    let text = &whole[range.clone()];
+    let equals = text.find('=').map_or(0, |at| at + 1);
+    let blanks = text[equals..].len() - text[equals..].trim_start().len();
+    let start = range.start + equals + blanks + 1;
+    let value = &whole[start.min(range.end)..range.end];
+    let value = value.strip_suffix(['"', '\'']).unwrap_or(value);
+    if value.contains('&') {
+        // Character references would shift the offsets.
+        (start, Cow::Owned(unescaped(value)))
+    } else {
+        (start, Cow::Borrowed(value))
     }
 }
 

@@ -55,6 +55,8 @@ impl Setting {
                 request.processor = Processor::from_name(text).map_err(refusal)?;
             }
             SettingForm::Loops => request.loops.push(text.to_owned()),
+            SettingForm::Arguments => request.arguments.push(pair(text, "write NAME=VALUE")?),
+            SettingForm::Packages => request.packages.push(pair(text, "write NAME=FOLDER")?),
             SettingForm::File | SettingForm::Scalar | SettingForm::Runtime => {}
         }
         Ok(())
@@ -109,9 +111,23 @@ impl Setting {
                 one(path.map(spelled))
             }
             SettingForm::Loops => request.loops.iter().cloned().map(Some).collect(),
-            SettingForm::File | SettingForm::Actuator(_, None) => Vec::new(),
+            SettingForm::Arguments => {
+                let pairs = request.arguments.iter();
+                let pairs = pairs.map(|(name, value)| Some(format!("{}={value}", name.text)));
+                pairs.collect()
+            }
+            // Folders are left out, as that of the file is.
+            SettingForm::File | SettingForm::Packages | SettingForm::Actuator(_, None) => {
+                Vec::new()
+            }
         }
     }
+}
+
+/// A name and its value.
+fn pair(text: &str, hint: &str) -> Result<(Name, String), String> {
+    let (name, value) = text.split_once('=').ok_or(hint)?;
+    Ok((name.trim_end_matches(':').into(), value.to_owned()))
 }
 
 /// Numbers separated by commas.
@@ -207,6 +223,7 @@ mod tests {
     #[test]
     fn options_are_printed_as_they_are_read() {
         for (flag, value) in [
+            ("arguments", "type=a b"),
             ("base", "a b"),
             ("lock", "elbow"),
             ("lock", "a=b=-0.25"),

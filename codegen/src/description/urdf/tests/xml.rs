@@ -40,18 +40,21 @@ fn other_formats_are_named() {
 
 #[test]
 fn xacro_is_one_error() {
-    let message = "this is a xacro file, which must be expanded to URDF first\n  \
-                   hint: run: xacro robot.urdf.xacro > robot.urdf\n";
+    let message = "this file contains xacro, and does not declare it\n  \
+                   hint: write xmlns:xacro=\"http://www.ros.org/wiki/xacro\" in <robot …>, or end the name of the file in \
+                   .xacro\n";
+    let incomplete = "xacro did not know this macro, and links are missing\n  \
+                      hint: read the xacro file that this one was made from, and include the file of the macro\n";
     let namespace = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
     assert_eq!(
         errors(&format!(
             "<robot name=\"r\" {namespace}>\n<xacro:arm prefix=\"a\"/><link/></robot>"
         )),
-        format!("error: arm.urdf:2:1: {message}")
+        format!("error: arm.urdf:2:1: {incomplete}")
     );
     assert_eq!(
         errors("<robot name=\"r\">\n<xacro:arm prefix=\"a\"/></robot>"),
-        format!("error: arm.urdf:2:1: {message}")
+        format!("error: arm.urdf:2:1: {incomplete}")
     );
     assert_eq!(
         errors_in("<link name=\"${prefix}arm\"/><link/>"),
@@ -86,8 +89,8 @@ fn a_macro_unknown_to_xacro_is_a_warning() {
     let joint = "<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint>";
     assert_eq!(
         errors(&call(&format!("<link name=\"a\"/>{joint}"))),
-        "error: arm.urdf:2:1: this is a xacro file, which must be expanded to URDF first\n  \
-         hint: run: xacro robot.urdf.xacro > robot.urdf\n"
+        "error: arm.urdf:2:1: xacro did not know this macro, and links are missing\n  \
+         hint: read the xacro file that this one was made from, and include the file of the macro\n"
     );
 }
 

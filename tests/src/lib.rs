@@ -10,6 +10,7 @@ pub mod big;
 pub mod cholesky;
 pub mod climb;
 pub mod dual;
+pub mod effort;
 pub mod fire;
 pub mod functions;
 pub mod fused_sines;

@@ -16,7 +16,12 @@ use homogen_random::Random;
 
 /// The two-link arm with a field.
 #[derive(Robot)]
-#[robot(urdf = "../../robots/two_link.urdf", tip = "fore", batch, generate(all))]
+#[robot(
+    urdf = "../../robots/two_link.urdf",
+    tip = "fore",
+    batch,
+    generate(all)
+)]
 struct TwoLink {
     #[robot(mass_of = "fore")]
     payload: f64,

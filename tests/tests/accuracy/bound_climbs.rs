@@ -17,10 +17,16 @@ use homogen_codegen::request::Request;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::Variable;
 use homogen_tests::climb::{Climb, any, exactly, generated};
+use homogen_tests::effort::effort;
 use homogen_tests::humanoid::humanoid;
 use homogen_tests::states::Random;
 use homogen_tests::subjects::{Subject, subject};
 use homogen_tests::tested::{F32, F64, Fused64, Tested};
+
+/// Steps uphill for each unit of a result.
+fn steps() -> usize {
+    effort(1_200, 3_600)
+}
 
 /// The bounds of velocities by the kinetic energy, which show that a mass matrix stays positive definite, hold for
 /// joints and bodies.
@@ -224,7 +230,7 @@ fn bounds_on_arms_hold_and_are_tight_within_100() {
         for function in Function::ALL.into_iter().filter(evaluated) {
             let subject = Climb::<F64>::new(&description, &request, function);
             let name = format!("{label} {function:?}");
-            for (unit, worst) in subject.by_unit(&name, 300, 3_600) {
+            for (unit, worst) in subject.by_unit(&name, 300, steps()) {
                 // Exact results may have a bound for rounded numbers.
                 let is_near = worst >= 1e-2 || worst == 0.0;
                 assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
@@ -273,7 +279,7 @@ fn climb_within<T: Tested>(
     name: &str,
 ) {
     let subject = Climb::<T>::new(description, request, function);
-    for (unit, worst) in subject.by_unit(name, 300, 3_600) {
+    for (unit, worst) in subject.by_unit(name, 300, steps()) {
         let is_near = farthest * worst >= 1.0 || worst == 0.0;
         assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
     }

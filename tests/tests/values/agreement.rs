@@ -1,9 +1,10 @@
 //! Generated code compared with the generic recursions, which share nothing with the generator but the chain as data.
 //!
-//! Errors are in units of rounding of the type, times the largest entry of the result in any of the 1,000 states.
+//! Errors are in units of rounding of the type, times the largest entry of the result in any state.
 //! Limits are a few times the worst measured error.
 
 use homogen::{Chain, Real};
+use homogen_tests::effort::effort;
 use homogen_tests::for_every_robot;
 use homogen_tests::functions::{Block, EveryFunction, Shared, evaluate};
 use homogen_tests::robots::{
@@ -13,7 +14,10 @@ use homogen_tests::robots::{
 use homogen_tests::rounding::{DOUBLE, SINGLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 1000;
+/// States of each robot.
+fn count() -> usize {
+    effort(100, 1000)
+}
 
 /// In single precision nearly all errors are those of generated code: the worst is 4.9 u.
 const SINGLE_LIMIT: f64 = 16.0;
@@ -30,7 +34,7 @@ where
     let mut random = Random::new(1);
     let mut double = Worst::in_units_of(DOUBLE);
     let mut single = Worst::in_units_of(SINGLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let state = State::random(&mut random);
         let expected = evaluate(chain, &state);
         compare::<_, f64, _>(robot, &state, &expected, &mut double);

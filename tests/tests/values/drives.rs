@@ -5,12 +5,16 @@
 use homogen::robot::{ForwardDynamics, MassMatrixInverse};
 use homogen::{Chain, JointActuator, Real, Robot, generic};
 use homogen_tests::dual::Dual;
+use homogen_tests::effort::effort;
 use homogen_tests::functions::{Block, EveryFunction, evaluate};
 use homogen_tests::rounding::{DOUBLE, SINGLE, Worst};
 use homogen_tests::states::{Random, State};
 use serde_json::Value;
 
-const STATES: usize = 200;
+/// States of each robot.
+fn count() -> usize {
+    effort(50, 200)
+}
 
 /// The Stanford arm without a zero among its inertial parameters, with the armature and friction of reference/make.py;
 /// the armature of joint 2 as a rotor behind a gear.
@@ -96,7 +100,7 @@ where
 {
     let mut random = Random::new(3);
     let mut worst = Worst::in_units_of(unit);
-    for number in 0..STATES {
+    for number in 0..count() {
         let state = state(&mut random, number);
         let found = evaluate(robot, &state.to::<T>());
         let found: Vec<Block<f64>> = found.iter().map(|block| block.map(T::to_f64)).collect();
@@ -123,7 +127,7 @@ where
     R: ForwardDynamics<N, f64> + MassMatrixInverse<N, f64>,
 {
     let mut random = Random::new(4);
-    for number in 0..STATES {
+    for number in 0..count() {
         let State { q, qd, qdd } = state(&mut random, number);
         let tau = generic::inverse_dynamics(chain, &q, &qd, &qdd);
         let found = robot.forward_dynamics(&q, &qd, &tau);
@@ -185,7 +189,7 @@ fn each_velocity_of_a_joint_has_its_own_actuator() {
 fn power_is_conserved() {
     let mut random = Random::new(5);
     let joints = Stanford::chain().joints;
-    for number in 0..STATES {
+    for number in 0..count() {
         let State { q, qd, qdd } = state::<6>(&mut random, number);
         let moving = Dual::pairs(&q, &qd);
         let energy = Stanford.kinetic_energy(&moving, &Dual::pairs(&qd, &qdd))

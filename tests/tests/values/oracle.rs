@@ -20,6 +20,7 @@ use homogen_codegen::space::{FrameId, Variable};
 use homogen_tests::actuators::with_actuators;
 use homogen_tests::arguments;
 use homogen_tests::big::Big;
+use homogen_tests::effort::effort;
 use homogen_tests::metrics;
 use homogen_tests::oracle::robot::Robot;
 use homogen_tests::oracle::state::exact;
@@ -27,10 +28,15 @@ use homogen_tests::oracle::{frame_0, link_frames};
 use homogen_tests::states::Random;
 use homogen_tests::tested::F64;
 
-const STATES: usize = 10;
+/// States of each robot.
+fn states() -> usize {
+    effort(4, 10)
+}
 
 /// States of a robot that was compared before without actuators or external wrenches.
-const FEW_STATES: usize = 4;
+fn few_states() -> usize {
+    effort(2, 4)
+}
 
 const TOLERANCE: f64 = 1e-50;
 
@@ -69,7 +75,7 @@ fn build(description: &Description, request: &Request) -> Chain {
 
 /// The worst difference of a robot's functions, which must be within the tolerance.
 fn agree(description: &Description, request: &Request) -> f64 {
-    agree_within(TOLERANCE, STATES, description, request)
+    agree_within(TOLERANCE, states(), description, request)
 }
 
 fn agree_within(
@@ -219,7 +225,7 @@ fn rounded_right_angles_agree_to_106_bits() {
         exact: true,
         ..Request::default()
     };
-    let worst = agree_within(1e-31, STATES, &read("puma560_general.urdf"), &request);
+    let worst = agree_within(1e-31, states(), &read("puma560_general.urdf"), &request);
     assert!(worst > TOLERANCE, "{worst:e}: the sine is 1");
 }
 
@@ -317,7 +323,7 @@ fn of_tokens(text: &str) -> f64 {
     let (description, request) = (item.description.expect("a description"), item.request);
     let plain = agree(&description, &request);
     let actuated = with_actuators(&description, request);
-    let few = |request: &Request| agree_within(TOLERANCE, FEW_STATES, &description, request);
+    let few = |request: &Request| agree_within(TOLERANCE, few_states(), &description, request);
     let mut worst = plain.max(few(&actuated));
     for external_in_frame_0 in [false, true] {
         let with_wrenches = Request {

@@ -11,22 +11,22 @@ mod states;
 
 use homogen_codegen::Real;
 
-use compilers::{C, Folder, rust};
+use compilers::{C, Folder, QUICKLY, rust};
 use robot::Robot;
 
 /// States with which each function is called.
 const STATES: usize = 10_000;
 
-/// Compiles a robot in both languages and compares the results.
-fn agree(robot: &Robot) {
+/// Compiles a robot in both languages, with further options for compilers of C, and compares the results.
+fn agree(robot: &Robot, options: &[&str]) {
     let states = states::nasty(robot.inputs(), STATES);
     for real in [Real::F32, Real::F64] {
-        let folder = Folder::new(&format!("{}_{real:?}", robot.name));
+        let folder = Folder::new(&format!("{}_{real:?}{}", robot.name, options.concat()));
         let states = states::bytes(&states, real);
         let expected = rust(&folder, robot, real).run(&states);
         folder.write_c(robot, real);
         for compiler in C::all() {
-            let object = compiler.object(&folder, "arm.c", &[]);
+            let object = compiler.object(&folder, "arm.c", options);
             compiler.alone(&folder, &object);
             if compiler.runs_here() {
                 let found = compiler.program(&folder, &object).run(&states);
@@ -42,13 +42,14 @@ macro_rules! gives_the_bits_of_rust {
         #[test]
         $(#[$long])?
         fn $name() {
-            agree(&Robot::shipped(stringify!($name)));
+            agree(&Robot::shipped(stringify!($name)), &[]);
         }
     )*};
 }
 gives_the_bits_of_rust! {
     two_link;
     scara;
+    #[ignore = "a minute of compilers; other robots show the same"]
     panda_class;
     #[ignore = "a minute of compilers; other robots show the same"]
     stanford;
@@ -66,17 +67,28 @@ gives_the_bits_of_rust! {
 
 #[test]
 fn fields_frames_and_functions_generated_together_give_the_bits_of_rust() {
-    agree(&Robot::with_fields());
+    agree(&Robot::with_fields(), &[]);
 }
 
 #[test]
 fn quaternions_and_mimic_joints_give_the_bits_of_rust() {
-    agree(&Robot::with_quaternions());
+    agree(&Robot::with_quaternions(), QUICKLY);
+}
+
+#[test]
+fn a_robot_with_seven_joints_gives_the_bits_of_rust() {
+    agree(&Robot::shipped("panda_class"), QUICKLY);
+}
+
+#[test]
+#[ignore = "a minute of compilers; unoptimised code shows the same"]
+fn optimised_quaternions_and_mimic_joints_give_the_bits_of_rust() {
+    agree(&Robot::with_quaternions(), &[]);
 }
 
 #[test]
 fn loops_give_the_bits_of_rust() {
-    agree(&Robot::with_loops());
+    agree(&Robot::with_loops(), &[]);
 }
 
 /// The command line prints them so to standard output.

@@ -18,7 +18,7 @@ use homogen_tests::tested::Tested;
 
 use crate::error_bound::asked::{Asked, chain_of};
 use crate::error_bound::bounds::holds;
-use crate::error_bound::states::{STATES, state};
+use crate::error_bound::states::{state, trials};
 
 /// The functions with a bound of their results.
 fn functions() -> Vec<Function> {
@@ -51,7 +51,7 @@ fn measure<T: Tested>(
     let none = |program: &Program| vec![0.0_f64; program.results.len()];
     let mut worst: Vec<Vec<f64>> = programs.iter().map(none).collect();
     let (range, mut random) = (Range::of(chain), Random::new(31));
-    for _ in 0..STATES {
+    for _ in 0..trials() {
         let state = state::<T>(chain, &range, &mut random);
         let mut expected = exact.at(|input| Double::from(state(input))).into_iter();
         for (program, worst) in programs.iter().zip(&mut worst) {

@@ -20,7 +20,7 @@ use homogen_tests::tested::{F64, Tested};
 
 use crate::error_bound::asked::{Asked, chain_of, described};
 use crate::error_bound::bounds::{holds, number};
-use crate::error_bound::states::{STATES, state};
+use crate::error_bound::states::{state, trials};
 
 /// The program of a solution, and its backward bounds, if there are any.
 fn solved(asked: Asked, function: Function, scalar: Real) -> Option<(Program, Vec<Bound>)> {
@@ -111,7 +111,7 @@ pub fn check_accelerations<T: Tested>(asked: Asked) -> bool {
     let range = Range::of(&chain);
     let mut random = Random::new(37);
     let mut worst = vec![0.0_f64; chain.spaces().velocities.len()];
-    for _ in 0..STATES {
+    for _ in 0..trials() {
         let state = state::<T>(&chain, &range, &mut random);
         let (tau, found) = of_needed::<T>(&program, &needed, &state);
         let needed = needed.at(|input| moving(&state, |k| found[k].to_f64(), input));
@@ -220,7 +220,7 @@ fn check_columns<T: Tested>(
     let change_bounds = of_entries(&chain, function, change_bounds);
     let lost = of_entries(&chain, matrix, lost);
     let mut worst = 0.0_f64;
-    for _ in 0..STATES / 4 {
+    for _ in 0..trials() / 4 {
         let state = state::<T>(&chain, &range, &mut random);
         let (_, found) = of_needed::<T>(&program, &needed, &state);
         let (qdd, found) = found.split_at(count);
@@ -281,7 +281,7 @@ pub fn check_mobility(asked: Asked) {
     let range = Range::of(&chain);
     let most = mobility(&chain, Layout::DESCRIBED, &range).expect("bodies have inertias");
     let mut random = Random::new(53);
-    for _ in 0..STATES {
+    for _ in 0..trials() {
         let state = state::<F64>(&chain, &range, &mut random);
         let inverse = inverse.at(|input| Double::from(state(input)));
         for (k, most) in most.joints.iter().enumerate() {
@@ -371,7 +371,7 @@ fn check_entries<T: Tested>(
     let range = Range::of(chain);
     let mut random = Random::new(seed);
     let mut worst = 0.0_f64;
-    for _ in 0..STATES {
+    for _ in 0..trials() {
         let state = state::<T>(chain, &range, &mut random);
         let exact = inverse.at(|input| Double::from(state(input)));
         let found = run(program, |input| T::literal(state(input)));

@@ -8,11 +8,14 @@ use homogen_codegen::joint::Manifold;
 use homogen_codegen::list::Id;
 use homogen_codegen::range::Range;
 use homogen_codegen::space::{Arguments, Variable};
+use homogen_tests::effort::effort;
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
 
-/// States for each robot and type.
-pub const STATES: usize = 1000;
+/// States for each robot and type: the limits of the tests are those of a thousand.
+pub fn trials() -> usize {
+    effort(250, 1000)
+}
 
 /// A number of the type nearest to another, within a range.
 fn within<T: Tested>(x: f64, [lo, hi]: [f64; 2]) -> f64 {

@@ -9,8 +9,8 @@ use homogen_tests::arguments::{self, Arguments};
 use homogen_tests::metrics;
 use homogen_tests::tested::{F32, F64, Flushed, Fused32, Fused64, Tested};
 
-use crate::hard_cases::case::{Bench, Case};
 use super::{angles, cancelling, forward_dynamics, large, regrouped};
+use crate::hard_cases::case::{Bench, Case};
 
 const TABLE: &str = include_str!("worst_inputs.txt");
 

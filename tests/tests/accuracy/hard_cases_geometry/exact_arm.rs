@@ -7,7 +7,9 @@ use std::array::from_fn;
 
 use homogen::{Chain, Pose, Screw};
 
-use crate::hard_cases_geometry::exact::{Matrix, Vector, add, cross, dot, exact, exact_matrix, product, sub, transpose};
+use crate::hard_cases_geometry::exact::{
+    Matrix, Vector, add, cross, dot, exact, exact_matrix, product, sub, transpose,
+};
 use crate::hard_cases_geometry::measure::Number;
 
 /// A column: u, and b at the reference point.

@@ -75,6 +75,10 @@ const MORE: [C; 2] = [
     },
 ];
 
+/// Options for large files, in which optimisation takes a minute: the bits do not depend on it, only the time. The last
+/// option of this kind counts. Small files, and large ones in the long form, are optimised.
+pub const QUICKLY: &[&str] = &["-O0"];
+
 const FLAGS: [&str; 9] = [
     "-std=c99",
     "-pedantic",

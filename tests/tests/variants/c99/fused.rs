@@ -73,9 +73,19 @@ fn options(real: Real) -> Vec<Vec<&'static str>> {
 
 #[test]
 fn c_for_fusing_processors_rounds_product_and_sum_once() {
-    let robot = Robot::shipped("panda_class").on(Processor::X86_64V3);
+    rounds_once("scara");
+}
+
+#[test]
+#[ignore = "a minute of compilers; other robots show the same"]
+fn c_of_seven_joints_rounds_product_and_sum_once() {
+    rounds_once("panda_class");
+}
+
+fn rounds_once(name: &str) {
+    let robot = Robot::shipped(name).on(Processor::X86_64V3);
     for real in [Real::F32, Real::F64] {
-        let folder = Folder::new(&format!("fused_{real:?}"));
+        let folder = Folder::new(&format!("fused_{name}_{real:?}"));
         folder.write_c(&robot, real);
         let states = states::everyday(robot.inputs(), STATES);
         let expected = expected(&robot, real, &states);

@@ -279,7 +279,7 @@ fn climb_within<T: Tested>(
     name: &str,
 ) {
     let subject = Climb::<T>::new(description, request, function);
-    for (unit, worst) in subject.by_unit(name, 300, steps()) {
+    for (unit, worst) in subject.by_unit(name, 300, effort(1_200, 3_600)) {
         let is_near = farthest * worst >= 1.0 || worst == 0.0;
         assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
     }

@@ -9,6 +9,8 @@ use homogen_codegen::Function;
 use homogen_codegen::accuracy::Bound;
 use homogen_codegen::chain::Chain;
 
+use crate::error_bound::states::allowed;
+
 /// The worst error of the results to which a bound applies.
 fn worst_of(chain: &Chain, function: Function, bound: &Bound, errors: &[f64]) -> f64 {
     let (result, spaces) = (function.result(), chain.spaces());
@@ -53,7 +55,7 @@ pub fn holds(
             (most, worst) = (most.max(bounded), worst.max(found));
         }
         // Exact results may have a bound for rounded numbers.
-        holds &= most <= farthest * worst || worst == 0.0;
+        holds &= most <= allowed(farthest) * worst || worst == 0.0;
         let name = function.name();
         writeln!(table, "{name:20} {unit:6} {worst:9.1e} of {most:9.1e}")
             .expect("a string takes everything");

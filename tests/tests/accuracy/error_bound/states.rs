@@ -12,9 +12,14 @@ use homogen_tests::effort::effort;
 use homogen_tests::states::Random;
 use homogen_tests::tested::Tested;
 
-/// States for each robot and type: the limits of the tests are those of a thousand.
+/// States for each robot and type.
 pub fn trials() -> usize {
     effort(250, 1000)
+}
+
+/// The largest allowed ratio of a bound to the worst error, from that of a thousand states: fewer have smaller errors.
+pub fn allowed(farthest: f64) -> f64 {
+    effort(4.0, 1.0) * farthest
 }
 
 /// A number of the type nearest to another, within a range.

@@ -56,21 +56,21 @@ impl BaseParameters {
 const fn unit(entry: &Entry) -> &'static str {
     match entry.kind {
         Kind::Moment(0)
-        | Kind::Drive {
+        | Kind::Actuator {
             order: 2,
-            slides: true,
+            translates: true,
         } => "kg",
         Kind::Moment(1) => "kg m",
-        Kind::Drive {
+        Kind::Actuator {
             order: 1,
-            slides: true,
+            translates: true,
         } => "N s/m",
-        Kind::Drive {
+        Kind::Actuator {
             order: 0,
-            slides: true,
+            translates: true,
         } => "N",
-        Kind::Drive { order: 1, .. } => "N m s",
-        Kind::Drive { order: 0, .. } => "N m",
+        Kind::Actuator { order: 1, .. } => "N m s",
+        Kind::Actuator { order: 0, .. } => "N m",
         _ => "kg m²",
     }
 }
@@ -81,10 +81,10 @@ fn in_json(robot: &str, chain: &Chain, base: &Found) -> Value {
         let members = group.members.iter().map(|&(parameter, factor)| {
             json!({ "parameter": parameters[parameter].name, "factor": factor })
         });
-        let leader = &parameters[group.leader()];
+        let leading = &parameters[group.leading()];
         json!({
-            "leader": leader.name,
-            "unit": unit(leader),
+            "leading": leading.name,
+            "unit": unit(leading),
             "value": group.value,
             "members": members.collect::<Value>(),
         })
@@ -109,7 +109,7 @@ fn in_text(robot: &str, chain: &Chain, base: &Found) -> String {
         visible(robot)
     );
     for group in groups {
-        let (value, unit) = (group.value, unit(&parameters[group.leader()]));
+        let (value, unit) = (group.value, unit(&parameters[group.leading()]));
         let _ = writeln!(
             text,
             "  {value} {unit} = {}",

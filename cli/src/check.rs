@@ -86,7 +86,7 @@ pub(super) fn in_json(chain: &Chain) -> Value {
     let mimicked: Value = mimicked
         .map(|mimic| {
             json!({
-                "joint": mimic.joint, "of": mimic.leader,
+                "joint": mimic.joint, "of": mimic.mimicked,
                 "multiplier": mimic.multiplier, "offset": mimic.offset,
             })
         })
@@ -286,7 +286,7 @@ fn in_text(chain: &Chain) -> String {
                     0.0 => String::new(),
                     offset => format!(" + {offset}"),
                 };
-                format!(" ({} of {}{offset})", mimic.multiplier, mimic.leader)
+                format!(" ({} of {}{offset})", mimic.multiplier, mimic.mimicked)
             }
             (None, [_]) => String::new(),
             (None, names) => format!(" ({})", names.join(", ")),

@@ -15,7 +15,7 @@ use super::{Answer, Outcome, json};
 use homogen_codegen::accuracy::{Accuracy, Bound, Perturbed};
 use homogen_codegen::expand::expand;
 use homogen_codegen::module::{GeneratedFunction, LeftOut, Module};
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 use homogen_codegen::wording::visible;
 
 /// Count the operations, depth and literals of each function
@@ -58,36 +58,38 @@ impl Count {
 
 /// The numbers of an operation count in the order of the table; signs only if requested. A name of two words is a group
 /// and a key.
-fn columns(price: &Price, signs: bool) -> Vec<(&'static str, usize)> {
+fn columns(operation_count: &OperationCount, signs: bool) -> Vec<(&'static str, usize)> {
     let mut columns = vec![
-        ("mul", price.mul),
-        ("add", price.add),
-        ("div", price.div),
-        ("sqrt", price.sqrt),
-        ("sin", price.sin),
-        ("cos", price.cos),
-        ("neg", price.neg),
-        ("fused", price.fused),
-        ("depth", price.depth),
-        ("literals", price.literals),
-        ("naive mul", price.naive_mul),
-        ("naive add", price.naive_add),
+        ("mul", operation_count.mul),
+        ("add", operation_count.add),
+        ("div", operation_count.div),
+        ("sqrt", operation_count.sqrt),
+        ("sin", operation_count.sin),
+        ("cos", operation_count.cos),
+        ("neg", operation_count.neg),
+        ("fused", operation_count.fused),
+        ("depth", operation_count.depth),
+        ("literals", operation_count.literals),
+        ("naive mul", operation_count.naive_mul),
+        ("naive add", operation_count.naive_add),
     ];
     if signs {
-        columns.push(("sign", price.sign));
+        columns.push(("sign", operation_count.sign));
     }
     columns
 }
 
 /// True if any of the functions computes a sign, as those with Coulomb friction do.
 pub(super) fn have_signs(functions: &[GeneratedFunction]) -> bool {
-    functions.iter().any(|generated| generated.price.sign > 0)
+    functions
+        .iter()
+        .any(|generated| generated.operation_count.sign > 0)
 }
 
 fn in_json(module: &Module) -> Value {
     let signs = have_signs(&module.functions);
-    let counts =
-        (module.functions.iter()).map(|generated| (generated.name(), price(generated, signs)));
+    let counts = (module.functions.iter())
+        .map(|generated| (generated.name(), operation_count(generated, signs)));
     let counts: Map<String, Value> = counts.collect();
     json!({
         "robot": module.about.robot,
@@ -98,19 +100,19 @@ fn in_json(module: &Module) -> Value {
 }
 
 /// Operation count and error bounds of a function; signs only if requested.
-pub(super) fn price(generated: &GeneratedFunction, signs: bool) -> Value {
-    let mut price = json!({});
-    for (name, number) in columns(&generated.price, signs) {
+pub(super) fn operation_count(generated: &GeneratedFunction, signs: bool) -> Value {
+    let mut operation_count = json!({});
+    for (name, number) in columns(&generated.operation_count, signs) {
         match name.split_once(' ') {
-            Some((group, name)) => price[group][name] = json!(number),
-            None => price[name] = json!(number),
+            Some((group, name)) => operation_count[group][name] = json!(number),
+            None => operation_count[name] = json!(number),
         }
     }
-    if let Some((_, cycles)) = generated.price.cycles {
-        price["cycles"] = json!(cycles);
+    if let Some((_, cycles)) = generated.operation_count.cycles {
+        operation_count["cycles"] = json!(cycles);
     }
-    price["errors"] = generated.accuracy.iter().map(error).collect();
-    price
+    operation_count["errors"] = generated.accuracy.iter().map(error).collect();
+    operation_count
 }
 
 /// Functions that the robot cannot have, with the reasons.
@@ -172,14 +174,14 @@ fn table(functions: &[GeneratedFunction]) -> String {
     let width = width.unwrap_or(0);
     let mut text = format!("{:width$}", "");
     let signs = have_signs(functions);
-    for (head, _) in columns(&Price::default(), signs) {
+    for (head, _) in columns(&OperationCount::default(), signs) {
         text.push_str("  ");
         text.push_str(head);
     }
     for (name, generated) in names.iter().zip(functions) {
         // Writing to a string cannot fail.
         let _ = write!(text, "\n{name:width$}");
-        for (head, number) in columns(&generated.price, signs) {
+        for (head, number) in columns(&generated.operation_count, signs) {
             let column = head.len();
             let _ = write!(text, "  {number:>column$}");
         }

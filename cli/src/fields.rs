@@ -2,8 +2,7 @@
 
 use clap::Args;
 use homogen_codegen::builder::Builder;
-use homogen_codegen::request::{Target, TargetOf};
-use homogen_codegen::wording::known;
+use homogen_codegen::request::{Target, setting};
 
 /// Fields of the struct.
 #[derive(Args, Clone, Debug)]
@@ -48,21 +47,7 @@ fn field(text: &str) -> Result<(&str, Target), String> {
     let (field, target) = text
         .split_once('=')
         .ok_or("write FIELD=WORD:NAME, such as payload=payload_on:hand")?;
-    let (word, name) = match target.split_once(':') {
-        Some((word, name)) => (word, Some(name)),
-        None => (target, None),
-    };
-    match (Target::of(word), name) {
-        (Some(TargetOf::Item(of)), Some(name)) => Ok((field, of(name.into()))),
-        (Some(TargetOf::Robot(of)), None) => Ok((field, of())),
-        (Some(TargetOf::Item(_)), None) => {
-            Err(format!("`{word}` needs a name: {field}={word}:hand"))
-        }
-        _ => Err(format!(
-            "a field cannot stand for `{target}`\n  hint: {}",
-            known(word, "words", &Target::keys())
-        )),
-    }
+    Ok((field, setting::text::target(target)?))
 }
 
 fn range(text: &str) -> Result<(String, [f64; 2]), String> {

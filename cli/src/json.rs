@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
 
-use homogen_codegen::error::{Complaint, Place};
+use homogen_codegen::error::{Diagnostic, Place};
 use homogen_codegen::wording::is_hidden;
 
 /// Maximum width of a line.
@@ -51,7 +51,7 @@ pub(super) fn in_markup(value: &Value) -> String {
 }
 
 /// Warnings with their places.
-pub(super) fn warnings(warnings: &[Complaint]) -> Value {
+pub(super) fn warnings(warnings: &[Diagnostic]) -> Value {
     let warnings = warnings.iter().map(|warning| {
         let (line, column) = line_and_column(warning.place);
         json!({ "line": line, "column": column, "message": warning.message, "hint": warning.hint })

@@ -280,7 +280,7 @@ fn package(robot: &str) -> String {
 
 /// True if the bytes of a file are MJCF.
 fn is_mjcf(text: &[u8]) -> bool {
-    std::str::from_utf8(text).is_ok_and(mjcf::is_meant)
+    std::str::from_utf8(text).is_ok_and(mjcf::is_mjcf)
 }
 
 #[cfg(test)]

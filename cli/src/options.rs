@@ -10,7 +10,7 @@ use homogen_codegen::chain::Chain;
 use homogen_codegen::description::LARGEST_FILE;
 use homogen_codegen::description::xacro::Given;
 use homogen_codegen::description::{self, Description, Source, inline};
-use homogen_codegen::error::{Complaint, Errors, Place};
+use homogen_codegen::error::{Diagnostic, Errors, Place};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, SOURCE, Setting, SettingForm};
@@ -58,7 +58,7 @@ fn argument(setting: &'static Setting) -> Arg {
     argument = argument.value_name(setting.value);
     match setting.form {
         SettingForm::Gravity => argument.allow_hyphen_values(true),
-        SettingForm::Drive(_, Some(_)) => argument
+        SettingForm::Actuator(_, Some(_)) => argument
             .action(ArgAction::Append)
             .num_args(0..=1)
             .require_equals(true)
@@ -72,7 +72,7 @@ fn argument(setting: &'static Setting) -> Arg {
         }
         SettingForm::Names(_)
         | SettingForm::Positions(_)
-        | SettingForm::Drive(..)
+        | SettingForm::Actuator(..)
         | SettingForm::Arguments
         | SettingForm::Packages
         | SettingForm::Loops => argument.action(ArgAction::Append),
@@ -228,12 +228,12 @@ pub(super) fn warnings(chain: &Chain) -> String {
 }
 
 /// Warnings about a description, as printed on standard error.
-pub(super) fn warnings_of(source: &Source, warnings: &[Complaint]) -> String {
+pub(super) fn warnings_of(source: &Source, warnings: &[Diagnostic]) -> String {
     remarks(&source.errors(), warnings)
 }
 
 /// Warnings with the names of their files, which a list of errors has.
-pub(super) fn remarks(errors: &Errors, warnings: &[Complaint]) -> String {
+pub(super) fn remarks(errors: &Errors, warnings: &[Diagnostic]) -> String {
     let mut text = String::new();
     for warning in warnings {
         // Writing to a string cannot fail.

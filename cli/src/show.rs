@@ -51,8 +51,8 @@ const SCRIPT: &str = concat!(
 
 /// SHA-256 of the script and of the style sheet, in base 64: the page forbids all others. A test compares them, and
 /// prints the correct ones.
-const SCRIPT_HASH: &str = "JbDaOGl7wH2xDOJ1Q5FzgGKpNWag4dIiUGaVW59HV3c=";
-const STYLE_HASH: &str = "wOxuCR3ghyg76YeukayPW6PNA+Gjulf/QfJhrLtLwsw=";
+const SCRIPT_HASH: &str = "tK/JMquHbKci+pxs3tyvLaR4I+457hV35ZESgvcbUeo=";
+const STYLE_HASH: &str = "zqUdC3g2/Qfi4pwyKCJVEdXmvrozwIrVmdLr+nBvmYw=";
 
 /// Write a page for a browser: the robot as a skeleton to move, the description, and every function with its operation
 /// count, error bound and code

@@ -5,17 +5,17 @@
 //! holds in all states of the range; where none is known, the reason is given.
 
 mod articulated;
+mod error_bounds;
 pub mod mobility;
 mod planned;
-mod promise;
 mod solved;
 
 pub use self::articulated::Articulated;
+pub use self::error_bounds::{Accuracy, Bound, ErrorBounds, Perturbed, RoundingModel};
 pub use self::planned::of_plan;
-pub use self::promise::{Accuracy, Bound, Means, Perturbed, Promise};
 pub use self::solved::{of_accelerations, of_derivatives, of_inverse, of_refined_inverse};
 
-use self::promise::{Owner, Worst, computed, error, owners, promise};
+use self::error_bounds::{Owner, Worst, computed, error, error_bounds, owners};
 use crate::chain::Chain;
 use crate::function::Function;
 use crate::range::Range;
@@ -30,7 +30,7 @@ pub fn of(
     chain: &Chain,
     functions: &[Function],
     program: &Program,
-    means: Means,
+    rounding: RoundingModel,
 ) -> Option<Accuracy> {
     let evaluated = |function: &&Function| !(function.solves() || function.is_constrained());
     let results = functions.iter().flat_map(|function| {
@@ -46,7 +46,7 @@ pub fn of(
     }
     let range = Range::of(chain);
     let worst = |scalar: Real| -> Worst {
-        let found = computed(program, &range, means, scalar);
+        let found = computed(program, &range, rounding, scalar);
         let found = kept.iter().map(|&k| found[k]);
         found.map(error).collect()
     };
@@ -54,9 +54,11 @@ pub fn of(
     let actions = chain.spaces().actions() > 0;
     let arguments = evaluated.map(|function| function.arguments_with(actions));
     let arguments = Variable::together(arguments);
-    let promise = promise(chain, means, &owners, worst);
-    Some(match promise {
-        Ok(promise) => Accuracy::Within(promise.within(chain, &arguments, &[program], means)),
+    let error_bounds = error_bounds(chain, rounding, &owners, worst);
+    Some(match error_bounds {
+        Ok(error_bounds) => {
+            Accuracy::Within(error_bounds.within(chain, &arguments, &[program], rounding))
+        }
         Err(reason) => Accuracy::Unknown(reason),
     })
 }

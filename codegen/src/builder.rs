@@ -30,9 +30,9 @@ use crate::error::{Errors, Place};
 use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::module::Module;
-use crate::print::rust::Library;
+use crate::print::rust::CoreFunctions;
 use crate::print::rust::in_every_edition;
 use crate::processor::Processor;
 use crate::real::Real;
@@ -90,7 +90,7 @@ pub struct Builder {
     origin: Origin,
     name: Option<Ident>,
     request: Request,
-    library: Library,
+    core_functions: CoreFunctions,
     /// True if files are restricted to ASCII.
     ascii: bool,
     /// Errors of options; reported together with all others.
@@ -135,7 +135,7 @@ impl Builder {
             origin,
             name: None,
             request: Request::default(),
-            library: Library::default(),
+            core_functions: CoreFunctions::default(),
             ascii: false,
             mistakes: Errors::new(),
             expand: expand::expand,
@@ -157,6 +157,13 @@ impl Builder {
     /// Replaces the whole request.
     pub fn request(self, request: Request) -> Self {
         Self { request, ..self }
+    }
+
+    /// The request that the calls have made, and the mistakes in them.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn into_request(self) -> (Request, Errors) {
+        (self.request, self.mistakes)
     }
 
     fn with(mut self, ask: impl FnOnce(&mut Request)) -> Self {
@@ -252,30 +259,30 @@ impl Builder {
     /// Viscous friction of a joint, in N m s/rad or N s/m: one number, or one for each of its velocities. All friction
     /// of the description is then modelled, too.
     pub fn damping(self, joint: &str, damping: impl AsRef<[f64]>) -> Self {
-        self.drive(joint, Part::Damping, damping.as_ref())
+        self.actuator(joint, Part::Damping, damping.as_ref())
     }
 
     /// Coulomb friction of a joint, in N m or N: multiplied by the sign of the velocity, zero at rest.
     pub fn coulomb_friction(self, joint: &str, friction: impl AsRef<[f64]>) -> Self {
-        self.drive(joint, Part::Friction, friction.as_ref())
+        self.actuator(joint, Part::Friction, friction.as_ref())
     }
 
     /// Inertia at a joint in addition to the bodies, in kg m² or kg. All rotors of the description are then modelled,
     /// too.
     pub fn armature(self, joint: &str, armature: impl AsRef<[f64]>) -> Self {
-        self.drive(joint, Part::Armature, armature.as_ref())
+        self.actuator(joint, Part::Armature, armature.as_ref())
     }
 
     /// A rotor, by its inertia in kg m² and its turns for one of the joint: the inertia is multiplied by the square of
     /// the ratio.
     pub fn rotor(self, joint: &str, inertia: f64, ratio: f64) -> Self {
-        let with_inertia = self.drive(joint, Part::Rotor, &[inertia]);
-        with_inertia.drive(joint, Part::Ratio, &[ratio])
+        let with_inertia = self.actuator(joint, Part::Rotor, &[inertia]);
+        with_inertia.actuator(joint, Part::Ratio, &[ratio])
     }
 
-    fn drive(self, joint: &str, part: Part, numbers: &[f64]) -> Self {
+    fn actuator(self, joint: &str, part: Part, numbers: &[f64]) -> Self {
         let numbers = numbers.iter().copied().map(Number::from).collect();
-        self.with(|asked| asked.drives.push((joint.into(), part, numbers)))
+        self.with(|asked| asked.actuators.push((joint.into(), part, numbers)))
     }
 
     /// Keeps `1.5708` as written instead of taking it for π/2.
@@ -323,7 +330,7 @@ impl Builder {
     /// use homogen_codegen::{Builder, Function::InverseDynamics};
     ///
     /// Builder::from_urdf("arm.urdf")
-    ///     .formulation(Formulation { parameters: Parameters::Raw, ..Formulation::default() })
+    ///     .formulation(Formulation::default().with_parameters(Parameters::Raw))
     ///     .generate([InverseDynamics])
     ///     .write("arm.rs")?;
     /// # Ok(())
@@ -397,7 +404,7 @@ impl Builder {
     /// error and range (3200 rad in `f32`, 2e5 rad in `f64`). `"::libm::sincosf"` and `"::libm::sincos"` accept any
     /// angle (the first computes in double precision), and `"crate::sines::table"` may be any function of your own.
     pub fn sin_cos(mut self, path: &str) -> Self {
-        self.library.sin_cos = self.path(path);
+        self.core_functions.sin_cos = self.path(path);
         self
     }
 
@@ -413,7 +420,7 @@ impl Builder {
             let message = format!("`{prefix}` cannot begin a name in C");
             self.mistakes.push(Place::Unknown, message);
         }
-        self.library.c_prefix = Some(prefix.to_owned());
+        self.core_functions.c_prefix = Some(prefix.to_owned());
         self
     }
 

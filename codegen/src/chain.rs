@@ -4,11 +4,12 @@
 //! fixed or locked joints are merged with the body that carries them. Every error that takes two items to see is found
 //! here. Frames and inertial parameters are chosen later, by [`layout`](crate::layout).
 
+mod actuator;
 mod angle;
+mod axis_rotation;
 pub mod base_parameters;
 mod check;
 mod closure;
-mod drive;
 mod external;
 mod limits;
 mod merge;
@@ -21,16 +22,15 @@ mod shape;
 #[cfg(test)]
 pub(crate) mod tests;
 mod tree;
-mod turn;
 
 use std::rc::Rc;
 
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::description::Description;
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
-use crate::joint::drive::Part;
-use crate::joint::{Drive, Motion, Posture};
+use crate::joint::actuator::Part;
+use crate::joint::{ActuatorTerms, Manifold, Motion};
 use crate::list::{Id, List, id};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
@@ -72,7 +72,7 @@ pub struct Chain {
     /// Merged, locked and left out items, and warnings.
     pub report: Report,
     /// True if armature, damping and friction of joints follow the inertial parameters of links: if any is modelled.
-    pub identifies_drives: bool,
+    pub identifies_actuators: bool,
     /// The combinations of inertial parameters that torques determine; `None` until requested
     /// ([`Chain::identified`]).
     pub base_parameters: Option<base_parameters::BaseParameters>,
@@ -106,7 +106,7 @@ pub struct Joint {
     /// Its index among the velocities.
     pub velocity: VelocityId,
     /// Its armature, damping and friction.
-    pub drive: Drive<Expr>,
+    pub actuator: ActuatorTerms<Expr>,
 }
 
 /// The coordinates that determine the displacement of a body relative to its parent.
@@ -121,7 +121,7 @@ pub enum Position {
         factor: Expr,
     },
     /// The entries of q from here on, together for all bodies of the joint.
-    Posture(Posture, CoordinateId),
+    Manifold(Manifold, CoordinateId),
     /// None: the first body of the joint already has the whole displacement. All bodies of the joint have the same
     /// frame, and their velocities are in its axes.
     Taken,
@@ -150,7 +150,7 @@ pub struct Loop {
     /// The frames A and B that it joins, each with the name of its link.
     pub frames: [Frame; 2],
     /// Its residuals.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ResidualKind>,
     /// The length of a rod \[m\]; for a universal loop, the cosine of the angle between its axes.
     pub size: Expr,
 }
@@ -167,7 +167,7 @@ pub struct Report {
     /// Links merged into another: (link, link that carries it).
     pub merged: Vec<(String, String)>,
     /// Mimic joints, in the order of the description.
-    pub mimicked: Vec<Mimicked>,
+    pub mimicked: Vec<MimicJoint>,
     /// Locked joints, with their coordinate.
     pub locked: Vec<(String, f64)>,
     /// Links that were detached, or that are not carried by the chosen base.
@@ -183,7 +183,7 @@ pub struct Report {
     /// The planes of planar joints whose axis is not z.
     pub planes: Vec<Plane>,
     /// Warnings, each with its place.
-    pub warnings: Vec<Complaint>,
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// The plane in which a planar joint moves, in the joint's frame at q = 0.
@@ -221,11 +221,11 @@ fn direction(entries: [f64; 3]) -> String {
 
 /// A mimic joint: its coordinate is multiplier · q + offset.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mimicked {
+pub struct MimicJoint {
     /// The joint.
     pub joint: String,
     /// The mimicked joint, whose coordinate is q.
-    pub leader: String,
+    pub mimicked: String,
     /// The multiplier.
     pub multiplier: f64,
     /// The offset [rad or m].
@@ -287,10 +287,10 @@ impl Chain {
     #[must_use]
     pub fn identified(mut self) -> Self {
         let found = base_parameters::base_parameters(&self);
-        let leaders = found
+        let mimicked_joints = found
             .columns()
-            .map(|leader| self.spaces.parameters[leader].clone());
-        self.spaces.base_parameters = leaders.collect();
+            .map(|mimicked| self.spaces.parameters[mimicked].clone());
+        self.spaces.base_parameters = mimicked_joints.collect();
         self.base_parameters = Some(found);
         self
     }
@@ -336,10 +336,13 @@ impl Chain {
 
     /// True if some joint has an armature, damping or friction, or a field that sets one.
     #[must_use]
-    pub fn is_driven(&self) -> bool {
+    pub fn has_actuator_terms(&self) -> bool {
         let is_there = |entry: Expr| !self.graph.term(entry).is_zero();
-        let mut drives = self.joints.iter().flat_map(|joint| joint.drive.entries());
-        drives.any(is_there)
+        let mut actuators = self
+            .joints
+            .iter()
+            .flat_map(|joint| joint.actuator.entries());
+        actuators.any(is_there)
     }
 
     /// L of a joint in its body's frame: u, b.
@@ -379,16 +382,16 @@ fn parameters(link: &str) -> impl Iterator<Item = Entry> {
     })
 }
 
-/// The identified parameters of a joint's armature, damping and friction, in the order of [`Drive::entries`].
-fn of_drive(joint: &Joint) -> impl Iterator<Item = Entry> {
-    let slides = matches!(joint.motion, Motion::Prismatic);
+/// The identified parameters of a joint's armature, damping and friction, in the order of [`ActuatorTerms::entries`].
+fn of_actuator(joint: &Joint) -> impl Iterator<Item = Entry> {
+    let translates = matches!(joint.motion, Motion::Prismatic);
     let parts = [Part::Armature, Part::Damping, Part::Friction];
     parts
         .into_iter()
         .zip([2, 1, 0])
         .map(move |(part, order)| Entry {
             name: format!("{}.{}", joint.name, part.word()),
-            kind: Kind::Drive { order, slides },
+            kind: Kind::Actuator { order, translates },
             range: None,
         })
 }
@@ -412,10 +415,10 @@ pub fn build(description: &Description, request: &Request) -> Result<Chain, Erro
     let mut chain = physical::check(description, request, &tree, chain)?;
     let links = chain.joints.iter().filter_map(|joint| joint.link.as_ref());
     let mut parameters: List<_, Entry> = links.flat_map(|(link, _)| parameters(link)).collect();
-    chain.identifies_drives =
-        request.models_friction() || request.models_armature() || chain.is_driven();
-    if chain.identifies_drives {
-        parameters.extend(chain.joints.iter().flat_map(of_drive));
+    chain.identifies_actuators =
+        request.models_friction() || request.models_armature() || chain.has_actuator_terms();
+    if chain.identifies_actuators {
+        parameters.extend(chain.joints.iter().flat_map(of_actuator));
     }
     chain.spaces.parameters = parameters;
     Ok(chain)

@@ -57,9 +57,9 @@ const FAULT: &str =
 #[must_use]
 pub fn is_fault(refusal: &Errors) -> bool {
     let mut hints = refusal
-        .complaints()
+        .diagnostics()
         .iter()
-        .map(|complaint| complaint.hint.as_deref());
+        .map(|diagnostic| diagnostic.hint.as_deref());
     hints.any(|hint| hint == Some(FAULT))
 }
 
@@ -214,7 +214,7 @@ impl Check {
             let numbers =
                 |program| run(program, |input| Approximate::exact(dense.state.get(input)));
             let robot = data::robot(data, &numbers(&data.program));
-            let robot = data::mechanism(robot, &data.loops, &numbers(&data.loops.program));
+            let robot = data::closed_loops(robot, &data.loops, &numbers(&data.loops.program));
             let same = Dense::of(robot, dense.state.clone());
             let frames =
                 list::ids(data.frames.len()).map(|frame| (Function::ForwardKinematics, frame));
@@ -329,7 +329,7 @@ fn first_wrong(
 ) -> Option<Wrong> {
     let expected = match function.truth() {
         Truth::Value(value) | Truth::OfMass(value) => value(dense, frame),
-        Truth::Constrained(value) => value(dense, scalar.vanishing()),
+        Truth::Constrained(value) => value(dense, scalar.zero_pivot()),
         Truth::Solution(Given::Torques) => return solved::first_unsolved(dense, found),
         Truth::Solution(Given::MassMatrix) => return solved::first_not_inverse(dense, found),
         Truth::Solution(Given::TorqueDerivatives) => {

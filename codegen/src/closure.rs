@@ -1,7 +1,7 @@
 //! Types of joints that close loops between two links of the tree.
 //!
 //! Frame A is fixed to the first link and frame B to the second. The constraints are entries of the pose M of B in A,
-//! the product of all matrices along the loop (paper, II: Π M = 1). Each constraint is a [`Row`].
+//! the product of all matrices along the loop (paper, II: Π M = 1). Each constraint is a [`ResidualKind`].
 
 use crate::number::Number;
 use crate::space::Kind;
@@ -40,14 +40,14 @@ pub struct Definition {
     /// Number of axes in a description. Of two, the first is z of A and the second z of B; a single one is z of both.
     pub axes: usize,
     /// Its constraints.
-    pub rows: &'static [Row],
+    pub rows: &'static [ResidualKind],
     /// Makes the type; the argument is the length of a rod.
     make: fn(Number) -> Closure,
 }
 
 /// A constraint: a quantity that is zero if the loop is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Row {
+pub enum ResidualKind {
     /// Coordinate of the origin of B along an axis of A \[m\].
     Along(usize),
     /// Product of an axis of A and an axis of B, which are perpendicular.
@@ -58,9 +58,17 @@ pub enum Row {
     Distance,
 }
 
-const ALONG: [Row; 3] = [Row::Along(0), Row::Along(1), Row::Along(2)];
-const PARALLEL: [Row; 2] = [Row::Product(0, 2), Row::Product(1, 2)];
-const ROTATED: [Row; 3] = [Row::Product(0, 1), Row::Product(1, 2), Row::Product(2, 0)];
+const ALONG: [ResidualKind; 3] = [
+    ResidualKind::Along(0),
+    ResidualKind::Along(1),
+    ResidualKind::Along(2),
+];
+const PARALLEL: [ResidualKind; 2] = [ResidualKind::Product(0, 2), ResidualKind::Product(1, 2)];
+const ROTATED: [ResidualKind; 3] = [
+    ResidualKind::Product(0, 1),
+    ResidualKind::Product(1, 2),
+    ResidualKind::Product(2, 0),
+];
 
 /// All types, in the order of messages.
 pub const ALL: [Definition; 9] = [
@@ -93,7 +101,7 @@ pub const ALL: [Definition; 9] = [
     Definition::new(
         "universal",
         2,
-        &[ALONG[0], ALONG[1], ALONG[2], Row::Inclined],
+        &[ALONG[0], ALONG[1], ALONG[2], ResidualKind::Inclined],
         |_| Closure::Universal,
     ),
     Definition::new("planar", 1, &[ALONG[2], PARALLEL[0], PARALLEL[1]], |_| {
@@ -101,14 +109,16 @@ pub const ALL: [Definition; 9] = [
     }),
     Definition::new("translation", 0, &ROTATED, |_| Closure::Translation),
     Definition::new("spherical", 0, &ALONG, |_| Closure::Spherical),
-    Definition::new("rod", 0, &[Row::Distance], |length| Closure::Rod { length }),
+    Definition::new("rod", 0, &[ResidualKind::Distance], |length| Closure::Rod {
+        length,
+    }),
 ];
 
 impl Definition {
     const fn new(
         word: &'static str,
         axes: usize,
-        rows: &'static [Row],
+        rows: &'static [ResidualKind],
         make: fn(Number) -> Closure,
     ) -> Self {
         Self {
@@ -128,7 +138,7 @@ impl Definition {
     /// True for a rod.
     #[must_use]
     pub fn has_length(&self) -> bool {
-        self.rows.contains(&Row::Distance)
+        self.rows.contains(&ResidualKind::Distance)
     }
 
     /// A joint of this type; `length` is called for a rod.
@@ -183,13 +193,13 @@ impl Closure {
     }
 }
 
-impl Row {
+impl ResidualKind {
     /// Its unit: of a length, or of the cosine of an angle near a right angle.
     #[must_use]
     pub const fn kind(self) -> Kind {
         match self {
-            Self::Along(_) | Self::Distance => Kind::Slide,
-            Self::Product(..) | Self::Inclined => Kind::Turn,
+            Self::Along(_) | Self::Distance => Kind::Translation,
+            Self::Product(..) | Self::Inclined => Kind::Rotation,
         }
     }
 

@@ -5,21 +5,21 @@
 //! with the matrices that are expanded.
 
 mod approximate;
+mod configuration;
 mod constrained;
 mod matrix;
-mod posture;
 mod robot;
 
 use std::cell::OnceCell;
 
 pub(crate) use approximate::{Approximate, ROUNDOFF};
 pub(crate) use matrix::Matrix;
-pub(crate) use robot::{Body, BodyId, Closed, Columns, Freedom, Moved, Robot};
+pub(crate) use robot::{Body, BodyId, Closed, Columns, DegreeOfFreedom, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::list::{self, Id, List, Square};
 use crate::space::{Arguments, FieldId, FrameId, ParameterId, Variable, VelocityId};
-use posture::{Posture, Rates};
+use configuration::{Configuration, Rates};
 
 /// The inputs of a program.
 #[derive(Clone, Debug, Default)]
@@ -56,7 +56,7 @@ pub(crate) enum Motion {
     /// q̇ alone.
     Coasting,
     /// q̇ and q̈.
-    Driven,
+    Accelerated,
 }
 
 /// W, H and J of a link.
@@ -70,7 +70,7 @@ pub(crate) struct Dense {
     pub(crate) state: State,
     /// The part of the whole that is added to each pivot of the equations of loops, like a rounding error.
     pub(crate) disturbance: f64,
-    posture: Posture,
+    configuration: Configuration,
     mass_matrix: OnceCell<Square<VelocityId, Approximate>>,
     regressor: OnceCell<List<ParameterId, List<VelocityId, Approximate>>>,
 }
@@ -78,7 +78,7 @@ pub(crate) struct Dense {
 impl Dense {
     pub(crate) fn of(robot: Robot, state: State) -> Self {
         Self {
-            posture: Posture::of(robot, &state.arguments[Variable::Q]),
+            configuration: Configuration::of(robot, &state.arguments[Variable::Q]),
             disturbance: 0.0,
             state,
             mass_matrix: OnceCell::new(),
@@ -88,7 +88,7 @@ impl Dense {
 
     /// M of a frame.
     pub(crate) fn pose(&self, frame: FrameId) -> Matrix<Approximate> {
-        self.posture.pose(frame)
+        self.configuration.pose(frame)
     }
 
     /// The columns of a Jacobian: u and b of the joints that move a frame, after a change of frame, and zeros for the
@@ -99,7 +99,7 @@ impl Dense {
         seen: impl Fn(&Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.velocities()];
-        for (k, screw) in self.posture.moving(frame) {
+        for (k, screw) in self.configuration.moving(frame) {
             let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw).vectors()) {
                 *entry = *entry + own;
@@ -116,7 +116,7 @@ impl Dense {
     ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.velocities()];
         let rates = self.rates(Motion::Coasting);
-        for (k, screw, rate) in self.posture.moving_rates(frame, &rates) {
+        for (k, screw, rate) in self.configuration.moving_rates(frame, &rates) {
             let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw, &rate).vectors()) {
                 *entry = *entry + own;
@@ -127,12 +127,12 @@ impl Dense {
 
     /// The loops.
     fn loops(&self) -> &[Closed] {
-        self.posture.loops()
+        self.configuration.loops()
     }
 
     /// The screws of the joints that move a frame, with their indices in q̇.
     fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Approximate>)> {
-        self.posture.moving(frame)
+        self.configuration.moving(frame)
     }
 
     /// W and H of a frame.
@@ -141,7 +141,7 @@ impl Dense {
         frame: FrameId,
         motion: Motion,
     ) -> (Matrix<Approximate>, Matrix<Approximate>) {
-        self.posture.motion(frame, &self.rates(motion))
+        self.configuration.motion(frame, &self.rates(motion))
     }
 
     /// W and J of each link that a joint moves.
@@ -155,9 +155,9 @@ impl Dense {
 
     /// W, H and J of each link that a joint moves.
     fn moved<'a>(&'a self, rates: &Rates) -> impl Iterator<Item = Moving<'a>> + use<'a> {
-        let motions = self.posture.motions(rates).into_iter();
-        let links = motions.zip(self.posture.inertias());
-        let moves = self.posture.moves().into_iter();
+        let motions = self.configuration.motions(rates).into_iter();
+        let links = motions.zip(self.configuration.inertias());
+        let moves = self.configuration.moves().into_iter();
         links
             .zip(moves)
             .filter_map(|(link, moves)| moves.then_some(link))
@@ -214,31 +214,34 @@ impl Dense {
     }
 
     /// The sum of armature times squared velocity over all joints: twice their kinetic energy.
-    pub(crate) fn twice_energy_of_drives(&self) -> Approximate {
+    pub(crate) fn twice_energy_of_actuators(&self) -> Approximate {
         let rates = self.rates(Motion::Coasting).first;
-        let energies = self.posture.freedoms().map(|freedom| {
-            let rate = freedom.factor * rates[freedom.velocity];
-            let [armature, ..] = freedom.drive;
-            armature * rate * rate
-        });
+        let energies = self
+            .configuration
+            .degrees_of_freedom()
+            .map(|degree_of_freedom| {
+                let rate = degree_of_freedom.factor * rates[degree_of_freedom.velocity];
+                let [armature, ..] = degree_of_freedom.actuator;
+                armature * rate * rate
+            });
         energies.fold(Approximate::exact(0.0), |sum, energy| sum + energy)
     }
 
     /// H_g, the acceleration of gravity.
     pub(crate) fn gravity(&self) -> Matrix<Approximate> {
         let mut gravity = Matrix::zero();
-        gravity.set_column(self.posture.gravity());
+        gravity.set_column(self.configuration.gravity());
         gravity
     }
 
     /// τ of a motion, against gravity.
     pub(crate) fn torques(&self, motion: Motion) -> List<VelocityId, Approximate> {
-        self.posture.torques(&self.rates(motion))
+        self.configuration.torques(&self.rates(motion))
     }
 
     /// τ of the whole motion, with the external wrenches.
     pub(crate) fn driving_torques(&self) -> List<VelocityId, Approximate> {
-        self.less_external(self.torques(Motion::Driven))
+        self.less_external(self.torques(Motion::Accelerated))
     }
 
     /// τ less the torques of the external wrenches.
@@ -247,7 +250,7 @@ impl Dense {
         torques: List<VelocityId, Approximate>,
     ) -> List<VelocityId, Approximate> {
         let external = self
-            .posture
+            .configuration
             .external_torques(&self.state.arguments[Variable::Actions]);
         let both = torques.into_iter().zip(external);
         both.map(|(torque, external)| torque - external).collect()
@@ -258,7 +261,7 @@ impl Dense {
         &self,
         qdd: List<VelocityId, Approximate>,
     ) -> List<VelocityId, Approximate> {
-        self.less_external(self.posture.torques(&self.rates_with(qdd)))
+        self.less_external(self.configuration.torques(&self.rates_with(qdd)))
     }
 
     /// Y of τ = Y π, by rows.
@@ -268,8 +271,8 @@ impl Dense {
 
     fn columns_of_regressor(&self) -> &List<ParameterId, List<VelocityId, Approximate>> {
         let found = || {
-            self.posture
-                .regressor(&self.rates(Motion::Driven), |_| true)
+            self.configuration
+                .regressor(&self.rates(Motion::Accelerated), |_| true)
         };
         self.regressor.get_or_init(found)
     }
@@ -279,10 +282,10 @@ impl Dense {
         &self,
         is_wanted: impl Fn(ParameterId) -> bool,
     ) -> (Columns<Approximate>, Columns<f64>) {
-        let rates = self.rates(Motion::Driven);
+        let rates = self.rates(Motion::Accelerated);
         (
-            self.posture.regressor(&rates, &is_wanted),
-            self.posture.regressor_sizes(&rates, &is_wanted),
+            self.configuration.regressor(&rates, &is_wanted),
+            self.configuration.regressor_sizes(&rates, &is_wanted),
         )
     }
 
@@ -295,7 +298,7 @@ impl Dense {
     /// The columns of the base regressor, by rows.
     pub(crate) fn base_regressor(&self) -> Vec<Approximate> {
         let all = self.columns_of_regressor();
-        let columns = self.posture.base_columns().iter();
+        let columns = self.configuration.base_columns().iter();
         self.rows_of(&columns.map(|&column| &all[column]).collect::<Vec<_>>())
     }
 
@@ -306,13 +309,15 @@ impl Dense {
 
     /// ∂τ/∂q at rest, against gravity.
     pub(crate) fn gravity_derivative(&self) -> Square<VelocityId, Approximate> {
-        let [by_coordinate, _] = self.posture.torque_derivatives(&self.rates(Motion::Rest));
+        let [by_coordinate, _] = self
+            .configuration
+            .torque_derivatives(&self.rates(Motion::Rest));
         by_coordinate
     }
 
     /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, with the external wrenches.
     pub(crate) fn torque_derivatives(&self) -> [Square<VelocityId, Approximate>; 2] {
-        self.derivatives_at(&self.rates(Motion::Driven))
+        self.derivatives_at(&self.rates(Motion::Accelerated))
     }
 
     /// The same at computed accelerations.
@@ -324,9 +329,9 @@ impl Dense {
     }
 
     fn derivatives_at(&self, rates: &Rates) -> [Square<VelocityId, Approximate>; 2] {
-        let [mut by_coordinate, by_rate] = self.posture.torque_derivatives(rates);
+        let [mut by_coordinate, by_rate] = self.configuration.torque_derivatives(rates);
         let external = self
-            .posture
+            .configuration
             .external_derivative(&self.state.arguments[Variable::Actions]);
         for place in by_coordinate.places() {
             by_coordinate[place] = by_coordinate[place] - external[place];
@@ -336,12 +341,14 @@ impl Dense {
 
     /// The Coriolis matrix C.
     pub(crate) fn coriolis_matrix(&self) -> Square<VelocityId, Approximate> {
-        self.posture.coriolis_matrix(&self.rates(Motion::Coasting))
+        self.configuration
+            .coriolis_matrix(&self.rates(Motion::Coasting))
     }
 
     /// The mass matrix M.
     pub(crate) fn mass_matrix(&self) -> &Square<VelocityId, Approximate> {
-        self.mass_matrix.get_or_init(|| self.posture.mass_matrix())
+        self.mass_matrix
+            .get_or_init(|| self.configuration.mass_matrix())
     }
 
     /// q̇ with computed accelerations.
@@ -358,7 +365,7 @@ impl Dense {
         let (first, second) = match motion {
             Motion::Rest => (nothing(), nothing()),
             Motion::Coasting => (qd, nothing()),
-            Motion::Driven => (qd, qdd),
+            Motion::Accelerated => (qd, qdd),
         };
         Rates { first, second }
     }

@@ -77,7 +77,7 @@ impl Place {
 
 /// An error or a warning: what is wrong, where, and what to do.
 #[derive(Clone, Debug)]
-pub struct Complaint {
+pub struct Diagnostic {
     /// The place of the words that caused it.
     pub place: Place,
     /// A sentence without a full stop that names the item.
@@ -93,10 +93,10 @@ pub struct Errors {
     /// The names of included files, by their indices.
     included: Vec<String>,
     anchor: Option<Span>,
-    complaints: Vec<Complaint>,
+    diagnostics: Vec<Diagnostic>,
     left_out: usize,
     /// Warnings, shown beside errors.
-    warnings: Vec<Complaint>,
+    warnings: Vec<Diagnostic>,
 }
 
 /// Maximum number of warnings shown beside errors.
@@ -126,7 +126,7 @@ impl Errors {
 
     /// Adds an error.
     pub fn push(&mut self, place: Place, message: impl Into<String>) {
-        self.record(Complaint {
+        self.record(Diagnostic {
             place,
             message: message.into(),
             hint: None,
@@ -141,7 +141,7 @@ impl Errors {
         hint: impl Into<String>,
     ) {
         let hint = Some(hint.into());
-        self.record(Complaint {
+        self.record(Diagnostic {
             place,
             message: message.into(),
             hint,
@@ -156,17 +156,17 @@ impl Errors {
             self.included = other.included;
         }
         self.left_out += other.left_out;
-        for complaint in other.complaints {
-            self.record(complaint);
+        for diagnostic in other.diagnostics {
+            self.record(diagnostic);
         }
         self.warn(other.warnings);
     }
 
     /// Adds warnings, each once, to be shown if there are errors.
-    pub fn warn(&mut self, warnings: impl IntoIterator<Item = Complaint>) {
+    pub fn warn(&mut self, warnings: impl IntoIterator<Item = Diagnostic>) {
         for warning in warnings {
             let place = warning.place.order();
-            let is_same = |known: &Complaint| {
+            let is_same = |known: &Diagnostic| {
                 known.message == warning.message && known.place.order() == place
             };
             if self.warnings.len() < KEPT && !self.warnings.iter().any(is_same) {
@@ -177,15 +177,15 @@ impl Errors {
 
     /// The same errors, with warnings beside them.
     #[must_use]
-    pub fn beside(mut self, warnings: impl IntoIterator<Item = Complaint>) -> Self {
+    pub fn beside(mut self, warnings: impl IntoIterator<Item = Diagnostic>) -> Self {
         self.warn(warnings);
         self
     }
 
-    /// Adds a [`Complaint`] as an error.
-    pub fn record(&mut self, complaint: Complaint) {
-        if self.complaints.len() < KEPT {
-            self.complaints.push(complaint);
+    /// Adds a [`Diagnostic`] as an error.
+    pub fn record(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() < KEPT {
+            self.diagnostics.push(diagnostic);
         } else {
             self.left_out += 1;
         }
@@ -194,19 +194,19 @@ impl Errors {
     /// True if there are no errors.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.complaints.is_empty()
+        self.diagnostics.is_empty()
     }
 
     /// The warnings that are shown if there are errors.
     #[must_use]
-    pub fn warnings(&self) -> &[Complaint] {
+    pub fn warnings(&self) -> &[Diagnostic] {
         &self.warnings
     }
 
     /// The errors, in the order in which they were found; at most the first thousand.
     #[must_use]
-    pub fn complaints(&self) -> &[Complaint] {
-        &self.complaints
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
     }
 
     /// Returns `value` if there are no errors.
@@ -224,9 +224,9 @@ impl Errors {
     /// One line for an error or a warning, as editors and people read it: `arm.urdf:112:7: joint "elbow" has no
     /// <axis>`. Invisible characters are escaped: `\u{202e}`.
     #[must_use]
-    pub fn locate(&self, complaint: &Complaint) -> String {
-        let message = visible(&complaint.message);
-        match (complaint.place, &self.file) {
+    pub fn locate(&self, diagnostic: &Diagnostic) -> String {
+        let message = visible(&diagnostic.message);
+        match (diagnostic.place, &self.file) {
             (Place::File { line, column }, Some(file)) => {
                 format!("{}:{line}:{column}: {message}", visible(file))
             }
@@ -244,13 +244,13 @@ impl Errors {
     #[must_use]
     pub fn to_compile_errors(&self) -> TokenStream {
         let anchor = self.anchor.unwrap_or_else(Span::call_site);
-        let last = self.complaints.len().saturating_sub(1);
-        let errors = self.complaints.iter().enumerate().map(|(k, complaint)| {
-            let span = match complaint.place {
+        let last = self.diagnostics.len().saturating_sub(1);
+        let errors = self.diagnostics.iter().enumerate().map(|(k, diagnostic)| {
+            let span = match diagnostic.place {
                 Place::Token(span) => span,
                 Place::File { .. } | Place::Included { .. } | Place::Unknown => anchor,
             };
-            let mut message = self.with_hint(complaint, "hint: ");
+            let mut message = self.with_hint(diagnostic, "hint: ");
             // Stable Rust has no warnings of macros, so they go with the last error.
             if k == last {
                 for warning in self.warnings.iter().take(BESIDE) {
@@ -264,9 +264,9 @@ impl Errors {
     }
 
     /// A message with its hint on a line of its own.
-    fn with_hint(&self, complaint: &Complaint, before: &str) -> String {
-        let message = self.locate(complaint);
-        match &complaint.hint {
+    fn with_hint(&self, diagnostic: &Diagnostic, before: &str) -> String {
+        let message = self.locate(diagnostic);
+        match &diagnostic.hint {
             Some(hint) => format!("{message}\n{before}{}", visible(hint)),
             None => message,
         }
@@ -275,8 +275,8 @@ impl Errors {
 
 impl fmt::Display for Errors {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for complaint in &self.complaints {
-            writeln!(out, "error: {}", self.with_hint(complaint, "  hint: "))?;
+        for diagnostic in &self.diagnostics {
+            writeln!(out, "error: {}", self.with_hint(diagnostic, "  hint: "))?;
         }
         if self.left_out > 0 {
             writeln!(out, "and {} more", self.left_out)?;

@@ -47,6 +47,13 @@ pub fn of_chain(chain: &Chain) -> Result<Module, Errors> {
     errors.into_result(module)
 }
 
+/// The robot without functions: names, limits, loops, and the functions of configurations that need nothing else.
+#[must_use]
+pub fn without_functions(chain: &Chain) -> Module {
+    let (module, _) = collect(chain, std::iter::empty());
+    module
+}
+
 #[cfg(test)]
 mod long_chains;
 #[cfg(test)]

@@ -10,14 +10,13 @@ use crate::wording::{known, list, quoted};
 /// ```
 /// use homogen_codegen::formulation::{Formulation, Forward, Parameters};
 ///
-/// let formulation = Formulation {
-///     parameters: Parameters::Raw,
-///     forward: Some(Forward::MassMatrix { refinements: 1 }),
-///     ..Formulation::default()
-/// };
+/// let formulation = Formulation::default()
+///     .with_parameters(Parameters::Raw)
+///     .with_forward(Forward::MassMatrix { refinements: 1 });
 /// assert_eq!(formulation.words(), ["raw", "refined = 1"]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Formulation {
     /// Frame of the recursions.
     pub frame: Frame,
@@ -36,6 +35,7 @@ pub struct Formulation {
 
 /// Frame of the recursions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Frame {
     /// The frame of each link: the fewest operations, and no loss of accuracy far from the base.
     #[default]
@@ -46,6 +46,7 @@ pub enum Frame {
 
 /// Inertial parameters that dynamics starts from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Parameters {
     /// Base parameters: mass that does not load a joint is moved to its inboard side.
     #[default]
@@ -57,6 +58,7 @@ pub enum Parameters {
 /// Algorithm for forward dynamics and for the inverse of the mass matrix, whose columns are accelerations by unit
 /// forces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Forward {
     /// Factorisation of the mass matrix.
     MassMatrix {
@@ -74,6 +76,7 @@ impl Forward {
 
 /// Treatment of the angles of consecutive joints with parallel axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Angles {
     /// Each angle has its own sine and cosine; accuracy does not depend on the number of turns.
     #[default]
@@ -86,6 +89,7 @@ pub enum Angles {
 
 /// Rounding of a product in a sum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Products {
     /// Fused, with one rounding, where the target has the instruction, except for differences that must cancel.
     #[default]
@@ -150,6 +154,36 @@ pub(crate) fn words() -> Vec<&'static str> {
     let mut words: Vec<&str> = WORDS.iter().map(|(word, ..)| *word).collect();
     words.dedup();
     words
+}
+
+/// Setters of the parts.
+macro_rules! setters {
+    ($($(#[$about:meta])* $name:ident $part:ident: $kind:ty;)*) => {
+        impl Formulation {
+            $(
+                $(#[$about])*
+                #[must_use]
+                pub fn $name(self, $part: impl Into<$kind>) -> Self {
+                    Self { $part: $part.into(), ..self }
+                }
+            )*
+        }
+    };
+}
+
+setters! {
+    /// The same with another frame of the recursions.
+    with_frame frame: Frame;
+    /// The same with other inertial parameters.
+    with_parameters parameters: Parameters;
+    /// The same with an algorithm for accelerations, or `None` for the engine's choice.
+    with_forward forward: Option<Forward>;
+    /// The same with another treatment of the angles of parallel axes.
+    with_angles angles: Angles;
+    /// The same with another rounding of products in sums.
+    with_products products: Products;
+    /// The same with another source of sines and cosines.
+    with_sines sines: Sines;
 }
 
 impl Formulation {
@@ -373,10 +407,7 @@ mod tests {
     #[test]
     fn refinements_without_end_are_refused() {
         let forward = Some(Forward::MassMatrix { refinements: 9 });
-        let formulation = Formulation {
-            forward,
-            ..Formulation::default()
-        };
+        let formulation = Formulation::default().with_forward(forward);
         assert!(formulation.check().is_err());
     }
 }

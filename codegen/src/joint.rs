@@ -1,17 +1,17 @@
 //! Joint types.
 //!
-//! Each type is a [`Definition`] in a file of its own. A joint is a list of degrees of freedom ([`Freedom`]), with one
-//! velocity each. Either they are in series and each has its own coordinate, or a [`Posture`] defines the coordinates
+//! Each type is a [`Definition`] in a file of its own. A joint is a list of degrees of freedom ([`DegreeOfFreedom`]), with one
+//! velocity each. Either they are in series and each has its own coordinate, or a [`Manifold`] defines the coordinates
 //! of all together. [`Motion`] is the motion of one degree of freedom.
 
+pub mod actuator;
 mod continuous;
 mod cylindrical;
-pub mod drive;
 mod fixed;
 mod floating;
+mod manifold;
 mod motion;
 mod planar;
-mod posture;
 mod prismatic;
 mod revolute;
 mod screw;
@@ -19,9 +19,9 @@ mod spherical;
 mod translation;
 mod universal;
 
-pub use drive::Drive;
+pub use actuator::ActuatorTerms;
+pub use manifold::Manifold;
 pub use motion::Motion;
-pub use posture::Posture;
 
 use crate::number::Number;
 use crate::space::Kind;
@@ -62,16 +62,16 @@ pub struct Definition {
     /// Its name in all formats.
     pub word: &'static str,
     /// Its degrees of freedom from the parent link outwards: one for each velocity.
-    pub freedoms: &'static [Freedom],
+    pub degrees_of_freedom: &'static [DegreeOfFreedom],
     /// Coordinates of all degrees of freedom together; `None` if each has a coordinate of its own.
-    pub posture: Option<Posture>,
+    pub manifold: Option<Manifold>,
     /// Makes the type; the argument is the pitch of a screw.
     make: fn(Number) -> JointKind,
 }
 
 /// A degree of freedom: a motion with one velocity.
 #[derive(Clone, Copy, Debug)]
-pub struct Freedom {
+pub struct DegreeOfFreedom {
     /// Name of its velocity, and of its coordinate if it has one, within the joint.
     pub name: &'static str,
     /// Type of motion.
@@ -84,9 +84,9 @@ pub struct Freedom {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Movement {
     /// Rotation about a direction.
-    Turn,
+    Rotation,
     /// Translation along it.
-    Slide,
+    Translation,
     /// Both, in a fixed ratio.
     Helix,
 }
@@ -117,9 +117,9 @@ pub const ALL: [&Definition; 11] = [
     &fixed::DEFINITION,
 ];
 
-impl Freedom {
+impl DegreeOfFreedom {
     const fn rotation(name: &'static str, along: Along) -> Self {
-        let movement = Movement::Turn;
+        let movement = Movement::Rotation;
         Self {
             name,
             movement,
@@ -128,7 +128,7 @@ impl Freedom {
     }
 
     const fn translation(name: &'static str, along: Along) -> Self {
-        let movement = Movement::Slide;
+        let movement = Movement::Translation;
         Self {
             name,
             movement,
@@ -141,16 +141,20 @@ impl Definition {
     /// True if a joint of this type moves.
     #[must_use]
     pub const fn moves(&self) -> bool {
-        !self.freedoms.is_empty()
+        !self.degrees_of_freedom.is_empty()
     }
 
     /// Number of axes in a description.
     #[must_use]
     pub fn axes(&self) -> usize {
-        let along = |direction| self.freedoms.iter().any(|one| one.along == direction);
+        let along = |direction| {
+            self.degrees_of_freedom
+                .iter()
+                .any(|one| one.along == direction)
+        };
         match () {
             () if along(Along::Second) => 2,
-            () if along(Along::Axis) || self.posture == Some(Posture::Planar) => 1,
+            () if along(Along::Axis) || self.manifold == Some(Manifold::Planar) => 1,
             () => 0,
         }
     }
@@ -160,8 +164,9 @@ impl Definition {
     /// # Errors
     /// The error of `pitch`.
     pub fn with_pitch<E>(&self, pitch: impl FnOnce() -> Result<Number, E>) -> Result<JointKind, E> {
-        let helical = |freedom: &Freedom| freedom.movement == Movement::Helix;
-        let pitch = if self.freedoms.iter().any(helical) {
+        let helical =
+            |degree_of_freedom: &DegreeOfFreedom| degree_of_freedom.movement == Movement::Helix;
+        let pitch = if self.degrees_of_freedom.iter().any(helical) {
             pitch()?
         } else {
             Number::default()
@@ -204,19 +209,19 @@ impl JointKind {
     /// True if it has more than one velocity.
     #[must_use]
     pub const fn has_several(self) -> bool {
-        self.freedoms().len() > 1
+        self.degrees_of_freedom().len() > 1
     }
 
     /// Its degrees of freedom, from the parent link outwards.
     #[must_use]
-    pub const fn freedoms(self) -> &'static [Freedom] {
-        self.definition().freedoms
+    pub const fn degrees_of_freedom(self) -> &'static [DegreeOfFreedom] {
+        self.definition().degrees_of_freedom
     }
 
     /// Coordinates of all its degrees of freedom together; `None` if they are in series.
     #[must_use]
-    pub const fn posture(self) -> Option<Posture> {
-        self.definition().posture
+    pub const fn manifold(self) -> Option<Manifold> {
+        self.definition().manifold
     }
 
     /// Translation per radian of a screw [m/rad].
@@ -229,29 +234,29 @@ impl JointKind {
     }
 
     /// Names of the velocities of a joint: that of the joint if there is only one.
-    pub fn velocities(self, joint: &str) -> impl Iterator<Item = (String, Freedom)> {
-        let freedoms = self.freedoms();
-        freedoms.iter().map(move |&freedom| {
-            let name = match freedoms {
+    pub fn velocities(self, joint: &str) -> impl Iterator<Item = (String, DegreeOfFreedom)> {
+        let degrees_of_freedom = self.degrees_of_freedom();
+        degrees_of_freedom.iter().map(move |&degree_of_freedom| {
+            let name = match degrees_of_freedom {
                 [_] => joint.to_owned(),
-                _ => entry(joint, freedom.name),
+                _ => entry(joint, degree_of_freedom.name),
             };
-            (name, freedom)
+            (name, degree_of_freedom)
         })
     }
 
     /// Names of the coordinates of a joint, with the kind of each.
     #[must_use]
     pub fn coordinates(self, joint: &str) -> Vec<(String, Kind)> {
-        if let Some(posture) = self.posture() {
-            let entries = posture.coordinates().iter();
+        if let Some(manifold) = self.manifold() {
+            let entries = manifold.coordinates().iter();
             return entries
                 .map(|&(name, kind)| (entry(joint, name), kind))
                 .collect();
         }
         let velocities = self.velocities(joint);
         velocities
-            .map(|(name, freedom)| (name, freedom.movement.kind()))
+            .map(|(name, degree_of_freedom)| (name, degree_of_freedom.movement.kind()))
             .collect()
     }
 }
@@ -261,8 +266,8 @@ impl Movement {
     #[must_use]
     pub const fn kind(self) -> Kind {
         match self {
-            Self::Slide => Kind::Slide,
-            Self::Turn | Self::Helix => Kind::Turn,
+            Self::Translation => Kind::Translation,
+            Self::Rotation | Self::Helix => Kind::Rotation,
         }
     }
 }

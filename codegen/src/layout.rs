@@ -26,7 +26,7 @@ pub struct Layout {
     /// The origin of a body on a prismatic joint.
     pub sliding: Sliding,
     /// Rotates the frame of a last body so that its centre of mass lies in the xz plane.
-    pub turn_ends: bool,
+    pub rotate_ends: bool,
     /// Regroups the inertial parameters.
     pub regroup: bool,
 }
@@ -49,7 +49,7 @@ impl Layout {
     pub const DESCRIBED: Self = Self {
         normals: false,
         sliding: Sliding::AsDescribed,
-        turn_ends: false,
+        rotate_ends: false,
         regroup: false,
     };
 
@@ -79,11 +79,10 @@ impl Layout {
     }
 
     fn sliding(chain: &Chain, all: &[Sliding]) -> Vec<Sliding> {
-        let slides = chain
-            .joints
-            .iter()
-            .any(|joint| joint.motion.slides() && matches!(joint.position, Position::Along { .. }));
-        if slides {
+        let translates = chain.joints.iter().any(|joint| {
+            joint.motion.translates() && matches!(joint.position, Position::Along { .. })
+        });
+        if translates {
             all.to_vec()
         } else {
             vec![Sliding::AsDescribed]
@@ -94,11 +93,11 @@ impl Layout {
         let mut layouts = Vec::new();
         for normals in [false, true] {
             for &sliding in sliding {
-                for &turn_ends in turns {
+                for &rotate_ends in turns {
                     layouts.push(Self {
                         normals,
                         sliding,
-                        turn_ends,
+                        rotate_ends,
                         regroup,
                     });
                 }
@@ -125,7 +124,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         }
     }
     for k in all.clone() {
-        if bodies.bodies[k].slides_alone() {
+        if bodies.bodies[k].translates_alone() {
             let offset = match layout.sliding {
                 Sliding::AtParent => {
                     let placement = bodies.bodies[k].placement;
@@ -144,7 +143,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
     for k in all.clone().rev() {
         let body = bodies.bodies[k];
         if layout.sliding == Sliding::AtMassCenter
-            && body.slides_alone()
+            && body.translates_alone()
             && body.inertia.mass.value().is_some_and(Double::is_sharp)
         {
             let center = body.inertia.q.map(|entry| entry / body.inertia.mass);
@@ -154,12 +153,12 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
             regroup::pass_inboard(&mut bodies, k);
         }
     }
-    if layout.turn_ends {
+    if layout.rotate_ends {
         for k in all.clone() {
             let body = bodies.bodies[k];
             let end = bodies.first_child(k).is_none();
             if end
-                && body.turns_alone()
+                && body.rotates_alone()
                 && let Some(turn) = frames::towards_mass_center(&body.inertia)
             {
                 bodies.move_frame(k, turn);
@@ -167,7 +166,7 @@ pub fn arrange<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g
         }
     }
     for body in &mut bodies.bodies {
-        if body.turns_alone() {
+        if body.rotates_alone() {
             let rotation = body.placement.rotation;
             if let Some((offset, rest)) = frames::split_offset(rotation) {
                 body.offset = Some(offset);

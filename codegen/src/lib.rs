@@ -64,11 +64,11 @@ pub mod check;
 pub mod closure;
 mod dense;
 #[doc(hidden)]
-pub mod door;
-#[doc(hidden)]
 pub mod expand;
 #[doc(hidden)]
 pub mod expression;
+#[doc(hidden)]
+pub mod front_end;
 #[doc(hidden)]
 pub mod joint;
 #[doc(hidden)]

@@ -3,13 +3,16 @@
 //! In: the bodies of a chain with their frames, in a [`Scene`]. Out: scalars. Recursions run in the frames of the links
 //! (structure rules 1 to 3), or with all matrices in frame 0.
 
+mod algorithm;
 mod alike;
 pub(crate) mod articulated;
+mod axis_rotation;
 mod carry;
 mod composite;
 mod constrained;
 mod derivatives;
 mod direction;
+mod external;
 mod factor;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gravity;
@@ -20,24 +23,21 @@ mod mass_center;
 pub(crate) mod momentum;
 pub(crate) mod moving;
 mod newton_euler;
-mod outside;
 pub(crate) mod pose;
 pub(crate) mod regressor;
 mod state;
-mod turn;
 pub(crate) mod twist;
 mod velocities;
-mod way;
 
 pub(crate) use self::alike::alike;
 pub(crate) use self::articulated::{
     INERTIA as ARTICULATED_INERTIA, MOTION as ARTICULATED_MOTION, STEP as ARTICULATED_STEP,
 };
 
+pub use self::algorithm::{Algorithm, Angles, Carried, Congruence, Forward, Frame};
 pub use self::direction::coordinate_rates;
 pub(crate) use self::mass_center::MassCenter;
 pub(crate) use self::state::State;
-pub use self::way::{Angles, Carried, Congruence, Forward, Frame, Way};
 
 use crate::chain::BodyId;
 use crate::expression::{Graph, Term};
@@ -51,18 +51,23 @@ pub struct Scene<'s, 'g> {
     graph: &'g Graph,
     frame: FrameId,
     pub(crate) bodies: &'s Bodies<'g>,
-    pub(crate) way: Way,
+    pub(crate) algorithm: Algorithm,
     pub(crate) state: State<'g>,
 }
 
 impl<'s, 'g> Scene<'s, 'g> {
     /// A scene with a frame, for functions of a frame.
-    pub(crate) fn new(graph: &'g Graph, bodies: &'s Bodies<'g>, frame: FrameId, way: Way) -> Self {
+    pub(crate) fn new(
+        graph: &'g Graph,
+        bodies: &'s Bodies<'g>,
+        frame: FrameId,
+        algorithm: Algorithm,
+    ) -> Self {
         Self {
             graph,
             frame,
             bodies,
-            way,
+            algorithm,
             state: State::of(graph, bodies),
         }
     }
@@ -75,12 +80,12 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// The path to the frame, in the frames of the links.
     pub(crate) fn link_path(&self) -> carry::Path<'g> {
-        carry::path(self.bodies, self.frame, &self.state, self.way)
+        carry::path(self.bodies, self.frame, &self.state, self.algorithm)
     }
 
     /// The path to the frame, in the frame of the recursions.
     pub(crate) fn path(&self) -> carry::Path<'g> {
-        match self.way.frame {
+        match self.algorithm.frame {
             Frame::Link => self.link_path(),
             Frame::Base => self.link_path().in_frame_0(),
         }
@@ -88,14 +93,14 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// The joints with their displacements, in the frames of the links.
     pub(crate) fn link_joints(&self) -> carry::Joints<'g> {
-        carry::joints(self.bodies, &self.state, self.way)
+        carry::joints(self.bodies, &self.state, self.algorithm)
     }
 
     /// The same with the inertia of the base, but with the origin of frame 0 at the root: for functions that do not
     /// depend on that origin. A robot far from it then loses no digits, and the path to it is not computed.
     pub(crate) fn seen_from_root(&self) -> (carry::Joints<'g>, Inertia<Term<'g>>) {
         let base = self.bodies.base;
-        match self.way.frame {
+        match self.algorithm.frame {
             Frame::Link => carry::from_root(self.link_joints(), base),
             Frame::Base => (self.joints(), base),
         }
@@ -103,7 +108,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// The joints with their displacements, in the frame of the recursions.
     pub(crate) fn joints(&self) -> carry::Joints<'g> {
-        match self.way.frame {
+        match self.algorithm.frame {
             Frame::Link => self.link_joints(),
             Frame::Base => carry::in_frame_0(&self.link_joints()),
         }
@@ -127,7 +132,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// H of the frame without gravity, where `second` is the joint acceleration of a body.
     pub(crate) fn acceleration(&self, second: impl Fn(BodyId) -> Term<'g>) -> Vec<Term<'g>> {
-        match (self.way.frame, self.way.pose) {
+        match (self.algorithm.frame, self.algorithm.pose) {
             (Frame::Link, Carried::Outwards) => {
                 let (path, gravity) = (self.link_path(), self.bodies.gravity);
                 twist::acceleration_with_dynamics(&path, gravity, &self.state, second)
@@ -138,14 +143,17 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// τ of a motion with the given q̈, one entry a velocity, less the torques of external wrenches: τ − Σ Jᵗ Φ.
     pub(crate) fn driving(&self, qdd: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
-        let external = self.outside(self.way.frame);
+        let external = self.external(self.algorithm.frame);
         self.against(self.bodies.gravity, &self.state, qdd, &external)
     }
 
     /// The external wrenches on bodies, in the frames of the links or in frame 0.
-    pub(crate) fn outside(&self, frame: Frame) -> Vec<(BodyId, Action<Term<'g>>)> {
-        let way = Way { frame, ..self.way };
-        outside::outside(self.bodies, &self.state, way)
+    pub(crate) fn external(&self, frame: Frame) -> Vec<(BodyId, Action<Term<'g>>)> {
+        let algorithm = Algorithm {
+            frame,
+            ..self.algorithm
+        };
+        external::external(self.bodies, &self.state, algorithm)
     }
 
     /// τ of a motion with the given q̈, one entry a velocity each.
@@ -195,12 +203,12 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// Y of τ = Y π by its columns; in the frames of the links, for every algorithm.
     pub(crate) fn regressor(&self) -> List<ParameterId, List<VelocityId, Term<'g>>> {
-        let joints = carry::joints(self.bodies, &self.state, Way::PLAIN);
+        let joints = carry::joints(self.bodies, &self.state, Algorithm::PLAIN);
         let links = self.bodies.bodies.map(|body| body.link);
         let columns = regressor::regressor(&joints, &links, self.bodies.gravity, &self.state);
-        let drives = self.bodies.identifies_drives;
-        let drives = drives.then(|| regressor::of_drives(&joints, &self.state));
-        let columns = columns.iter().chain(drives.iter().flatten());
+        let actuators = self.bodies.identifies_actuators;
+        let actuators = actuators.then(|| regressor::of_actuators(&joints, &self.state));
+        let columns = columns.iter().chain(actuators.iter().flatten());
         columns.map(|column| self.forces(column)).collect()
     }
 
@@ -217,7 +225,7 @@ impl<'s, 'g> Scene<'s, 'g> {
     ) -> [Square<VelocityId, Term<'g>>; 2] {
         let qdd = velocities::shared(&self.state, self.bodies, qdd);
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
-        let external = self.outside(self.way.frame);
+        let external = self.external(self.algorithm.frame);
         let (constant, rotating) = if self.bodies.external_in_frame_0 {
             (external, Vec::new())
         } else {
@@ -263,28 +271,28 @@ impl<'g> Scene<'_, 'g> {
             jacobian: loops::jacobian(self),
             bias: loops::bias(self),
             alike: loops::alike(self.bodies),
-            vanishing: self.way.scalar.vanishing(),
+            zero_pivot: self.algorithm.scalar.zero_pivot(),
         };
         constrained::accelerations(&self.mass_matrix(), &self.parents(), &forces, &loops)
     }
 
     /// τ of the actuated joints in a motion that keeps loops closed.
-    pub(crate) fn driven(&self) -> List<VelocityId, Term<'g>> {
+    pub(crate) fn actuated(&self) -> List<VelocityId, Term<'g>> {
         let loops = constrained::Loops {
             jacobian: loops::jacobian(self),
             bias: Vec::new(),
             alike: loops::alike(self.bodies),
-            vanishing: self.way.scalar.vanishing(),
+            zero_pivot: self.algorithm.scalar.zero_pivot(),
         };
         let needed = self.torques(&self.qdd());
-        constrained::driven(&needed, &self.bodies.actuated, &loops)
+        constrained::actuated(&needed, &self.bodies.actuated, &loops)
     }
 }
 
 /// For each velocity the diagonal entry of the mass matrix and its pivot.
 #[must_use]
 pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, FrameId::FIRST, Way::PLAIN);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, Algorithm::PLAIN);
     forward_dynamics::pivots(&scene.mass_matrix(), &scene.parents())
 }
 
@@ -292,7 +300,7 @@ pub fn pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
 /// pairs of joints, are not computed.
 #[must_use]
 pub fn articulated_pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, FrameId::FIRST, Way::PLAIN);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, Algorithm::PLAIN);
     let pivots = articulated::pivots(&scene.link_joints()).into_iter();
     pivots.flatten().collect()
 }
@@ -301,10 +309,10 @@ pub fn articulated_pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term
 pub(crate) fn equation<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
-    way: Way,
+    algorithm: Algorithm,
     has_residual: bool,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, algorithm);
     let mut terms = Vec::from(scene.mass_matrix());
     terms.extend(scene.driving(&scene.coasting()));
     if has_residual {
@@ -317,9 +325,9 @@ pub(crate) fn equation<'g>(
 pub(crate) fn equation_at_rest<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
-    way: Way,
+    algorithm: Algorithm,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, algorithm);
     let mut terms = Vec::from(scene.mass_matrix());
     terms.extend(scene.coasting());
     terms.extend(scene.inertial(&scene.qdd()));
@@ -330,10 +338,10 @@ pub(crate) fn equation_at_rest<'g>(
 pub(crate) fn articulated_motion<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
-    way: Way,
+    algorithm: Algorithm,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, FrameId::FIRST, way);
-    let external = scene.outside(Frame::Link);
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, algorithm);
+    let external = scene.external(Frame::Link);
     articulated::motion(
         &scene.link_joints(),
         bodies.gravity,
@@ -346,10 +354,10 @@ pub(crate) fn articulated_motion<'g>(
 pub(crate) fn articulated_steps<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
-    way: Way,
+    algorithm: Algorithm,
     entries: &[Term<'g>; ARTICULATED_STEP],
 ) -> Vec<Vec<Term<'g>>> {
-    let joints = Scene::new(graph, bodies, FrameId::FIRST, way).link_joints();
+    let joints = Scene::new(graph, bodies, FrameId::FIRST, algorithm).link_joints();
     let steps = joints.iter().map(|joint| articulated::step(joint, entries));
     steps.collect()
 }

@@ -11,13 +11,13 @@ pub use review::{Origins, Review, Sum, Vector};
 
 use crate::accuracy::Accuracy;
 use crate::description::Source;
-use crate::error::Complaint;
+use crate::error::Diagnostic;
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::real::Real;
 use crate::request::Parameter;
-use crate::schedule::{Length, Price, Program};
+use crate::schedule::{Length, OperationCount, Program};
 use crate::space::{Space, Spaces, Variable};
 
 /// Everything that is generated for a robot.
@@ -57,7 +57,7 @@ pub struct Prepared {
     /// Program that depends on fields alone.
     pub once: Program,
     /// Its operation counts.
-    pub price: Price,
+    pub operation_count: OperationCount,
     /// Preferred names of its results, all different.
     pub names: Vec<String>,
     /// Functions in the order of the module; they read the results of `once` as their only field.
@@ -93,11 +93,11 @@ pub struct About {
     /// Simplifications of the model: `2 links merged`, `gravity only along −z`.
     pub facts: Vec<String>,
     /// True if a joint has armature or friction.
-    pub driven: bool,
+    pub actuated: bool,
     /// Words of the requested formulation, if it is not the default.
     pub formulation: Vec<String>,
     /// Warnings about the description and the request.
-    pub warnings: Vec<Complaint>,
+    pub warnings: Vec<Diagnostic>,
     /// Functions that the robot can't have, if all functions were requested.
     pub left_out: Vec<LeftOut>,
 }
@@ -137,7 +137,7 @@ pub struct GeneratedFunction {
     /// Operations.
     pub program: Program,
     /// Operation counts.
-    pub price: Price,
+    pub operation_count: OperationCount,
     /// Error bounds: one for the results that are evaluated, and one for each that solves an equation.
     pub accuracy: Vec<Accuracy>,
 }

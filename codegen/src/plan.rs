@@ -17,7 +17,7 @@ mod weighable;
 
 pub use forward::keeps_half;
 pub(crate) use forward::warnings;
-pub use measured::Off;
+pub use measured::MeasuredError;
 pub use program::{Programs, Recursion, expressions_by, program_by};
 
 use std::rc::Rc;
@@ -27,8 +27,8 @@ use crate::error::{Errors, Place};
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::list;
-use crate::model::Way;
-use crate::schedule::{Price, Program};
+use crate::model::Algorithm;
+use crate::schedule::{OperationCount, Program};
 use crate::space::FrameId;
 use choice::cheapest;
 
@@ -43,13 +43,13 @@ pub struct Plan<'c> {
     /// The layout of the frames of bodies.
     pub layout: Layout,
     /// The algorithm and the formulation.
-    pub way: Way,
+    pub algorithm: Algorithm,
     /// The operations.
     pub program: Program,
     /// Their operation count, with that of dense products.
-    pub price: Price,
+    pub operation_count: OperationCount,
     /// The measured error, if the algorithm was chosen by it.
-    pub off: Off,
+    pub error: MeasuredError,
     /// Programs of the same chain, from which bounds are made.
     pub programs: Rc<Programs<'c>>,
 }
@@ -149,16 +149,16 @@ pub fn plan<'c>(
         mul += more_mul;
         add += more_add;
     }
-    let price = Price::of(&found.program).beside_dense(mul, add);
+    let operation_count = OperationCount::of(&found.program).beside_dense(mul, add);
     Ok(Plan {
         chain,
         functions,
         frame,
         layout: found.layout,
-        way: found.way,
-        price: price.on(request.processor, request.scalar),
+        algorithm: found.algorithm,
+        operation_count: operation_count.on(request.processor, request.scalar),
         program: found.program,
-        off: found.off,
+        error: found.error,
         programs: Rc::clone(programs),
     })
 }

@@ -4,10 +4,12 @@
 //! here. Operations and their order stay as they are.
 
 #[cfg(feature = "files")]
+pub mod arrays;
+#[cfg(feature = "files")]
 pub(crate) mod ascii;
 #[cfg(feature = "files")]
 pub mod c;
-mod described;
+pub mod described;
 mod documentation;
 mod large;
 #[cfg(feature = "files")]

@@ -13,6 +13,7 @@ use crate::wording::known;
 /// runtime can be the instruction: never in a file for `core` alone, because `core` has no fused product on stable
 /// compilers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Processor {
     /// Any processor: fused if the processor has the instruction; costs are operation counts.
     #[default]

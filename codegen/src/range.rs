@@ -102,7 +102,7 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> b
             within_limits.push(letter);
         }
         // Quaternions have no limits to print.
-        let kinds = [Kind::Turn, Kind::Slide].into_iter();
+        let kinds = [Kind::Rotation, Kind::Translation].into_iter();
         let kinds = kinds.filter(|&kind| unlimited.iter().any(|entry| entry.kind == kind));
         let kinds = kinds.filter_map(|kind| {
             let size = number(argument.usual(kind)?);

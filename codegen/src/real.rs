@@ -38,7 +38,7 @@ impl Real {
     /// Relative size below which a pivot counts as rounding error: dependent rows leave less, independent ones more.
     /// That of `f64` for generic code.
     #[must_use]
-    pub const fn vanishing(self) -> f64 {
+    pub const fn zero_pivot(self) -> f64 {
         match self {
             Self::F32 => 1.0 / 65_536.0,
             Self::F64 | Self::Generic => 1.0 / 1_073_741_824.0,

@@ -12,17 +12,18 @@ pub use target::{Parameter, Target, TargetOf};
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 
-use crate::error::{Complaint, Place};
+use crate::error::{Diagnostic, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
-use crate::joint::drive::{Motor, Part, Parts};
+use crate::joint::actuator::{Motor, Part, Parts};
 use crate::name::Name;
 use crate::number::Number;
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 use crate::schedule::Length;
 
-/// A request of the user.
+/// A request of the user, as all front ends pass it on; [`Builder`](crate::Builder) sets it.
+#[doc(hidden)]
 #[derive(Clone, Debug, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a key of its own")]
 pub struct Request {
@@ -57,7 +58,7 @@ pub struct Request {
     /// Model rotors of the description.
     pub rotors: bool,
     /// Armature, rotors, damping and friction of joints that replace those of the description.
-    pub drives: Vec<(Name, Part, Vec<Number>)>,
+    pub actuators: Vec<(Name, Part, Vec<Number>)>,
     /// Acceleration of gravity in the base frame [m/s²]; (0, 0, −9.81) by default.
     pub gravity: Option<[Number; 3]>,
     /// Keep `1.5708` as written instead of taking it for π/2.
@@ -99,7 +100,8 @@ impl Request {
     pub fn items(&self, has_loops: bool) -> Vec<Vec<Function>> {
         if self.functions.is_empty() {
             // Functions of actuated joints need their names.
-            let has = |function: &Function| !self.actuated.is_empty() || !function.wants_drives();
+            let has =
+                |function: &Function| !self.actuated.is_empty() || !function.wants_actuators();
             let of_loops = Function::OF_LOOPS.into_iter().filter(|_| has_loops);
             let of_loops = of_loops.filter(has);
             let all = Function::ALL.into_iter().chain(of_loops);
@@ -151,16 +153,16 @@ impl Request {
     }
 
     fn sets(&self, is: impl Fn(Part) -> bool) -> bool {
-        let mut drives = self.drives.iter();
+        let mut actuators = self.actuators.iter();
         let mut fields = self.parameters.iter();
-        drives.any(|(_, part, _)| is(*part))
-            || fields.any(|field| field.target.drives().is_some_and(|(_, part)| is(part)))
+        actuators.any(|(_, part, _)| is(*part))
+            || fields.any(|field| field.target.actuators().is_some_and(|(_, part)| is(part)))
     }
 
     /// Models the terms that an inline description has for a joint.
-    pub fn model(&mut self, drive: &Parts) {
+    pub fn model(&mut self, actuator: &Parts) {
         for part in Part::ALL {
-            let is_set = !drive.of(part).is_empty();
+            let is_set = !actuator.of(part).is_empty();
             self.friction |= is_set && part.resists();
             self.rotors |= is_set && !part.resists();
         }
@@ -168,14 +170,14 @@ impl Request {
 
     /// The values of a part for a joint: those of the request, or else those of the description if they are modelled.
     #[must_use]
-    pub fn drive<'r>(&'r self, joint: &str, described: &'r Parts, part: Part) -> &'r [Number] {
+    pub fn actuator<'r>(&'r self, joint: &str, described: &'r Parts, part: Part) -> &'r [Number] {
         let modelled = if part.resists() {
             self.models_friction()
         } else {
             self.models_armature()
         };
-        let mut drives = self.drives.iter();
-        let asked = drives.find(|(name, of, _)| *of == part && name.text == joint);
+        let mut actuators = self.actuators.iter();
+        let asked = actuators.find(|(name, of, _)| *of == part && name.text == joint);
         match asked {
             Some((_, _, numbers)) => numbers,
             None if modelled => described.of(part),
@@ -189,7 +191,7 @@ impl Request {
         let is_replaced = |(name, part, _): &(Name, Part, Vec<Number>)| {
             matches!(part, Part::Rotor | Part::Ratio) && name.text == joint
         };
-        if self.models_armature() && !self.drives.iter().any(is_replaced) {
+        if self.models_armature() && !self.actuators.iter().any(is_replaced) {
             described.further()
         } else {
             &[]
@@ -198,13 +200,13 @@ impl Request {
 
     /// Errors of fields: two with one name, two for one number, gravity set twice. Each is reported at the later one.
     #[must_use]
-    pub fn clashes(&self) -> Vec<Complaint> {
+    pub fn clashes(&self) -> Vec<Diagnostic> {
         let mut clashes = Vec::new();
         for (index, parameter) in self.parameters.iter().enumerate() {
             let Parameter { field, target, .. } = parameter;
             let place = Place::Token(field.span());
             let mut complain = |message: String, hint: &str| {
-                clashes.push(Complaint {
+                clashes.push(Diagnostic {
                     place,
                     message,
                     hint: Some(hint.to_owned()),

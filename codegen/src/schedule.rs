@@ -8,8 +8,8 @@ pub mod bound;
 mod fuse;
 mod names;
 mod once;
+mod operation_count;
 mod order;
-mod price;
 mod readers;
 mod repeats;
 mod routine;
@@ -21,11 +21,11 @@ pub use blocks::LONGEST_SCOPE;
 pub use names::Names;
 pub(crate) use names::sanitize;
 pub use once::{Parts, part};
+pub use operation_count::OperationCount;
 pub use order::{schedule, schedule_unfused};
-pub use price::Price;
 pub use routine::{
-    Angle, Entries, Loop, Meaning, Readable, Routine, SectionBody, Statement, Stored, Turn, Value,
-    Work,
+    Angle, Entries, Loop, Meaning, Readable, RotationAngle, Routine, SectionBody, Statement,
+    Stored, Value, Work,
 };
 pub use run::run;
 pub use sections::{Length, Sections, sections};

@@ -63,12 +63,12 @@ impl FrameId {
 
 /// Entries of a wrench with their kinds: a couple acts on rotations, a force on translations.
 pub const ACTION: [(&str, Kind); 6] = [
-    ("cx", Kind::Turn),
-    ("cy", Kind::Turn),
-    ("cz", Kind::Turn),
-    ("fx", Kind::Slide),
-    ("fy", Kind::Slide),
-    ("fz", Kind::Slide),
+    ("cx", Kind::Rotation),
+    ("cy", Kind::Rotation),
+    ("cz", Kind::Rotation),
+    ("fx", Kind::Translation),
+    ("fy", Kind::Translation),
+    ("fz", Kind::Translation),
 ];
 
 /// Index of the wrench that an entry of [`Space::Actions`] belongs to, and the name of the entry within it.
@@ -82,19 +82,19 @@ pub const fn action_entry(entry: usize) -> (usize, &'static str) {
 #[non_exhaustive]
 pub enum Kind {
     /// Rotation.
-    Turn,
+    Rotation,
     /// Translation.
-    Slide,
+    Translation,
     /// One of the four components of a unit quaternion.
     Quaternion,
     /// Moment of mass of this order: 0 is a mass, 1 a first moment, 2 a second moment.
     Moment(u8),
     /// Parameter of an actuator: armature (order 2), damping (order 1) or friction (order 0).
-    Drive {
+    Actuator {
         /// Derivative of the coordinate that it is multiplied by; 0 means the sign of the velocity.
         order: u8,
         /// True for a prismatic joint.
-        slides: bool,
+        translates: bool,
     },
 }
 

@@ -12,7 +12,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Expr, Graph, Input, Term, along, evaluate, gradient};
 use homogen_codegen::layout::Layout;
 use homogen_codegen::list::Id;
-use homogen_codegen::model::{Way, coordinate_rates};
+use homogen_codegen::model::{Algorithm, coordinate_rates};
 use homogen_codegen::plan::expressions_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::{FrameId, Variable, VelocityId};
@@ -66,7 +66,7 @@ fn expressions(chain: &Chain, function: Function) -> (Graph, Vec<Expr>) {
         &[function],
         FrameId::FIRST,
         Layout::DESCRIBED,
-        Way::PLAIN,
+        Algorithm::PLAIN,
     )
 }
 

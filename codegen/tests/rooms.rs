@@ -276,7 +276,7 @@ const FOLDERS: [(&str, &[&str]); 35] = [
         ],
     ),
     (
-        "door",
+        "front_end",
         &[
             "error",
             "space",

@@ -12,7 +12,7 @@ use sources::code;
 const FOLDERS: [&str; 7] = [
     "builder",
     "description",
-    "door",
+    "front_end",
     "error",
     "request",
     "print/python",

@@ -13,8 +13,8 @@ pub mod filter;
 pub mod listing;
 pub mod machine;
 pub mod motion;
+pub mod operation_count;
 pub mod optimal;
-pub mod price;
 pub mod states;
 pub mod timing;
 

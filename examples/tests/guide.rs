@@ -17,18 +17,18 @@ use homogen_codegen::plan::{Programs, plan};
 use homogen_codegen::request::Request;
 use homogen_codegen::space::FrameId;
 use homogen_examples::listing;
-use homogen_examples::price::{self, Prices};
+use homogen_examples::operation_count::{self, OperationCounts};
 
 const ACCURACY: &str = include_str!("../../guide/src/accuracy.md");
 const FORMULATIONS: &str = include_str!("../../guide/src/formulations.md");
 const FUNCTIONS: &str = include_str!("../../guide/src/functions.md");
 const GENERATED_CODE: &str = include_str!("../../guide/src/generated-code.md");
 
-macro_rules! prices {
+macro_rules! operation_counts {
     ($robot:literal, $tip:literal) => {{
         let file = concat!($robot, ".urdf");
         let text = include_str!(concat!("../../robots/", $robot, ".urdf"));
-        price::count(file, text, $tip).expect("the robots of the repository are valid")
+        operation_count::count(file, text, $tip).expect("the robots of the repository are valid")
     }};
 }
 
@@ -41,11 +41,11 @@ fn the_expansion_is_what_the_code_generator_prints() {
 
 #[test]
 fn the_counts_of_the_functions_are_those_of_the_doc_comments() {
-    let prices = prices!("panda_class", "link8");
+    let operation_counts = operation_counts!("panda_class", "link8");
     for function in Function::ALL {
         let name = function.name();
-        let price = prices.of(function);
-        let (mul, add) = (price.mul, price.add);
+        let operation_count = operation_counts.of(function);
+        let (mul, add) = (operation_count.mul, operation_count.add);
         let rows = (FUNCTIONS.lines()).filter(|line| line.starts_with(&format!("| `{name}` |")));
         let rows: Vec<_> = rows.collect();
         let end = format!(" | {mul} | {add} |");
@@ -58,17 +58,17 @@ fn the_counts_of_the_functions_are_those_of_the_doc_comments() {
 
 #[test]
 fn the_output_shown_has_the_current_counts() {
-    let prices = prices!("panda_class", "link8");
+    let operation_counts = operation_counts!("panda_class", "link8");
     let all = Function::ALL.into_iter();
     for function in all.filter(|&function| function != Function::BaseRegressor) {
-        let price = prices.of(function);
+        let operation_count = operation_counts.of(function);
         let start = format!(
             "  {:<28} {:>4} {:>4} {:>4} {:>5} ",
             function.name(),
-            price.mul,
-            price.add,
-            price.sin + price.cos,
-            price.naive_mul + price.naive_add
+            operation_count.mul,
+            operation_count.add,
+            operation_count.sin + operation_count.cos,
+            operation_count.naive_mul + operation_count.naive_add
         );
         assert_contains(ACCURACY, &start);
     }
@@ -79,19 +79,19 @@ fn the_counts_beside_published_ones_are_current() {
     let robots = [
         (
             "[Stanford](../../robots/stanford_general.urdf)",
-            prices!("stanford_general", "tool"),
+            operation_counts!("stanford_general", "tool"),
         ),
         (
             "[PUMA 560](../../robots/puma560_general.urdf)",
-            prices!("puma560_general", "tool"),
+            operation_counts!("puma560_general", "tool"),
         ),
         (
             "[Panda class](../../robots/panda_class.urdf)",
-            prices!("panda_class", "link8"),
+            operation_counts!("panda_class", "link8"),
         ),
     ];
-    for (name, prices) in &robots {
-        let cell = |function| count(prices, function);
+    for (name, operation_counts) in &robots {
+        let cell = |function| count(operation_counts, function);
         let start = format!("| {name} | {} | ", cell(Function::InverseDynamics));
         let rows = ACCURACY.lines().filter(|line| line.starts_with(&start));
         let mass = format!(" | {} | ", cell(Function::MassMatrix));
@@ -107,17 +107,10 @@ fn the_counts_of_formulations_are_current() {
         let (angles, parameters) = (Angles::Merged, Parameters::Raw);
         [
             plain,
-            Formulation { angles, ..plain },
-            Formulation {
-                parameters,
-                ..plain
-            },
-            Formulation { frame, ..plain },
-            Formulation {
-                frame,
-                parameters,
-                ..plain
-            },
+            plain.with_angles(angles),
+            plain.with_parameters(parameters),
+            plain.with_frame(frame),
+            plain.with_frame(frame).with_parameters(parameters),
         ]
     };
     for (name, robot, tip, function) in [
@@ -163,9 +156,9 @@ fn the_counts_of_formulations_are_current() {
         for formulation in columns {
             Rc::make_mut(&mut chain.request).formulation = formulation;
             let plan = plan(&Programs::of(&chain), vec![function], FrameId::FIRST);
-            let price = plan.expect("it has forward dynamics").price;
+            let operation_count = plan.expect("it has forward dynamics").operation_count;
             // Writing to a string cannot fail.
-            let _ = write!(row, " {}/{} |", price.mul, price.add);
+            let _ = write!(row, " {}/{} |", operation_count.mul, operation_count.add);
         }
         assert_contains(FORMULATIONS, &format!("{row}\n"));
     }
@@ -194,9 +187,9 @@ fn every_chapter_is_in_the_contents_and_is_compiled() {
     }
 }
 
-fn count(prices: &Prices, function: Function) -> String {
-    let price = prices.of(function);
-    format!("{}/{}", price.mul, price.add)
+fn count(operation_counts: &OperationCounts, function: Function) -> String {
+    let operation_count = operation_counts.of(function);
+    format!("{}/{}", operation_count.mul, operation_count.add)
 }
 
 fn assert_contains(chapter: &str, part: &str) {

@@ -36,8 +36,13 @@ fn operations(kind: &str) -> Vec<usize> {
     };
     let description = description.expect("it is valid");
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{kind}: {errors}"));
-    let prices = module.functions.iter().map(|generated| &generated.price);
-    prices.map(|price| price.mul + price.add).collect()
+    let operation_counts = module
+        .functions
+        .iter()
+        .map(|generated| &generated.operation_count);
+    operation_counts
+        .map(|operation_count| operation_count.mul + operation_count.add)
+        .collect()
 }
 
 #[test]
@@ -51,10 +56,15 @@ fn every_function_has_a_count_for_every_joint() {
         "---:|".repeat(kinds.len())
     );
     for (row, function) in Function::ALL.into_iter().enumerate() {
-        let prices = columns.iter().map(|column| column[row].to_string());
-        let prices: Vec<String> = prices.collect();
+        let operation_counts = columns.iter().map(|column| column[row].to_string());
+        let operation_counts: Vec<String> = operation_counts.collect();
         // Writing to a string cannot fail.
-        let _ = writeln!(table, "| `{}` | {} |", function.name(), prices.join(" | "));
+        let _ = writeln!(
+            table,
+            "| `{}` | {} |",
+            function.name(),
+            operation_counts.join(" | ")
+        );
     }
     let marked = format!("<!-- joints -->\n{table}");
     assert!(

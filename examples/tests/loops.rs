@@ -54,8 +54,8 @@ fn the_counts_of_the_slider_crank_are_current() {
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
     let (_, table) = LOOPS.split_once("<!-- loops -->").expect("it is there");
     for (function, generated) in Function::OF_LOOPS.into_iter().zip(&module.functions) {
-        let (name, price) = (function.name(), &generated.price);
-        let end = format!(" | {} | {} |", price.mul, price.add);
+        let (name, operation_count) = (function.name(), &generated.operation_count);
+        let end = format!(" | {} | {} |", operation_count.mul, operation_count.add);
         let row = table
             .lines()
             .find(|line| line.starts_with(&format!("| `{name}` |")));

@@ -46,11 +46,14 @@ fn the_excerpt_is_what_the_code_generator_prints() {
     let (excerpt, _) = rest.split_once("```\n").expect("its end");
     let printed = listing::inverse_dynamics_of_two_links().expect("it is valid");
     assert!(printed.contains(excerpt), "{excerpt}\nis not in\n{printed}");
-    let price = printed
+    let operation_count = printed
         .lines()
         .find(|line| line.contains(" mul, "))
         .expect("a price");
-    assert!(price.contains("17 mul, 10 add"), "{price}");
+    assert!(
+        operation_count.contains("17 mul, 10 add"),
+        "{operation_count}"
+    );
     assert_contains(README, "of 17 multiplications and 10 additions");
 }
 

@@ -21,7 +21,7 @@ use homogen_codegen::expand::expand;
 use homogen_codegen::formulation::Angles;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 use scene::{Scene, Variant};
 
 const REPORT: &str = include_str!("../../report/REPORT.md");
@@ -31,14 +31,14 @@ fn counts_of_the_robots_are_current() {
     for scene in robots() {
         let part = part(&format!("### {}", scene.title));
         for &function in &scene.functions {
-            let Price {
+            let OperationCount {
                 mul,
                 add,
                 div,
                 sin,
                 cos,
                 ..
-            } = price(&scene, &Variant::DEFAULT, function);
+            } = operation_count(&scene, &Variant::DEFAULT, function);
             let trig = sin + cos;
             assert_row(
                 part,
@@ -58,7 +58,8 @@ fn counts_of_formulations_are_current() {
                 .iter()
                 .filter(|variant| variant.serves(function))
             {
-                let Price { mul, add, div, .. } = price(&scene, variant, function);
+                let OperationCount { mul, add, div, .. } =
+                    operation_count(&scene, variant, function);
                 let (robot, name, way) = (&scene.title, function.name(), variant.title);
                 assert_row(
                     part,
@@ -126,8 +127,8 @@ fn merged_angles_are_shown_where_they_change_a_program() {
         for &function in &scene.functions {
             let is_shown = (scene.variants.iter())
                 .any(|variant| variant.name == "merged" && variant.serves(function));
-            let differs =
-                price(&scene, &merged, function) != price(&scene, &Variant::DEFAULT, function);
+            let differs = operation_count(&scene, &merged, function)
+                != operation_count(&scene, &Variant::DEFAULT, function);
             assert_eq!(is_shown, differs, "{}, {}", scene.title, function.name());
         }
     }
@@ -139,7 +140,8 @@ fn counts_of_simpler_models_are_current() {
     let scenes = scene::models(root()).expect("the robots of the repository are valid");
     for scene in scenes {
         for variant in &scene.variants {
-            let Price { mul, add, .. } = price(&scene, variant, Function::InverseDynamics);
+            let OperationCount { mul, add, .. } =
+                operation_count(&scene, variant, Function::InverseDynamics);
             for scalar in variant.scalars {
                 let (title, model, scalar) = (&scene.title, variant.title, scalar.name());
                 assert_row(
@@ -168,7 +170,7 @@ fn counts_of_chains_are_current() {
                 scalar: Real::F64,
                 ..Request::default()
             };
-            let Price { mul, add, div, .. } = count(&chain, request, function);
+            let OperationCount { mul, add, div, .. } = count(&chain, request, function);
             let name = function.name();
             assert_row(
                 part,
@@ -212,18 +214,18 @@ fn robots() -> Vec<Scene> {
     scene::robots(root()).expect("the robots of the repository are valid")
 }
 
-fn price(scene: &Scene, variant: &Variant, function: Function) -> Price {
+fn operation_count(scene: &Scene, variant: &Variant, function: Function) -> OperationCount {
     let (description, request) = scene.of(variant);
     count(&description, request, variant.instead.unwrap_or(function))
 }
 
-fn count(description: &Description, request: Request, function: Function) -> Price {
+fn count(description: &Description, request: Request, function: Function) -> OperationCount {
     let request = Request {
         functions: vec![vec![function]],
         ..request
     };
     let module = expand(description, &request).expect("it is valid");
-    module.functions[0].price
+    module.functions[0].operation_count
 }
 
 /// The text between a heading and the next one of its level or above.

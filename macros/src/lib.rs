@@ -16,11 +16,11 @@ use proc_macro::TokenStream;
 #[doc = include_str!("derive.md")]
 #[proc_macro_derive(Robot, attributes(robot))]
 pub fn derive(input: TokenStream) -> TokenStream {
-    homogen_codegen::door::derive(input.into()).into()
+    homogen_codegen::front_end::derive(input.into()).into()
 }
 
 #[doc = include_str!("chain.md")]
 #[proc_macro]
 pub fn chain(input: TokenStream) -> TokenStream {
-    homogen_codegen::door::chain(input.into()).into()
+    homogen_codegen::front_end::chain(input.into()).into()
 }

@@ -53,8 +53,8 @@ fn words_of(text: &str) -> Vec<&str> {
 }
 
 /// The text between backquotes, and the blocks of code that are compiled.
-fn told_and_compiled(page: &str) -> (String, String) {
-    let (mut told, mut compiled) = (String::new(), String::new());
+fn prose_and_compiled(page: &str) -> (String, String) {
+    let (mut reported, mut compiled) = (String::new(), String::new());
     let mut block: Option<&str> = None;
     for line in page.lines() {
         match (line.strip_prefix("```"), block) {
@@ -62,10 +62,12 @@ fn told_and_compiled(page: &str) -> (String, String) {
             (Some(_), Some(_)) => block = None,
             (None, Some("")) => compiled.extend([line, "\n"]),
             (None, Some(_)) => {}
-            (None, None) => told.extend(line.split('`').skip(1).step_by(2).flat_map(|x| [x, "\n"])),
+            (None, None) => {
+                reported.extend(line.split('`').skip(1).step_by(2).flat_map(|x| [x, "\n"]))
+            }
         }
     }
-    (told, compiled)
+    (reported, compiled)
 }
 
 #[test]
@@ -73,10 +75,10 @@ fn every_word_is_told_and_shown() {
     let mut missing = Vec::new();
     for (place, known) in words() {
         assert!(!known.is_empty(), "{place:?}");
-        let (told, compiled) = told_and_compiled(page(place));
-        let (told, compiled) = (words_of(&told), words_of(&compiled));
+        let (reported, compiled) = prose_and_compiled(page(place));
+        let (reported, compiled) = (words_of(&reported), words_of(&compiled));
         for word in known {
-            if !told.contains(&word) {
+            if !reported.contains(&word) {
                 missing.push(format!("{place:?}: `{word}` is not told"));
             }
             if is_shown(place) && !compiled.contains(&word) {

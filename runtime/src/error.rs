@@ -49,7 +49,7 @@ pub enum Error {
         value: f64,
     },
     /// The parent of a joint of a chain does not come before the joint, or the body of a frame does not exist.
-    NotATree {
+    ParentAfterChild {
         /// The name of the joint or frame.
         joint: &'static str,
         /// The index of the parent or body.
@@ -57,11 +57,11 @@ pub enum Error {
     },
     /// The mimicked joint of a mimic joint does not exist, or does not move along a screw with a coordinate of
     /// its own.
-    NotALeader {
+    InvalidMimic {
         /// The name of the mimic joint.
         joint: &'static str,
         /// The index of the mimicked joint.
-        leader: usize,
+        mimicked: usize,
     },
     /// The number of coordinates or velocities in the type of a chain is not that of its joints.
     WrongCount {
@@ -73,7 +73,7 @@ pub enum Error {
         found: usize,
     },
     /// The limits of a coordinate are empty: crossed, NaN, or infinite to the wrong side.
-    NoRange {
+    EmptyRange {
         /// The index of the coordinate.
         coordinate: usize,
         /// Its lower limit [rad, m].
@@ -124,16 +124,16 @@ impl Display for Error {
                     "the data do not determine the result: {quantity} is {value:e}"
                 )
             }
-            Self::NotATree { joint, parent } => {
+            Self::ParentAfterChild { joint, parent } => {
                 write!(
                     f,
                     "\"{joint}\": there is no joint {parent} before it; list parents first"
                 )
             }
-            Self::NotALeader { joint, leader } => {
+            Self::InvalidMimic { joint, mimicked } => {
                 write!(
                     f,
-                    "mimic joint \"{joint}\": the mimicked joint {leader} must be `Motion::Along`, with a \
+                    "mimic joint \"{joint}\": the mimicked joint {mimicked} must be `Motion::Along`, with a \
                      coordinate of its own"
                 )
             }
@@ -147,7 +147,7 @@ impl Display for Error {
                     "the type of the chain has {stated} {quantity}, its joints have {found}"
                 )
             }
-            Self::NoRange {
+            Self::EmptyRange {
                 coordinate,
                 least,
                 most,

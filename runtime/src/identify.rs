@@ -16,7 +16,7 @@
 //! }
 //! let [inertia, damping] = fit.parameters().expect("both are excited");
 //! assert!((inertia - 2.0).abs() < 1e-14 && (damping - 0.5).abs() < 1e-14);
-//! assert!(fit.excitation() < 3.0);
+//! assert!(fit.condition() < 3.0);
 //! ```
 
 use crate::paper::singular_values;
@@ -102,7 +102,7 @@ impl<T: Real, const P: usize> Fit<T, P> {
     ///
     /// The relative error of the parameters is at most this multiple of that of the measurements. It depends on units.
     #[must_use]
-    pub fn excitation(&self) -> T {
+    pub fn condition(&self) -> T {
         let (values, rank) = singular_values::values(&mut self.triangle.clone());
         match (values.first(), values.last()) {
             (Some(first), Some(last)) if rank == P => *first / *last,
@@ -114,7 +114,7 @@ impl<T: Real, const P: usize> Fit<T, P> {
     /// The parameters of least squares; `None` if not all are excited, or if a row had NaN or infinity.
     #[must_use]
     pub fn parameters(&self) -> Option<[T; P]> {
-        let determined = self.residual.is_finite() && self.excitation().is_finite();
+        let determined = self.residual.is_finite() && self.condition().is_finite();
         determined.then(|| self.solved(self.right))
     }
 
@@ -122,7 +122,7 @@ impl<T: Real, const P: usize> Fit<T, P> {
     /// residuals over the number of rows minus `P`. Zero if there are no more than `P` rows; NaN if a row had NaN or
     /// infinity.
     #[must_use]
-    pub fn deviation(&self) -> T {
+    pub fn standard_deviation(&self) -> T {
         let excess = u32::try_from(self.rows.saturating_sub(P)).unwrap_or(u32::MAX);
         if excess == 0 {
             return T::constant(0.0);
@@ -133,9 +133,9 @@ impl<T: Real, const P: usize> Fit<T, P> {
     /// The standard deviation of each parameter, in its unit, if the errors of the measurements are independent with the
     /// standard deviation [`deviation`](Self::deviation); `None` as for [`parameters`](Self::parameters).
     #[must_use]
-    pub fn deviations(&self) -> Option<[T; P]> {
+    pub fn standard_deviations(&self) -> Option<[T; P]> {
         self.parameters()?;
-        let deviation = self.deviation();
+        let standard_deviation = self.standard_deviation();
         let [zero, one] = [0.0, 1.0].map(T::constant);
         // The variances are the diagonal of R⁻¹ R⁻ᵗ.
         let mut squares = [zero; P];
@@ -143,7 +143,7 @@ impl<T: Real, const P: usize> Fit<T, P> {
             let column = self.solved(from_fn(|j| if j == k { one } else { zero }));
             squares = from_fn(|j| squares[j] + column[j] * column[j]);
         }
-        Some(squares.map(|square| deviation * square.sqrt()))
+        Some(squares.map(|square| standard_deviation * square.sqrt()))
     }
 
     /// R⁻¹ y.
@@ -188,21 +188,21 @@ mod tests {
             let right = SVector::<f64, ROWS>::from(measured);
             let svd = matrix.svd(true, true);
             let values = svd.singular_values;
-            let excitation = values.max() / values.min();
-            assert!((fit.excitation() / excitation - 1.0).abs() < 1e-12);
+            let condition = values.max() / values.min();
+            assert!((fit.condition() / condition - 1.0).abs() < 1e-12);
             let expected = svd.solve(&right, 0.0).expect("both factors");
             let found = fit.parameters().expect("all are excited");
             let left = (matrix * expected - right).norm_squared();
-            let deviation = (left / 35.0).sqrt();
-            assert!((fit.deviation() / deviation - 1.0).abs() < 1e-10);
+            let standard_deviation = (left / 35.0).sqrt();
+            assert!((fit.standard_deviation() / standard_deviation - 1.0).abs() < 1e-10);
             let inverse = (matrix.transpose() * matrix)
                 .try_inverse()
                 .expect("regular");
-            let deviations = fit.deviations().expect("all are excited");
+            let standard_deviations = fit.standard_deviations().expect("all are excited");
             for k in 0..5 {
                 assert!((found[k] - expected[k]).abs() < 1e-12 * expected.norm());
-                let expected = deviation * inverse[(k, k)].sqrt();
-                assert!((deviations[k] / expected - 1.0).abs() < 1e-9);
+                let expected = standard_deviation * inverse[(k, k)].sqrt();
+                assert!((standard_deviations[k] / expected - 1.0).abs() < 1e-9);
             }
             assert_eq!(fit.rows(), ROWS);
         }
@@ -213,8 +213,8 @@ mod tests {
         let (rows, measured) = drawn(7, 0.0);
         let mut fit = Fit::<f64, 5>::new();
         fit.add(&rows, &measured);
-        assert!(fit.excitation().is_infinite());
-        assert_eq!((fit.parameters(), fit.deviations()), (None, None));
+        assert!(fit.condition().is_infinite());
+        assert_eq!((fit.parameters(), fit.standard_deviations()), (None, None));
         assert_eq!(Fit::<f64, 5>::default().parameters(), None);
     }
 
@@ -226,7 +226,7 @@ mod tests {
             let mut fit = Fit::<f64, 5>::new();
             fit.add(&rows, &measured);
             assert_eq!(fit.parameters(), None);
-            assert!(fit.deviation().is_nan());
+            assert!(fit.standard_deviation().is_nan());
             let (rows, mut measured) = drawn(7, 0.5);
             measured[20] = bad;
             let mut fit = Fit::<f64, 5>::new();

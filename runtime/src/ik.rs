@@ -173,7 +173,7 @@ impl<T: Real, const N: usize> Solver<T, N> {
     ///
     /// # Errors
     ///
-    /// [`Error::NoRange`] for empty limits: crossed, NaN, or infinite to the wrong side;
+    /// [`Error::EmptyRange`] for empty limits: crossed, NaN, or infinite to the wrong side;
     /// [`Error::NotRotation`] for a target whose 3×3 part is no rotation; [`Error::NotFinite`] for NaN and infinity in a
     /// target, the start, the rest configuration or the length scale, and for a tolerance that is NaN.
     pub fn solve<R>(

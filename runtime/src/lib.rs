@@ -34,14 +34,14 @@ pub use paper::{
 };
 #[cfg(feature = "nalgebra")]
 pub use reference::generic;
+pub use robot::actuator::JointActuator;
 pub use robot::chain::{Chain, Frame};
+pub use robot::closed_loops::{ClosedLoopRobot, Residual, ResidualKind};
 pub use robot::constrained::ConstrainedAccelerations;
 pub use robot::derivatives::{AccelerationDerivatives, TorqueDerivatives};
 pub use robot::described::Robot;
-pub use robot::drive::Drive;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};
-pub use robot::mechanism::{Mechanism, Residual, Row};
 pub use robot::payload::Payload;
 #[cfg(feature = "std")]
 pub use scalar::Fused;

@@ -18,20 +18,20 @@
 //! ```
 
 // This module holds robots as data and operations on results; the computation of functions is elsewhere.
+pub(crate) mod actuator;
 mod batched;
 pub(crate) mod chain;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod check;
+pub(crate) mod closed_loops;
 pub(crate) mod constrained;
 pub(crate) mod derivatives;
 pub(crate) mod described;
-pub(crate) mod drive;
 pub(crate) mod jacobian;
 pub(crate) mod joint;
 mod loops;
-pub(crate) mod mechanism;
+pub mod manifold;
 pub(crate) mod payload;
-pub mod posture;
 mod step;
 
 pub use batched::Batched;

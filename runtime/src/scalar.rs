@@ -79,7 +79,7 @@ pub trait Scalar:
     /// error is at most 4 units of rounding at every angle.
     #[inline]
     #[must_use]
-    fn less_sine(self, sine: Self) -> Self {
+    fn minus_sine(self, sine: Self) -> Self {
         self - sine
     }
 

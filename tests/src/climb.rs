@@ -12,7 +12,7 @@ use homogen_codegen::description::Description;
 use homogen_codegen::expand::expand;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::module::GeneratedFunction;
 use homogen_codegen::range::Range;
 use homogen_codegen::request::Request;
@@ -261,7 +261,7 @@ pub fn exactly(chain: &Chain, function: Function) -> Evaluation<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
     let results = function
-        .build(&graph, &bodies, FrameId::FIRST, Way::PLAIN)
+        .build(&graph, &bodies, FrameId::FIRST, Algorithm::PLAIN)
         .into_iter();
     let results: Vec<Expr> = results.map(Term::expr).collect();
     Evaluation::of(&graph, &results)

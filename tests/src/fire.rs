@@ -18,7 +18,7 @@ use homogen_cli as cli;
 use homogen_codegen::description::{Description, inline, read_bytes};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
-use homogen_codegen::print::rust::{self, Item, Library, World};
+use homogen_codegen::print::rust::{self, CoreFunctions, Item, Library};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::Operand;
@@ -151,8 +151,8 @@ fn expanded(description: &Description, request: &Request) -> Result<Outcome, Str
             return Err(format!("{} reads {literal:?}", generated.name()));
         }
     }
-    let world = World::Core(Library::default());
-    if rust::print(&module, &Item::named_after("arm"), &world).is_empty() {
+    let library = Library::Core(CoreFunctions::default());
+    if rust::print(&module, &Item::named_after("arm"), &library).is_empty() {
         return Err("no code, and no message".to_owned());
     }
     Ok(Outcome::Expanded)

@@ -9,7 +9,7 @@ use homogen_codegen::description::{
 };
 use homogen_codegen::error::Place;
 use homogen_codegen::joint::JointKind;
-use homogen_codegen::joint::drive::Parts;
+use homogen_codegen::joint::actuator::Parts;
 
 use crate::states::Random;
 
@@ -106,7 +106,7 @@ fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
             velocity: limb.speed,
             effort: f64::INFINITY,
         }),
-        drive: Parts::default(),
+        actuator: Parts::default(),
         place: Place::Unknown,
     }
 }

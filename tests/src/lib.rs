@@ -4,12 +4,13 @@
 //! In: robots/*.urdf, seeds. Out: structs with generated functions, and numbers that are the same on every machine.
 //! Limits are up to the tests, except in [`rounding`].
 
+pub mod actuators;
 pub mod arguments;
 pub mod big;
 pub mod cholesky;
 pub mod climb;
-pub mod drives;
 pub mod dual;
+pub mod effort;
 pub mod fire;
 pub mod functions;
 pub mod fused_sines;

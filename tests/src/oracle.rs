@@ -5,7 +5,7 @@
 //! [`link_frames`] evaluates the graph that the generator would print, with its frames, merged bodies and regrouped
 //! parameters. A test shows that they agree to 10⁻⁵⁰; other tests use either, and the second is faster.
 
-pub mod drive;
+pub mod actuator;
 pub mod frame_0;
 pub mod link_frames;
 pub mod matrix;

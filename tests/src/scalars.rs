@@ -44,8 +44,8 @@ macro_rules! implement {
                 ($new(sine), $new(cosine))
             }
 
-            fn less_sine(self, sine: Self) -> Self {
-                $new(self.0.less_sine(sine.0))
+            fn minus_sine(self, sine: Self) -> Self {
+                $new(self.0.minus_sine(sine.0))
             }
 
             fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {

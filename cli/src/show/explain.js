@@ -67,7 +67,7 @@ function saying(robot, open, said, owner) {
     case "entry": {
       const matrix = robot.letters.matrices[said.form.letter];
       const what = matrix ? `An entry of the ${matrix.noun} matrix${said.negative ? ", with the other sign" : ""}. ` : said.negative ? "With the other sign. " : "";
-      return [what + told(robot, said)];
+      return [what + described(robot, said)];
     }
     case "argument": {
       const { noun, letter } = ARGUMENTS[said.argument];
@@ -87,7 +87,7 @@ function saying(robot, open, said, owner) {
       return ["A part of a sum that has no name of its own."];
     case "table":
       return ["A table: each iteration of the loop below reads a column and replaces it by results."];
-    case "round":
+    case "loop":
       return ["Counts the columns, from 0."];
     default:
       if (owner === "constant") return ["Makes a number of the description one of the type T."];

@@ -7,16 +7,16 @@ use super::names::meanings;
 use super::packed::packed;
 use super::shown;
 use super::skeleton::Layouts;
-use crate::count::{have_signs, price};
+use crate::count::{have_signs, operation_count};
 use homogen_codegen::module::{GeneratedFunction, Module};
-use homogen_codegen::print::rust::{Item, Source, World, each_method};
+use homogen_codegen::print::rust::{Item, Library, Source, each_method};
 use homogen_codegen::space::Variable;
 use homogen_codegen::wording::visible;
 
 /// The functions of a module.
 pub(super) fn functions(module: &Module, layouts: &Layouts) -> Value {
     let item = Item::named_after(&module.about.robot);
-    let methods = each_method(module, &item, &World::default());
+    let methods = each_method(module, &item, &Library::default());
     let signs = have_signs(&module.functions);
     let functions = module.functions.iter().zip(methods).zip(&layouts.of);
     let functions = functions.map(|((generated, method), layout)| {
@@ -27,7 +27,7 @@ pub(super) fn functions(module: &Module, layouts: &Layouts) -> Value {
             "of": generated.frame.as_deref().map(visible),
             "sentence": sentence(module, generated),
             "arguments": arguments.into_iter().map(Variable::name).collect::<Value>(),
-            "price": shown(price(generated, signs)),
+            "count": shown(operation_count(generated, signs)),
             "layout": layout,
             "lines": code.lines().count(),
             "code": packed(&code),

@@ -30,19 +30,19 @@ function errorsOf(errors) {
   });
 }
 
-const PRICES = [["mul", "products"], ["add", "sums"], ["div", "quotients"], ["sqrt", "roots"], ["sin", "sines"], ["cos", "cosines"],
+const COUNTS = [["mul", "products"], ["add", "sums"], ["div", "quotients"], ["sqrt", "roots"], ["sin", "sines"], ["cos", "cosines"],
   ["sign", "signs"], ["neg", "changes of sign"], ["fused", "products and sums that may be one"], ["depth", "operations that wait for each other"], ["literals", "numbers"], ["cycles", "cycles by the model of the processor"]];
 
-function priceOf(price) {
-  const parts = PRICES.filter(([key]) => price[key]).map(([key, noun]) => [el("b", {}, grouped(price[key])), ` ${noun}`]);
-  const dense = price.naive.mul + price.naive.add;
-  return el("p", { class: "price" },
+function countOf(count) {
+  const parts = COUNTS.filter(([key]) => count[key]).map(([key, noun]) => [el("b", {}, grouped(count[key])), ` ${noun}`]);
+  const dense = count.naive.mul + count.naive.add;
+  return el("p", { class: "count" },
     parts.map((part, k) => [k ? el("span", { class: "dot" }, " · ") : null, part]), ".",
-    dense ? [" With dense 4×4 products: ", el("b", {}, grouped(price.naive.mul)), " products, ", el("b", {}, grouped(price.naive.add)), " sums."] : null);
+    dense ? [" With dense 4×4 products: ", el("b", {}, grouped(count.naive.mul)), " products, ", el("b", {}, grouped(count.naive.add)), " sums."] : null);
 }
 
 // The lines of a function's code, put on the page when needed.
-class Listing {
+class Lines {
   constructor(robot, open, element) {
     Object.assign(this, { robot, open, element, next: 0, spots: new Map(), order: [] });
     const { tokens, lines } = open.analysis;
@@ -116,9 +116,9 @@ class Listing {
 // The section. `point` is called with the open function, the selected name, and true if it stays selected.
 function functionSection(robot, data, point) {
   const all = data.functions;
-  const most = Math.max(...all.map(({ price }) => price.mul + price.add), 1);
+  const most = Math.max(...all.map(({ count }) => count.mul + count.add), 1);
   const cards = all.map((own) => functionCard(robot, own, most, point));
-  const processed = all.some(({ price }) => price.cycles);
+  const processed = all.some(({ count }) => count.cycles);
   const lacking = data.left_out.map(({ functions, reason, hint }) =>
     el("li", {}, functions.map((name, k) => [k ? ", " : "", el("code", {}, name)]), ": ", reason, hint ? el("small", {}, ` — ${hint}`) : null));
   return [
@@ -132,23 +132,23 @@ function functionSection(robot, data, point) {
 }
 
 function functionCard(robot, own, most, point) {
-  const { price } = own;
-  const dense = price.naive.mul + price.naive.add;
-  const share = dense ? (100 * (price.mul + price.add)) / dense : null;
+  const { count } = own;
+  const dense = count.naive.mul + count.naive.add;
+  const share = dense ? (100 * (count.mul + count.add)) / dense : null;
   const inside = el("div", { class: "inside" });
   const bar = el("span", { class: "bar" });
-  bar.style.width = `${Math.max(0.6, (100 * (price.mul + price.add)) / most)}%`;
-  const error = worst(price.errors, "f64");
+  bar.style.width = `${Math.max(0.6, (100 * (count.mul + count.add)) / most)}%`;
+  const error = worst(count.errors, "f64");
   const card = el("details", { class: "function", "data-function": own.name },
     el("summary", {},
       el("span", { class: "what" }, el("code", {}, own.name), el("span", { class: "sentence" }, own.sentence), bar),
-      el("span", { class: "number", title: "products" }, grouped(price.mul)),
-      el("span", { class: "number", title: "sums" }, grouped(price.add)),
+      el("span", { class: "number", title: "products" }, grouped(count.mul)),
+      el("span", { class: "number", title: "sums" }, grouped(count.add)),
       el("span", { class: "number", title: "of the operations of dense 4×4 products" }, share === null ? "—" : share < 9.95 ? `${share.toFixed(1)} %` : `${share.toFixed(0)} %`)),
     inside);
   card.addEventListener("toggle", () => {
     if (!card.open || inside.childElementCount) return;
-    inside.append(priceOf(price), ...[errorsOf(price.errors)].flat(Infinity).filter(Boolean));
+    inside.append(countOf(count), ...[errorsOf(count.errors)].flat(Infinity).filter(Boolean));
     if (error) inside.querySelector("h4")?.append(el("span", { class: "worst" }, ` ${error}`));
     openCode(robot, own, inside, point);
   });
@@ -179,9 +179,9 @@ async function openCode(robot, own, inside, point) {
     el("div", { class: "title" }, el("h4", {}, "Code, as it is printed"), el("div", { class: "buttons" }, el("small", {}, `${grouped(own.lines)} lines`), copy)),
     el("details", { class: "small comment" }, el("summary", {}, "Its doc comment"), el("p", {}, said.map((line) => [line, el("br")]))),
     box);
-  open.listing = new Listing(robot, open, box);
+  open.lines = new Lines(robot, open, box);
   box.addEventListener("scroll", () => {
-    if (box.scrollTop + box.clientHeight > box.scrollHeight - 600) open.listing.more(open.listing.next);
+    if (box.scrollTop + box.clientHeight > box.scrollHeight - 600) open.lines.more(open.lines.next);
   }, { passive: true });
   const nameAt = (event) => event.target.closest?.("[data-n]");
   box.addEventListener("mouseover", (event) => {
@@ -198,7 +198,7 @@ async function openCode(robot, own, inside, point) {
 // Connects keys to the names.
 function walkByKeys(box, open, point) {
   let current = null;
-  const { listing } = open;
+  const { lines } = open;
   const choose = (spot) => {
     current?.classList.remove("current");
     current = spot;
@@ -207,21 +207,21 @@ function walkByKeys(box, open, point) {
     point(open, current.dataset.n, true);
   };
   const step = (by) => {
-    if (!listing.order.length) return;
-    const at = current ? listing.order.indexOf(current) : by > 0 ? -1 : 0;
-    if (at + by >= listing.order.length) listing.more(listing.next);
-    const to = Math.max(0, Math.min(at + by, listing.order.length - 1));
-    choose(listing.order[to]);
+    if (!lines.order.length) return;
+    const at = current ? lines.order.indexOf(current) : by > 0 ? -1 : 0;
+    if (at + by >= lines.order.length) lines.more(lines.next);
+    const to = Math.max(0, Math.min(at + by, lines.order.length - 1));
+    choose(lines.order[to]);
   };
   // The nearest definition above or below.
   const line = (by) => {
-    let at = (current ? listing.order.indexOf(current) : -1) + by;
-    while (listing.order[at] && !listing.order[at].classList.contains("d")) at += by;
-    if (listing.order[at]) choose(listing.order[at]);
-    else if (by > 0) listing.more(listing.next);
+    let at = (current ? lines.order.indexOf(current) : -1) + by;
+    while (lines.order[at] && !lines.order[at].classList.contains("d")) at += by;
+    if (lines.order[at]) choose(lines.order[at]);
+    else if (by > 0) lines.more(lines.next);
   };
   const keys = { ArrowRight: () => step(1), ArrowLeft: () => step(-1), ArrowDown: () => line(1), ArrowUp: () => line(-1),
-    Enter: () => { const spot = current && listing.go(current.dataset.n); if (spot) choose(spot); } };
+    Enter: () => { const spot = current && lines.go(current.dataset.n); if (spot) choose(spot); } };
   box.addEventListener("keydown", (event) => {
     const move = keys[event.key];
     if (!move || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -31,7 +31,7 @@ function slidersOf(skeleton, reach) {
       k += 3;
       continue;
     }
-    const [low, high] = entry.range || (entry.kind === "turn" ? [-TURN, TURN] : [-reach, reach]);
+    const [low, high] = entry.range || (entry.kind === "rotation" ? [-TURN, TURN] : [-reach, reach]);
     sliders.push({ name: entry.name, joint: entry.joint, coordinate: k, low, high, unit: entry.unit, free: !entry.range });
   }
   return sliders;
@@ -90,7 +90,7 @@ function jointSection(data, reach, changed) {
       const found = closed(skeleton, q, all ? [] : held);
       take(found || before, found && !all ? held : []);
     }
-    tell();
+    update();
   };
   // Coordinates as given; the sliders of a held quaternion keep their positions.
   const take = (values, held = []) => {
@@ -101,11 +101,11 @@ function jointSection(data, reach, changed) {
   };
   const close = el("input", { type: "checkbox", onchange: () => move([], null) });
   close.checked = skeleton.loops.length > 0;
-  const moving = el("input", { type: "checkbox", id: "moving", onchange: () => tell() });
+  const moving = el("input", { type: "checkbox", id: "moving", onchange: () => update() });
   const get = (slider) => slider.quaternion === undefined ? q[slider.coordinate] : (turns.get(slider.quaternion) || [0, 0, 0])[slider.axis];
   const said = (value, unit) => (unit === "m" ? metres(value) : degrees(value));
   const state = el("code", { id: "q", class: "state" });
-  const tell = () => {
+  const update = () => {
     for (const { slider, input, output } of rows) {
       const value = get(slider);
       if (Number(input.value) !== value) input.value = String(value);
@@ -113,10 +113,10 @@ function jointSection(data, reach, changed) {
       output.title = `${short(value, 6)} ${slider.unit}`;
     }
     for (const { mimic, output } of followers) {
-      const leader = skeleton.coordinates.findIndex((entry) => entry.joint === mimic.of);
-      const value = mimic.multiplier * q[leader] + mimic.offset;
+      const mimicked = skeleton.coordinates.findIndex((entry) => entry.joint === mimic.of);
+      const value = mimic.multiplier * q[mimicked] + mimic.offset;
       const kind = report.details.joints.find((joint) => joint.name === mimic.joint)?.kind;
-      output.textContent = leader < 0 ? "" : said(value, kind === "prismatic" ? "m" : "rad");
+      output.textContent = mimicked < 0 ? "" : said(value, kind === "prismatic" ? "m" : "rad");
     }
     state.textContent = `{"states":[{"q":[${q.map((entry) => String(Math.round(entry * 1e6) / 1e6)).join(",")}]}]}`;
     changed(q, moving.checked ? 1 : 0);
@@ -133,7 +133,7 @@ function jointSection(data, reach, changed) {
     el("div", { class: "sliders" }, rows.map(({ row }) => row), followers.map(({ row }) => row)),
     skeleton.loops.length ? el("p", { class: "note" }, el("label", {}, close, ` Keep ${counted(skeleton.loops.length, "loop")} closed: the other joints move along.`),
       " Functions are of the tree of joints, but for those of loops.") : null,
-    el("p", { class: "note" }, el("label", {}, moving, " Tell what names are worth with every rate at 1 (rad/s, m/s), and not at rest.")),
+    el("p", { class: "note" }, el("label", {}, moving, " Show values of names with every rate at 1 (rad/s, m/s), and not at rest.")),
     el("details", { class: "small" },
       el("summary", {}, "This configuration as a state file"),
       el("p", {}, "For ", el("code", {}, "homogen eval"), ": ", state)),
@@ -141,7 +141,7 @@ function jointSection(data, reach, changed) {
   ];
   const put = (values) => {
     take(values);
-    tell();
+    update();
   };
   const start = () => move([], null);
   return { section, start, put };

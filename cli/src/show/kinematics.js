@@ -69,7 +69,7 @@ function displacement(body, q) {
   const { by: moved, axis } = body;
   if (moved === null) return IDENTITY;
   const at = moved.coordinate;
-  switch (moved.posture) {
+  switch (moved.manifold) {
     case "planar": {
       const turned = alongAxis([0, 0, 1], q[at + 2], 0);
       turned[3] = q[at];
@@ -82,7 +82,7 @@ function displacement(body, q) {
       return ofQuaternion(q.slice(at + 3, at + 7), q.slice(at, at + 3));
     default: {
       const along = q[at] * moved.factor;
-      return alongAxis(axis, body.turns * along, body.slides * along);
+      return alongAxis(axis, body.rotates * along, body.translates * along);
     }
   }
 }
@@ -90,12 +90,12 @@ function displacement(body, q) {
 // M₀ of all bodies, of each before its displacement, and of all links.
 function poses(skeleton, q) {
   const bodies = [];
-  const seats = [];
+  const joints = [];
   for (const body of skeleton.bodies) {
     const outer = body.parent === null ? IDENTITY : bodies[body.parent];
-    seats.push(compose(outer, body.place));
-    bodies.push(compose(seats[seats.length - 1], displacement(body, q)));
+    joints.push(compose(outer, body.place));
+    bodies.push(compose(joints[joints.length - 1], displacement(body, q)));
   }
   const fixed = ({ body, place: at }) => compose(body === null ? IDENTITY : bodies[body], at);
-  return { bodies, seats, links: skeleton.links.map(fixed), loops: skeleton.loops.map((loop) => loop.ends.map(fixed)) };
+  return { bodies, joints, links: skeleton.links.map(fixed), loops: skeleton.loops.map((loop) => loop.ends.map(fixed)) };
 }

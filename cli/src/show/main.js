@@ -70,9 +70,9 @@ function explain() {
 function point(open, name, pinned) {
   if (pointed.pinned && !pinned && pointed.open === open) return;
   if (pointed.name === name && pointed.open === open && pointed.pinned === pinned) return;
-  if (pointed.open && pointed.open !== open) pointed.open.listing.mark(null);
+  if (pointed.open && pointed.open !== open) pointed.open.lines.mark(null);
   pointed = { open, name, pinned, bodies: bodiesOf(robot, meaning(robot, open, name)) };
-  open.listing.mark(name);
+  open.lines.mark(name);
   // Frames are those of the function.
   if (shown.frames !== null && shown.frames !== "described") select(open.own.layout);
   explain();
@@ -80,7 +80,7 @@ function point(open, name, pinned) {
 }
 
 function unpoint() {
-  if (pointed.open) pointed.open.listing.mark(null);
+  if (pointed.open) pointed.open.lines.mark(null);
   pointed = { open: null, name: null, pinned: false, bodies: new Set() };
   explain();
   redraw();
@@ -95,7 +95,7 @@ by("explain").addEventListener("click", (event) => {
   if (!reference || !pointed.open) return;
   const { open } = pointed;
   point(open, reference.dataset.name, true);
-  open.listing.go(reference.dataset.name);
+  open.lines.go(reference.dataset.name);
 });
 document.addEventListener("keydown", (event) => { if (event.key === "Escape") unpoint(); });
 

@@ -9,10 +9,10 @@ const ARGUMENTS = {
 };
 
 const UNITS = {
-  q: { turn: "rad", slide: "m", quaternion: "1" },
-  qd: { turn: "rad/s", slide: "m/s" },
-  qdd: { turn: "rad/s²", slide: "m/s²" },
-  tau: { turn: "N m", slide: "N" },
+  q: { rotation: "rad", translation: "m", quaternion: "1" },
+  qd: { rotation: "rad/s", translation: "m/s" },
+  qdd: { rotation: "rad/s²", translation: "m/s²" },
+  tau: { rotation: "N m", translation: "N" },
 };
 
 // Kinds of names that are numbers.
@@ -67,9 +67,9 @@ function bodyName(robot, number) {
 }
 
 // The sentence of an entry's matrix.
-function told(robot, { form, i, k, frame }) {
+function described(robot, { form, i, k, frame }) {
   const words = { i: bodyName(robot, i), k: k === null ? "" : bodyName(robot, k).replace(/^link/, "frame"), 0: bodyName(robot, 0), n: frame, row: i, column: k };
-  return form.tells.replace(/\{(\w+)\}/g, (_, which) => words[which]);
+  return form.sentence.replace(/\{(\w+)\}/g, (_, which) => words[which]);
 }
 
 // The indices of the bodies of a name.
@@ -86,6 +86,6 @@ function bodiesOf(robot, said) {
 
 // True if a coordinate moves a body directly.
 function carries(robot, body, coordinate) {
-  const count = { planar: 3, spherical: 4, floating: 7 }[body.by.posture] || 1;
+  const count = { planar: 3, spherical: 4, floating: 7 }[body.by.manifold] || 1;
   return coordinate >= body.by.coordinate && coordinate < body.by.coordinate + count;
 }

@@ -4,7 +4,7 @@
 use serde_json::{Map, Value, json};
 
 use homogen_codegen::expression::{Block, Component, Label, Numeral, Of, Quantity};
-use homogen_codegen::schedule::{Meaning, Turn};
+use homogen_codegen::schedule::{Meaning, RotationAngle};
 use homogen_codegen::space::{Variable, action_entry};
 
 /// A matrix of the paper.
@@ -230,11 +230,11 @@ fn data(meaning: &Meaning) -> Value {
         Meaning::Cosine(rotation) => angle(rotation, false),
         Meaning::Part(number) => json!({ "kind": "part", "index": number }),
         Meaning::Table => json!({ "kind": "table" }),
-        Meaning::Round => json!({ "kind": "round" }),
+        Meaning::LoopIndex => json!({ "kind": "loop" }),
     }
 }
 
-fn angle(rotation: &Turn, sine: bool) -> Value {
+fn angle(rotation: &RotationAngle, sine: bool) -> Value {
     json!({
         "kind": "angle", "sine": sine, "of": rotation.name, "coordinates": from_one(&rotation.coordinates),
     })
@@ -253,7 +253,7 @@ pub(super) fn letters() -> Value {
         (matrix.letter.to_owned(), data)
     });
     let forms = QUANTITY_KINDS.iter().map(
-        |form| json!({ "letter": form.letter, "subscript": form.subscript, "tells": form.sentence }),
+        |form| json!({ "letter": form.letter, "subscript": form.subscript, "sentence": form.sentence }),
     );
     json!({
         "matrices": matrices.collect::<Map<String, Value>>(),
@@ -313,7 +313,7 @@ mod tests {
             .of(Of::FromBase(Numeral(12)))
             .seen_in(Numeral(3))
             .entry(Component::Along(0));
-        let rotation = Turn {
+        let rotation = RotationAngle {
             name: "q_2_3".to_owned(),
             coordinates: vec![1, 2],
         };
@@ -353,18 +353,9 @@ mod tests {
         let default = Formulation::default();
         let formulations = [
             default,
-            Formulation {
-                frame: Frame::Base,
-                ..default
-            },
-            Formulation {
-                angles: Angles::Merged,
-                ..default
-            },
-            Formulation {
-                forward: Some(Forward::Articulated),
-                ..default
-            },
+            default.with_frame(Frame::Base),
+            default.with_angles(Angles::Merged),
+            default.with_forward(Forward::Articulated),
         ];
         let mut met = BTreeSet::new();
         for (name, text) in robots {

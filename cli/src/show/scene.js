@@ -32,7 +32,7 @@ function prepared(data) {
   const lengths = drawn.flatMap((link) => {
     if (link.parent === null) return [];
     const from = originOf(rest.links[link.parent]);
-    const to = originOf(link.joint === null ? rest.links[link.index] : rest.seats[link.joint]);
+    const to = originOf(link.joint === null ? rest.links[link.index] : rest.joints[link.joint]);
     return [Math.hypot(...minus(to, from))];
   });
   const { low, center, reach } = around(links, rest);
@@ -60,7 +60,7 @@ function palette() {
   const style = getComputedStyle(document.documentElement);
   const read = (name) => style.getPropertyValue(`--${name}`).trim();
   const parts = (name) => [1, 3, 5].map((k) => parseInt(read(name).slice(k, k + 2), 16));
-  const solid = ["rod", "turn", "slide", "both", "free", "mark"];
+  const solid = ["rod", "rotation", "translation", "both", "free", "mark"];
   return {
     ...Object.fromEntries(solid.map((name) => [name, parts(name)])),
     ...Object.fromEntries(["ink", "grid", "shade", "paper", "axis-x", "axis-y", "axis-z", "mass"].map((name) => [name, read(name)])),
@@ -195,27 +195,27 @@ function paintGround(painter, robot) {
 
 // The colour of a degree of freedom: rotation, translation, or both.
 function colourOf(body, colours) {
-  if (body.by && body.by.posture) return colours.free;
-  if (body.turns && body.slides) return colours.both;
-  return body.turns ? colours.turn : colours.slide;
+  if (body.by && body.by.manifold) return colours.free;
+  if (body.rotates && body.translates) return colours.both;
+  return body.rotates ? colours.rotation : colours.translation;
 }
 
 // The motion of a joint: a drum rotates about its axis, an arrow translates along it, a ball rotates freely, a disc
 // moves in its plane.
 function paintJoint(painter, robot, body, at, marked) {
-  if (body.by === null || body.by.posture === "floating") return;
+  if (body.by === null || body.by.manifold === "floating") return;
   const size = robot.thick * 1.75;
   const colour = marked ? painter.colours.mark : colourOf(body, painter.colours);
   const center = originOf(at);
-  if (body.by.posture === "spherical") {
+  if (body.by.manifold === "spherical") {
     painter.ball(center, size * 1.15, colour);
     return;
   }
-  const axis = directionAt(at, body.by.posture === "planar" ? [0, 0, 1] : body.axis);
+  const axis = directionAt(at, body.by.manifold === "planar" ? [0, 0, 1] : body.axis);
   const ends = (length) => [plus(center, times(axis, -length)), plus(center, times(axis, length))];
-  if (body.by.posture === "planar") {
+  if (body.by.manifold === "planar") {
     painter.rod(...ends(size * 0.25), size * 1.9, size * 1.9, colour, true);
-  } else if (body.turns) {
+  } else if (body.rotates) {
     painter.rod(...ends(size * 1.25), size, size, colour, true);
   } else {
     const [back, front] = ends(size * 1.7);
@@ -238,8 +238,8 @@ function paint(canvas, robot, at, shown, marked) {
   const context = canvas.getContext("2d");
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
-  context.lineCap = "round";
-  context.lineJoin = "round";
+  context.lineCap = "loop";
+  context.lineJoin = "loop";
   const painter = new Painter(context, palette());
   const { colours } = painter;
   const { thick } = robot;
@@ -252,11 +252,11 @@ function paint(canvas, robot, at, shown, marked) {
     if (link.parent !== null && link.kind !== "floating") {
       const parent = robot.links[link.parent];
       const from = originOf(at.links[link.parent]);
-      const seat = link.joint === null ? here : originOf(at.seats[link.joint]);
+      const joint = link.joint === null ? here : originOf(at.joints[link.joint]);
       const carrier = parent.body !== null && marked.has(parent.body) ? colours.mark : colours.rod;
-      rods.push([from, seat, thick, thick * 0.86, carrier]);
-      if (Math.hypot(...minus(here, seat)) > thick * 0.05) {
-        rods.push([seat, here, thick * 0.5, thick * 0.5, colour]);
+      rods.push([from, joint, thick, thick * 0.86, carrier]);
+      if (Math.hypot(...minus(here, joint)) > thick * 0.05) {
+        rods.push([joint, here, thick * 0.5, thick * 0.5, colour]);
       }
     }
     for (const [number, end] of link.held) rods.push([here, originOf(at.loops[number][end]), thick * 0.86, thick * 0.6, colour]);

@@ -6,11 +6,11 @@
 use serde_json::{Value, json};
 
 use homogen_codegen::chain::{self, BodyId, Chain, Joint, Position};
-use homogen_codegen::closure::Row;
+use homogen_codegen::closure::ResidualKind;
 use homogen_codegen::description::{Axis, Inertial, Name, Step};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Expr, Graph, Term};
-use homogen_codegen::joint::{Motion, Posture};
+use homogen_codegen::joint::{Manifold, Motion};
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::list::{Id, List};
 use homogen_codegen::matrix::{Pose, Rotation};
@@ -43,10 +43,10 @@ pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
         let ends = ends
             .map(|end| json!({ "body": end.body.map(Id::index), "place": place(&chain.graph, end.placement) }));
         let rows = closed.rows.iter().map(|row| match *row {
-            Row::Along(k) => json!(["along", k]),
-            Row::Product(i, j) => json!(["product", i, j]),
-            Row::Inclined => json!(["inclined"]),
-            Row::Distance => json!(["distance"]),
+            ResidualKind::Along(k) => json!(["along", k]),
+            ResidualKind::Product(i, j) => json!(["product", i, j]),
+            ResidualKind::Inclined => json!(["inclined"]),
+            ResidualKind::Distance => json!(["distance"]),
         });
         json!({
             "name": closed.name, "kind": closed.word, "ends": ends.collect::<Value>(),
@@ -85,8 +85,8 @@ fn joint_of(chain: &Chain, coordinate: CoordinateId) -> Option<&str> {
         Position::Along {
             coordinate: own, ..
         } => own == coordinate && !mimics(joint),
-        Position::Posture(posture, first) => {
-            (first..first.plus(posture.coordinates().len())).contains(&coordinate)
+        Position::Manifold(manifold, first) => {
+            (first..first.plus(manifold.coordinates().len())).contains(&coordinate)
         }
         Position::Taken => false,
     };
@@ -113,13 +113,13 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         Position::Along { coordinate, factor } => {
             json!({ "coordinate": coordinate.index(), "factor": number(factor) })
         }
-        Position::Posture(posture, coordinate) => {
-            let posture = match posture {
-                Posture::Planar => "planar",
-                Posture::Spherical => "spherical",
-                Posture::Floating => "floating",
+        Position::Manifold(manifold, coordinate) => {
+            let manifold = match manifold {
+                Manifold::Planar => "planar",
+                Manifold::Spherical => "spherical",
+                Manifold::Floating => "floating",
             };
-            json!({ "coordinate": coordinate.index(), "posture": posture })
+            json!({ "coordinate": coordinate.index(), "manifold": manifold })
         }
         Position::Taken => Value::Null,
     };
@@ -135,8 +135,8 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
         "parent": joint.parent.map(Id::index),
         "place": place(&chain.graph, joint.placement),
         "axis": joint.axis.0.map(number),
-        "turns": rotates,
-        "slides": translates,
+        "rotates": rotates,
+        "translates": translates,
         "by": by,
         "velocity": joint.velocity.index(),
     })
@@ -146,8 +146,8 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
 fn entries(entries: &[Entry], variable: Variable) -> impl Iterator<Item = Value> {
     entries.iter().map(move |entry| {
         let kind = match entry.kind {
-            Kind::Turn => "turn",
-            Kind::Slide => "slide",
+            Kind::Rotation => "rotation",
+            Kind::Translation => "translation",
             Kind::Quaternion => "quaternion",
             _ => "parameter",
         };
@@ -248,7 +248,7 @@ fn center(inertial: &Inertial) -> [f64; 3] {
                     point[a] * sine + point[b] * cosine,
                 );
             }
-            Step::Turn(entries) => {
+            Step::Quaternion(entries) => {
                 let mut entries = entries.map(|entry| Double::from(entry.value));
                 normalize(&mut entries);
                 let [x, y, z, w] = entries;

@@ -44,8 +44,8 @@ function readSection(data) {
 }
 
 // A list, if it is not empty.
-const noted = (title, items, tell) => items && items.length
-  ? [el("h3", {}, title, " ", el("small", {}, String(items.length))), el("ul", {}, items.map((item) => el("li", {}, tell(item))))] : null;
+const noted = (title, items, show) => items && items.length
+  ? [el("h3", {}, title, " ", el("small", {}, String(items.length))), el("ul", {}, items.map((item) => el("li", {}, show(item))))] : null;
 
 // Multiples of π/2 as text.
 function turnsOf(quarters) {
@@ -60,7 +60,7 @@ const spot = ({ line, column }) => (line === null ? null : el("small", { class: 
 
 function doings(report) {
   const lists = [
-    noted("Doubted", report.warnings, (doubt) => [spot(doubt), doubt.message, doubt.hint ? el("small", {}, ` — ${doubt.hint}`) : null]),
+    noted("Warnings", report.warnings, (warning) => [spot(warning), warning.message, warning.hint ? el("small", {}, ` — ${warning.hint}`) : null]),
     noted("Merged", report.merged, ({ link, into }) => [named(link), " into ", named(into)]),
     noted("Locked", report.locked, ({ joint, q }) => [named(joint), ` at ${short(q)}`]),
     noted("Left out", report.dropped, (link) => named(link)),

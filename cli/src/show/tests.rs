@@ -156,7 +156,7 @@ fn nothing_but_script_and_style_may_run_and_nothing_is_fetched() {
         !policy.contains("unsafe") && !policy.contains('*'),
         "{policy}"
     );
-    for outside in [
+    for external in [
         "src=",
         "http:",
         "https:",
@@ -166,9 +166,9 @@ fn nothing_but_script_and_style_may_run_and_nothing_is_fetched() {
         "eval(",
     ] {
         let own = page.split("<script type=").next().expect("a head");
-        assert!(!own.contains(outside), "{outside} in the page");
-        assert!(!SCRIPT.contains(outside), "{outside} in the script");
-        assert!(!STYLE.contains(outside), "{outside} in the style");
+        assert!(!own.contains(external), "{external} in the page");
+        assert!(!SCRIPT.contains(external), "{external} in the script");
+        assert!(!STYLE.contains(external), "{external} in the style");
     }
 }
 
@@ -197,7 +197,7 @@ fn evil_arm(evil: &str) -> String {
 #[test]
 fn names_of_a_hostile_file_stay_data() {
     let (clean, _) = page("--functions gravity,forward_kinematics", SCARA);
-    let outside = |page: &str| {
+    let external = |page: &str| {
         let start = page.find("id=\"data\">").expect("data");
         let end = start + page[start..].find("</script>").expect("its end");
         (page[..start].to_owned(), page[end..].to_owned())
@@ -205,7 +205,7 @@ fn names_of_a_hostile_file_stay_data() {
     for evil in EVIL {
         let (page, data) = page("--functions gravity,forward_kinematics", &evil_arm(evil));
         // The rest of the page is unchanged.
-        assert_eq!(outside(&page), outside(&clean), "{evil}");
+        assert_eq!(external(&page), external(&clean), "{evil}");
         let start = page.find("id=\"data\">").expect("data") + "id=\"data\">".len();
         let inside = &page[start..start + page[start..].find("</script>").expect("its end")];
         let marks = ['<', '>', '&', '\u{202e}', '\u{200b}', '\n'];
@@ -258,7 +258,7 @@ fn every_function_is_there_as_it_is_printed() {
         let inspected = answer(inspected.map(OsString::from), &mut SCARA.as_bytes());
         assert_eq!(text, inspected.output, "{name}");
         assert_eq!(own["lines"], text.lines().count());
-        let mul = own["price"]["mul"].as_u64().expect("a number");
+        let mul = own["count"]["mul"].as_u64().expect("a number");
         assert!(text.contains(&format!("\n/// {mul} mul, ")), "{name}");
     }
 }
@@ -276,7 +276,7 @@ fn options_of_other_commands_hold() {
     let options = "--floating --lock lift=-0.05 --functions gravity --scalar f32";
     let (_, data) = page(options, SCARA);
     assert_eq!(data["report"]["locked"][0]["q"], -0.05);
-    assert_eq!(data["skeleton"]["bodies"][0]["by"]["posture"], "floating");
+    assert_eq!(data["skeleton"]["bodies"][0]["by"]["manifold"], "floating");
     let code = unpacked(data["functions"][0]["code"].as_str().expect("text"));
     assert!(code.contains("f32; 10]"), "{code}");
     let refused = show("--lock nothing", SCARA);

@@ -19,7 +19,7 @@ pub use self::recursion::Articulated;
 use self::inertias::{FROBENIUS, Outboard, TRUST, errors};
 use self::recursion::{Steps, values};
 use self::sizes::Pair;
-use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed};
+use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed};
 use super::solved::{UNCERTAIN, caused, largest, stays, tried, underflow, widened};
 use crate::chain::BodyId;
 use crate::list::List;
@@ -35,26 +35,32 @@ const LEAST_MARGIN: f64 = 1e-3;
 impl Articulated<'_> {
     /// Bounds the backward error of accelerations, as torques and forces.
     #[must_use]
-    pub fn accelerations(&self, means: Means) -> Accuracy {
+    pub fn accelerations(&self, rounding: RoundingModel) -> Accuracy {
         let programs = [&self.programs.motion];
-        backward(self.chain, Perturbed::Torques, &programs, means, |scalar| {
-            let steps = Steps::of(self, means, scalar)?;
-            tried(LEAST_MARGIN, |margin| steps.torques(margin))
-        })
+        backward(
+            self.chain,
+            Perturbed::Torques,
+            &programs,
+            rounding,
+            |scalar| {
+                let steps = Steps::of(self, rounding, scalar)?;
+                tried(LEAST_MARGIN, |margin| steps.torques(margin))
+            },
+        )
     }
 
     /// Bounds the derivatives of accelerations by coordinates and velocities: the error of the derivatives of τ, at the
     /// accelerations found, which a program computes. The error of the factor M⁻¹ comes on top.
     #[must_use]
-    pub fn derivatives(&self, derivatives: &Program, means: Means) -> Accuracy {
+    pub fn derivatives(&self, derivatives: &Program, rounding: RoundingModel) -> Accuracy {
         let programs = [&self.programs.motion, derivatives];
         let perturbed = Perturbed::TorqueDerivatives;
-        backward(self.chain, perturbed, &programs, means, |scalar| {
-            let steps = Steps::of(self, means, scalar)?;
+        backward(self.chain, perturbed, &programs, rounding, |scalar| {
+            let steps = Steps::of(self, rounding, scalar)?;
             tried(LEAST_MARGIN, |margin| {
                 steps.torques(margin)?;
                 let wider = widened(&self.range, margin);
-                let found = values(computed(derivatives, &wider, means, scalar))?;
+                let found = values(computed(derivatives, &wider, rounding, scalar))?;
                 // The underflow of an acceleration, times the inertias, is a torque.
                 let most = largest(found.iter().map(|value| value.reach() + value.error));
                 let size = most * steps.mobility() * steps.inertia() * steps.inertia();
@@ -75,7 +81,7 @@ impl Steps<'_, '_> {
         let found = values(computed(
             &self.bodies.programs.motion,
             &wider,
-            self.means,
+            self.rounding,
             self.scalar,
         ))?;
         let motions = found.chunks(ARTICULATED_MOTION).map(Moving::of);

@@ -95,12 +95,13 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
     };
     let joint = |(k, solid): (BodyId, &&Solid)| match solid.parent {
         _ if solid.free => {
-            let (axis, slides) = (AXES[bodies[k].axis], bodies[k].motion.slides());
-            let of_carrier = carrier(k).map_or(0.0, |(solid, reach)| solid.within(reach, slides));
-            let own = if slides {
-                solid.slides(axis, [0.0; 3])
+            let (axis, translates) = (AXES[bodies[k].axis], bodies[k].motion.translates());
+            let of_carrier =
+                carrier(k).map_or(0.0, |(solid, reach)| solid.within(reach, translates));
+            let own = if translates {
+                solid.translation(axis, [0.0; 3])
             } else {
-                solid.turns(axis)
+                solid.rotation(axis)
             };
             own + ROUNDED * of_carrier
         }
@@ -108,13 +109,13 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         Some(parent) => {
             let parent = &solids[parent];
             let axis = [0, 1, 2].map(|row| solid.placement[3 * row + 2]);
-            if solid.slides {
+            if solid.translates {
                 // A line along the axis moves along itself alike in both bodies; this one goes through
                 // the centre of mass of the outer one.
                 let through = solid.seen_from_parent(solid.centre);
-                solid.slides(Z, solid.centre) + parent.slides(axis, through)
+                solid.translation(Z, solid.centre) + parent.translation(axis, through)
             } else {
-                solid.turns(Z) + parent.turns(axis)
+                solid.rotation(Z) + parent.rotation(axis)
             }
         }
     };
@@ -152,8 +153,8 @@ pub(super) fn reach(body: &Body<'_>, range: &Range) -> f64 {
             let [lo, hi] = range.coordinate(coordinate);
             lo.abs().max(hi.abs())
         }
-        (Position::Posture(posture, first), _) => {
-            posture.reach(|entry| range.coordinate(first.plus(entry)))
+        (Position::Manifold(manifold, first), _) => {
+            manifold.reach(|entry| range.coordinate(first.plus(entry)))
         }
         (Position::Along { .. }, Motion::Revolute) | (Position::Taken, _) => 0.0,
     };
@@ -186,7 +187,7 @@ fn numbers<'g>(body: &Body<'g>) -> [Term<'g>; NUMBERS] {
         4..10 => inertia.second.0[k - 4],
         10..19 => rotation[k - 10],
         19..22 => body.placement.translation.0[k - 19],
-        _ => body.drive.armature,
+        _ => body.actuator.armature,
     })
 }
 
@@ -204,7 +205,7 @@ enum Spin {
 /// A body as a mass with a rotational inertia about its centre, in the body's frame.
 struct Solid {
     parent: Option<BodyId>,
-    slides: bool,
+    translates: bool,
     screws: bool,
     /// True for a floating or planar joint, which has no axis of its own.
     free: bool,
@@ -251,8 +252,8 @@ impl Solid {
         let placement: [f64; 12] = std::array::from_fn(|k| numbers[10 + k].to_f64());
         let centre = centre.map(Double::to_f64);
         let mass = mass.to_f64();
-        let slides = body.motion.slides();
-        let on_the_base = if slides {
+        let translates = body.motion.translates();
+        let on_the_base = if translates {
             mass.recip()
         } else {
             // A screw moves it along the axis as well.
@@ -261,7 +262,7 @@ impl Solid {
         };
         Some(Self {
             parent: body.parent,
-            slides,
+            translates,
             screws: matches!(body.motion, Motion::Screw(_)),
             free: !body.has_own_axis(),
             placement,
@@ -269,7 +270,7 @@ impl Solid {
             centre,
             inertia,
             spin: if body.has_own_axis() {
-                carrier.carried(&placement, slides)
+                carrier.carried(&placement, translates)
             } else {
                 Spin::Any
             },
@@ -280,21 +281,21 @@ impl Solid {
 
     /// Bounds for ω and for the velocity of its origin, in any direction.
     fn fastest(&self) -> [f64; 2] {
-        let turns = AXES.iter().map(|&axis| self.turns(axis));
-        let slides = AXES.iter().map(|&axis| self.slides(axis, [0.0; 3]));
-        [turns.sum(), slides.sum()]
+        let rotations = AXES.iter().map(|&axis| self.rotation(axis));
+        let translations = AXES.iter().map(|&axis| self.translation(axis, [0.0; 3]));
+        [rotations.sum(), translations.sum()]
     }
 
     /// Bound of the square of its ω, or of the velocity of a point within a distance from its origin, by twice the
     /// energy.
-    fn within(&self, reach: f64, slides: bool) -> f64 {
-        let [turns, origin] = self.fastest();
-        if !slides {
-            return turns;
+    fn within(&self, reach: f64, translates: bool) -> f64 {
+        let [rotation, origin] = self.fastest();
+        if !translates {
+            return rotation;
         }
         // At distance zero nothing is added, even if ω has no bound.
         let across = if reach > 0.0 {
-            reach * turns.sqrt()
+            reach * rotation.sqrt()
         } else {
             0.0
         };
@@ -303,7 +304,7 @@ impl Solid {
     }
 
     /// a of ω² ≤ 2a T, where ω is the body's angular velocity about an axis and T its kinetic energy.
-    fn turns(&self, axis: [f64; 3]) -> f64 {
+    fn rotation(&self, axis: [f64; 3]) -> f64 {
         match self.spin {
             _ if axis == [0.0; 3] => 0.0,
             Spin::Still => 0.0,
@@ -325,8 +326,8 @@ impl Solid {
     }
 
     /// a of v² ≤ 2a T, where v is the velocity along an axis of a body's point.
-    fn slides(&self, axis: [f64; 3], point: [f64; 3]) -> f64 {
-        if self.parent.is_none() && !self.slides && !self.free {
+    fn translation(&self, axis: [f64; 3], point: [f64; 3]) -> f64 {
+        if self.parent.is_none() && !self.translates && !self.free {
             let across = axis[1] * point[0] - axis[0] * point[1];
             let about = if across == 0.0 {
                 0.0
@@ -343,7 +344,7 @@ impl Solid {
         }
         let [x, y, z] = [0, 1, 2].map(|k| point[k] - self.centre[k]);
         let [u, v, w] = axis;
-        self.mass.recip() + self.turns([y * w - z * v, z * u - x * w, x * v - y * u])
+        self.mass.recip() + self.rotation([y * w - z * v, z * u - x * w, x * v - y * u])
     }
 
     /// A point of this body in the parent's frame, at q = 0.
@@ -357,15 +358,15 @@ impl Solid {
 
 impl Spin {
     /// The directions of a body whose parent has these.
-    fn carried(self, placement: &[f64; 12], slides: bool) -> Self {
+    fn carried(self, placement: &[f64; 12], translates: bool) -> Self {
         let seen = |direction: [f64; 3]| {
             let column = |k: usize| [0, 1, 2].map(|row| placement[3 * row + k]);
             [0, 1, 2].map(|k| dot(column(k), direction))
         };
         match self {
-            Self::Still if slides => Self::Still,
+            Self::Still if translates => Self::Still,
             Self::Still => Self::About(Z),
-            Self::About(direction) if slides => Self::About(seen(direction)),
+            Self::About(direction) if translates => Self::About(seen(direction)),
             Self::About(direction) => {
                 let [x, y, _] = seen(direction);
                 let along = x.abs().max(y.abs()) <= PARALLEL;

@@ -6,7 +6,7 @@
 use std::cell::OnceCell;
 
 use super::{
-    Accuracy, Articulated, Means, of, of_accelerations, of_derivatives, of_inverse,
+    Accuracy, Articulated, RoundingModel, of, of_accelerations, of_derivatives, of_inverse,
     of_refined_inverse,
 };
 use crate::formulation::Forward;
@@ -19,11 +19,11 @@ const LESS_THAN_HALF: &str = "less than half of the digits may be left";
 
 /// Bounds the results of a plan.
 #[must_use]
-pub fn of_plan(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
-    let evaluated = of(plan.chain, &plan.functions, &plan.program, means);
-    let bounds = evaluated.into_iter().chain(solved(plan, means));
+pub fn of_plan(plan: &Plan<'_>, rounding: RoundingModel) -> Vec<Accuracy> {
+    let evaluated = of(plan.chain, &plan.functions, &plan.program, rounding);
+    let bounds = evaluated.into_iter().chain(solved(plan, rounding));
     // Programs that the check would refuse in f32, for the same loss in units of u, have no bound there.
-    if means.scalar != Real::Generic || keeps_half(plan.off.worst, Real::F32) {
+    if rounding.scalar != Real::Generic || keeps_half(plan.error.worst, Real::F32) {
         return bounds.collect();
     }
     let bounds = bounds.map(|accuracy| match accuracy {
@@ -36,9 +36,9 @@ pub fn of_plan(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
 }
 
 /// Bounds each function that solves an equation; a bound that several share is listed once.
-fn solved(plan: &Plan<'_>, means: Means) -> Vec<Accuracy> {
-    let has_residual = has_residual(plan.way.forward);
-    let solutions = Solutions::of(plan, means);
+fn solved(plan: &Plan<'_>, rounding: RoundingModel) -> Vec<Accuracy> {
+    let has_residual = has_residual(plan.algorithm.forward);
+    let solutions = Solutions::of(plan, rounding);
     let mut listed = Vec::new();
     let mut bounds = Vec::new();
     for function in &plan.functions {
@@ -74,15 +74,15 @@ const fn has_residual(forward: Forward) -> bool {
 /// Data that bounds of solutions need.
 struct Solutions<'p> {
     plan: &'p Plan<'p>,
-    means: Means,
+    rounding: RoundingModel,
     bodies: OnceCell<Result<Articulated<'p>, &'static str>>,
 }
 
 impl<'p> Solutions<'p> {
-    const fn of(plan: &'p Plan<'p>, means: Means) -> Self {
+    const fn of(plan: &'p Plan<'p>, rounding: RoundingModel) -> Self {
         Self {
             plan,
-            means,
+            rounding,
             bodies: OnceCell::new(),
         }
     }
@@ -91,37 +91,37 @@ impl<'p> Solutions<'p> {
         let &Plan {
             chain,
             layout,
-            way,
+            algorithm,
             ref programs,
             ..
         } = self.plan;
-        let means = self.means;
-        let equation = || programs.equation(layout, way, has_residual(way.forward));
+        let rounding = self.rounding;
+        let equation = || programs.equation(layout, algorithm, has_residual(algorithm.forward));
         let torque_derivatives =
-            || programs.function(Function::InverseDynamicsDerivatives, layout, way);
-        match (given, way.forward) {
+            || programs.function(Function::InverseDynamicsDerivatives, layout, algorithm);
+        match (given, algorithm.forward) {
             (Given::Torques, Forward::MassMatrix { refinements }) => {
-                of_accelerations(chain, &equation(), refinements, means)
+                of_accelerations(chain, &equation(), refinements, rounding)
             }
             (Given::Torques, Forward::Articulated) => {
-                self.of_bodies(|bodies| bodies.accelerations(means))
+                self.of_bodies(|bodies| bodies.accelerations(rounding))
             }
             (Given::MassMatrix, Forward::Articulated) => {
-                self.of_bodies(|bodies| bodies.inverse(means))
+                self.of_bodies(|bodies| bodies.inverse(rounding))
             }
             (Given::TorqueDerivatives, Forward::Articulated) => {
-                self.of_bodies(|bodies| bodies.derivatives(&torque_derivatives(), means))
+                self.of_bodies(|bodies| bodies.derivatives(&torque_derivatives(), rounding))
             }
             (Given::MassMatrix, Forward::UNREFINED) => {
-                let mass_matrix = programs.function(Function::MassMatrix, layout, way);
-                of_inverse(chain, &mass_matrix, means)
+                let mass_matrix = programs.function(Function::MassMatrix, layout, algorithm);
+                of_inverse(chain, &mass_matrix, rounding)
             }
             (Given::MassMatrix, Forward::MassMatrix { refinements }) => {
-                let at_rest = programs.equation_at_rest(layout, way);
-                of_refined_inverse(chain, &at_rest, refinements, means)
+                let at_rest = programs.equation_at_rest(layout, algorithm);
+                of_refined_inverse(chain, &at_rest, refinements, rounding)
             }
             (Given::TorqueDerivatives, Forward::UNREFINED) => {
-                of_derivatives(chain, &equation(), &torque_derivatives(), means)
+                of_derivatives(chain, &equation(), &torque_derivatives(), rounding)
             }
             (Given::TorqueDerivatives, _) => {
                 Accuracy::Unknown("none is derived of an inverse that is refined")
@@ -133,12 +133,12 @@ impl<'p> Solutions<'p> {
         let Plan {
             programs,
             layout,
-            way,
+            algorithm,
             ..
         } = self.plan;
         let bodies = self
             .bodies
-            .get_or_init(|| Articulated::of(programs, *layout, *way));
+            .get_or_init(|| Articulated::of(programs, *layout, *algorithm));
         match bodies {
             Ok(bodies) => bounds(bodies),
             Err(reason) => Accuracy::Unknown(reason),

@@ -15,7 +15,7 @@
 //! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
 //! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
-use super::promise::{Accuracy, Means, Perturbed, Worst, backward, computed, error};
+use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed, error};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::chain::Chain;
 use crate::layout::Layout;
@@ -35,14 +35,14 @@ const SPOILT: f64 = 0.5;
 /// Bounds the inverse of the mass matrix: each column from the diagonal up, which is solved for by itself.
 /// The program computes the mass matrix.
 #[must_use]
-pub fn of_inverse(chain: &Chain, program: &Program, means: Means) -> Accuracy {
+pub fn of_inverse(chain: &Chain, program: &Program, rounding: RoundingModel) -> Accuracy {
     let count = chain.spaces().velocities.len();
     let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
-        let parts = Parts::of(program, range, joints, means, scalar)?;
+        let parts = Parts::of(program, range, joints, rounding, scalar)?;
         let entry = |k| parts.lost(k / count, k % count);
         Ok((0..count * count).map(entry).collect())
     };
-    of_solution(chain, Perturbed::MassMatrix, &[program], means, worst)
+    of_solution(chain, Perturbed::MassMatrix, &[program], rounding, worst)
 }
 
 /// Bounds the inverse of the mass matrix after some refinements: each column from the diagonal up, as the
@@ -53,7 +53,7 @@ pub fn of_refined_inverse(
     chain: &Chain,
     program: &Program,
     refinements: usize,
-    means: Means,
+    rounding: RoundingModel,
 ) -> Accuracy {
     let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
         // |(M⁻¹)ᵢⱼ| ≤ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ).
@@ -65,7 +65,7 @@ pub fn of_refined_inverse(
         tried(0.0, |margin| {
             let parts = columns
                 .iter()
-                .map(|range| Parts::of(program, &widened(range, margin), joints, means, scalar));
+                .map(|range| Parts::of(program, &widened(range, margin), joints, rounding, scalar));
             let parts = parts.collect::<Result<Vec<Parts>, _>>()?;
             let mut left: Vec<Vec<f64>> = parts.iter().map(Parts::unrefined).collect();
             for _ in 0..refinements {
@@ -90,7 +90,7 @@ pub fn of_refined_inverse(
             Ok(worst)
         })
     };
-    of_solution(chain, Perturbed::UnitForces, &[program], means, worst)
+    of_solution(chain, Perturbed::UnitForces, &[program], rounding, worst)
 }
 
 /// Bounds accelerations by the factors of the mass matrix, after some refinements. The program computes the
@@ -100,12 +100,12 @@ pub fn of_accelerations(
     chain: &Chain,
     program: &Program,
     refinements: usize,
-    means: Means,
+    rounding: RoundingModel,
 ) -> Accuracy {
     let worst = |range: &Range, joints: &[f64], scalar: Real| {
-        solved(program, range, joints, refinements, means, scalar)
+        solved(program, range, joints, refinements, rounding, scalar)
     };
-    of_solution(chain, Perturbed::Torques, &[program], means, worst)
+    of_solution(chain, Perturbed::Torques, &[program], rounding, worst)
 }
 
 /// Bounds the derivatives of accelerations by coordinates and velocities: the error of the derivatives of τ, at the
@@ -117,23 +117,29 @@ pub fn of_derivatives(
     chain: &Chain,
     equation: &Program,
     derivatives: &Program,
-    means: Means,
+    rounding: RoundingModel,
 ) -> Accuracy {
     let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
-        let narrow = Parts::of(equation, range, joints, means, scalar)?;
+        let narrow = Parts::of(equation, range, joints, rounding, scalar)?;
         tried(0.0, |margin| {
             let wider = widened(range, margin);
             let off = narrow.over(&wider).unrefined();
             if !stays(range, margin, &caused(joints, &off)) {
                 return Err(UNCERTAIN);
             }
-            let found = computed(derivatives, &wider, means, scalar).into_iter();
+            let found = computed(derivatives, &wider, rounding, scalar).into_iter();
             let found = found.map(|found| error(found).map(|_| found.value));
             narrow.differentiated(joints, &found.collect::<Result<Vec<Value>, _>>()?, scalar)
         })
     };
     let programs = [equation, derivatives];
-    of_solution(chain, Perturbed::TorqueDerivatives, &programs, means, worst)
+    of_solution(
+        chain,
+        Perturbed::TorqueDerivatives,
+        &programs,
+        rounding,
+        worst,
+    )
 }
 
 /// Bounds a solution. `worst` bounds it in a range, from the bounds of each velocity by the energy.
@@ -141,12 +147,12 @@ fn of_solution(
     chain: &Chain,
     perturbed: Perturbed,
     programs: &[&Program],
-    means: Means,
+    rounding: RoundingModel,
     worst: impl Fn(&Range, &[f64], Real) -> Worst,
 ) -> Accuracy {
     let range = Range::of(chain);
     let mobility = mobility(chain, Layout::DESCRIBED, &range);
-    backward(chain, perturbed, programs, means, |scalar| {
+    backward(chain, perturbed, programs, rounding, |scalar| {
         let Mobility { joints, .. } = mobility.as_ref().map_err(|reason| *reason)?;
         worst(&range, joints, scalar)
     })
@@ -184,10 +190,10 @@ fn solved(
     range: &Range,
     mobility: &[f64],
     refinements: usize,
-    means: Means,
+    rounding: RoundingModel,
     scalar: Real,
 ) -> Worst {
-    let parts = |range: &Range| Parts::of(program, range, mobility, means, scalar);
+    let parts = |range: &Range| Parts::of(program, range, mobility, rounding, scalar);
     let narrow = parts(range)?;
     let attempt = |margin: f64| -> Worst {
         let wider = widened(range, margin);
@@ -279,7 +285,7 @@ impl Parts {
         program: &Program,
         range: &Range,
         mobility: &[f64],
-        means: Means,
+        rounding: RoundingModel,
         scalar: Real,
     ) -> Result<Self, &'static str> {
         let most: Vec<f64> = range.arguments[Variable::Qdd]
@@ -287,7 +293,7 @@ impl Parts {
             .map(|[_, most]| *most)
             .collect();
         let count = most.len();
-        let found = computed(program, range, means, scalar).into_iter();
+        let found = computed(program, range, rounding, scalar).into_iter();
         let found = found.map(|found| error(found).map(|_| found.value));
         let mut mass = found.collect::<Result<Vec<Value>, _>>()?;
         let mut bias = mass.split_off(count * count);

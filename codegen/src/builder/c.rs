@@ -49,7 +49,7 @@ impl Builder {
         if self.request.runtime.is_some() {
             errors.push(Place::Unknown, "`runtime` is for Rust: C has no runtime");
         }
-        if self.library.sin_cos.is_some() {
+        if self.core_functions.sin_cos.is_some() {
             errors.push_with_hint(
                 Place::Unknown,
                 "`sin_cos` is for Rust only",
@@ -59,7 +59,7 @@ impl Builder {
         // Further errors are those without these options.
         let mut without = self.clone();
         without.request.runtime = None;
-        without.library.sin_cos = None;
+        without.core_functions.sin_cos = None;
         match without.module_where(true, true) {
             Ok(module) => errors.into_result(module),
             Err(mistakes) => {

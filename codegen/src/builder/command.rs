@@ -8,7 +8,7 @@ use std::num::NonZeroUsize;
 use super::Builder;
 use crate::description::fingerprint::fingerprint;
 use crate::description::{Name, Number};
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::module::Module;
 use crate::request::Parameter;
 use crate::request::setting::SETTINGS;
@@ -59,15 +59,15 @@ impl Builder {
             }
             match setting.key {
                 // The first of two numbers for the same quantity counts, whatever options are between them.
-                "rotors" => command.drives(&request.drives),
+                "rotors" => command.actuators(&request.actuators),
                 "scalar" => command.fields(&request.parameters),
                 _ => {}
             }
         }
-        if let Some(path) = &self.library.sin_cos {
+        if let Some(path) = &self.core_functions.sin_cos {
             command.option("sin-cos", &spelled(path));
         }
-        if let Some(prefix) = &self.library.c_prefix {
+        if let Some(prefix) = &self.core_functions.c_prefix {
             command.option("extern-c", prefix);
         }
         if let Some(name) = &self.name {
@@ -121,8 +121,8 @@ impl Command {
         }
     }
 
-    fn drives(&mut self, drives: &[(Name, Part, Vec<Number>)]) {
-        for (joint, part, values) in drives {
+    fn actuators(&mut self, actuators: &[(Name, Part, Vec<Number>)]) {
+        for (joint, part, values) in actuators {
             let (part, values) = (part.word(), numbers(values));
             self.word(&format!("--{part}={}={values}", joint.text));
         }

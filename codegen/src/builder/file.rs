@@ -88,7 +88,8 @@ impl Builder {
     pub fn c_header(&self, module: &Module) -> String {
         let item = self.item(module);
         let asked = self.asked(module, Language::Rust);
-        let header = rust::c_header(module, &item, &asked, &self.library()).unwrap_or_default();
+        let header =
+            rust::c_header(module, &item, &asked, &self.core_functions()).unwrap_or_default();
         if self.ascii { spelt(&header) } else { header }
     }
 
@@ -96,8 +97,8 @@ impl Builder {
     #[doc(hidden)]
     #[must_use]
     pub fn source(&self, module: &Module) -> Source {
-        let header = rust::header(module, &self.asked(module, Language::Rust), &self.world());
-        let appendix = rust::appendix(module, &self.item(module), &self.world());
+        let header = rust::header(module, &self.asked(module, Language::Rust), &self.library());
+        let appendix = rust::appendix(module, &self.item(module), &self.library());
         let source = Source::file(header, &self.print(module), appendix);
         if self.ascii {
             source.in_ascii()
@@ -138,7 +139,7 @@ impl Builder {
         options.extend(request.section.map(|most| format!("section {most}")));
         let chosen = request.processor != Processor::Portable;
         options.extend(chosen.then(|| format!("processor {}", request.processor.name())));
-        let prefix = self.library.c_prefix.as_ref();
+        let prefix = self.core_functions.c_prefix.as_ref();
         options.extend(prefix.map(|prefix| format!("functions {prefix}… for C")));
         options.join(", ")
     }

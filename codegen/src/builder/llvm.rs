@@ -6,7 +6,7 @@ use super::Builder;
 use super::command::Language;
 use crate::error::Errors;
 use crate::module::Module;
-use crate::print::llvm::{self, Writing};
+use crate::print::llvm::{self, Steps, Writing};
 
 impl Builder {
     /// The functions as LLVM IR, for LLVM 19 or later: `NAME` for one state, with the parameters of
@@ -14,6 +14,8 @@ impl Builder {
     ///
     /// `NAME_batch` takes the number of states and the fields, if there are some. For each argument and each result it
     /// takes a pointer, the distance between states, and the distance between entries of one state, both in numbers.
+    /// `NAME_arrays` takes the number of states, a pointer to the fields, which is not read if there are none, and a pointer
+    /// to these triples (`ptr`, `i64`, `i64`), one after the other.
     /// Results equal those of the C file bit for bit. [`Real::Generic`](crate::Real::Generic) becomes `double`.
     ///
     /// # Errors
@@ -29,7 +31,8 @@ impl Builder {
     pub fn llvm(&self, module: &Module, lanes: NonZeroUsize) -> String {
         let writing = Writing {
             prefix: &self.prefix(module),
-            asked: &self.asked(module, Language::Llvm(lanes)),
+            asked: Some(&self.asked(module, Language::Llvm(lanes))),
+            steps: Steps::OfQuaternions,
             lanes: lanes.get(),
             fused: self.fuses(module),
         };

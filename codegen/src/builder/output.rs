@@ -14,7 +14,7 @@ use crate::formulation::{Products, Sines};
 use crate::module::Module;
 use crate::print::ascii::beyond;
 use crate::print::c;
-use crate::print::rust::{self, Item, Library, World};
+use crate::print::rust::{self, CoreFunctions, Item, Library};
 use crate::processor::Processor;
 use crate::real::{Real, Trigonometry};
 use crate::request::Request;
@@ -30,7 +30,7 @@ impl Builder {
     }
 
     pub(super) fn print(&self, module: &Module) -> TokenStream {
-        rust::print(module, &self.item(module), &self.world())
+        rust::print(module, &self.item(module), &self.library())
     }
 
     pub(super) fn item(&self, module: &Module) -> Item {
@@ -38,24 +38,24 @@ impl Builder {
         self.name.clone().map_or_else(named_after, Item::made)
     }
 
-    pub(super) fn world(&self) -> World {
+    pub(super) fn library(&self) -> Library {
         match &self.request.runtime {
-            Some(path) => World::Runtime(path.clone()),
-            None => World::Core(self.library()),
+            Some(path) => Library::Runtime(path.clone()),
+            None => Library::Core(self.core_functions()),
         }
     }
 
     /// The functions that code without the runtime calls. `core` has no sines: those of the platform are in the crate
     /// `libm`.
-    pub(super) fn library(&self) -> Library {
-        let mut library = self.library.clone();
-        if self.request.formulation.sines == Sines::Platform && library.sin_cos.is_none() {
-            library.sin_cos = Some(match self.request.scalar {
+    pub(super) fn core_functions(&self) -> CoreFunctions {
+        let mut core_functions = self.core_functions.clone();
+        if self.request.formulation.sines == Sines::Platform && core_functions.sin_cos.is_none() {
+            core_functions.sin_cos = Some(match self.request.scalar {
                 Real::F32 => quote! { ::libm::sincosf },
                 Real::F64 | Real::Generic => quote! { ::libm::sincos },
             });
         }
-        library
+        core_functions
     }
 
     /// The module of the robot.
@@ -89,7 +89,7 @@ impl Builder {
         if request.runtime.is_none() && request.scalar == Real::Generic {
             request.scalar = Real::F64;
         }
-        request.trigonometry = match (&request.runtime, self.library().sin_cos) {
+        request.trigonometry = match (&request.runtime, self.core_functions().sin_cos) {
             (Some(_), _) => Trigonometry::Runtime,
             (None, Some(_)) => Trigonometry::Other,
             (None, None) => Trigonometry::Own,
@@ -110,7 +110,7 @@ impl Builder {
             errors.push(Place::Unknown, message);
             return Err(errors);
         }
-        if request.runtime.is_some() && self.library.c_prefix.is_some() {
+        if request.runtime.is_some() && self.core_functions.c_prefix.is_some() {
             let message = "`extern_c` is for files that need only `core`, without the runtime";
             errors.push(Place::Unknown, message);
             return Err(errors);
@@ -147,7 +147,7 @@ impl Builder {
             Some(name) => name.unraw().to_string(),
             None => module.about.robot.clone(),
         };
-        let prefix = self.library.c_prefix.clone();
+        let prefix = self.core_functions.c_prefix.clone();
         prefix.unwrap_or_else(|| c::prefix(&robot))
     }
 

@@ -60,12 +60,12 @@ impl Builder {
             "leave it out, since every function takes arrays of states",
         );
         refuse(
-            self.library.sin_cos.is_some(),
+            self.core_functions.sin_cos.is_some(),
             "`sin_cos` is for Rust only",
             "leave it out, since the package has its own sines, or choose the formulation platform_sines",
         );
         refuse(
-            self.library.c_prefix.is_some(),
+            self.core_functions.c_prefix.is_some(),
             "`extern_c` is for files that need only `core`",
             "leave it out, or write a file in Rust",
         );
@@ -79,7 +79,7 @@ impl Builder {
         without.request.runtime = None;
         without.request.batch = false;
         without.request.processor = Processor::Portable;
-        without.library = super::Library::default();
+        without.core_functions = super::CoreFunctions::default();
         match without.module_where(false, false) {
             Ok(generated) => errors.into_result(generated),
             Err(mistakes) => {

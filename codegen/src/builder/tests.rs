@@ -54,10 +54,7 @@ fn a_file_needs_nothing_but_core_and_sines() {
 
 #[test]
 fn the_sines_of_the_platform_are_those_of_libm_unless_others_are_named() {
-    let formulation = Formulation {
-        sines: Sines::Platform,
-        ..Formulation::default()
-    };
+    let formulation = Formulation::default().with_sines(Sines::Platform);
     let builder = arm(as_asked).formulation(formulation);
     for (scalar, call) in [
         (Real::F32, "= ::libm::sincosf(q_1);\n"),
@@ -122,10 +119,7 @@ fn every_option_reaches_the_stages() {
         .strict()
         .lock("shoulder")
         .lock_at("elbow", 0.5)
-        .formulation(Formulation {
-            products: Products::Unfused,
-            ..Formulation::default()
-        })
+        .formulation(Formulation::default().with_products(Products::Unfused))
         .parameter("field", Target::Gravity);
     let errors = builder.to_tokens().expect_err("as asked");
     assert_eq!(errors.to_string(), "error: as asked\n");
@@ -138,7 +132,7 @@ fn all_options_that_are_not_rust_are_errors() {
         .sin_cos("1 + 1")
         .parameter("a b", Target::Gravity);
     let errors = builder.to_tokens().expect_err("three mistakes");
-    assert_eq!(errors.complaints().len(), 3, "{errors}");
+    assert_eq!(errors.diagnostics().len(), 3, "{errors}");
 }
 
 #[test]
@@ -151,7 +145,7 @@ fn a_missing_file_is_an_error() {
 
 #[test]
 fn the_derive_writes_the_same() {
-    let derived = crate::door::derive(quote::quote! {
+    let derived = crate::front_end::derive(quote::quote! {
         #[robot(urdf = "../robots/two_link.urdf", tip = "tip")]
         #[robot(generate(forward_kinematics, inverse_dynamics, all_of(mass_matrix, bias)))]
         pub struct TwoLink;

@@ -45,7 +45,7 @@ pub struct Block {
     /// The velocities that move them relative to their parent links, and move no other link.
     pub velocities: Vec<VelocityId>,
     /// The leading parameters, in the order in which they were found.
-    pub leaders: Vec<ParameterId>,
+    pub leading: Vec<ParameterId>,
 }
 
 impl BaseParameters {
@@ -57,7 +57,7 @@ impl BaseParameters {
 
     /// The columns of the regressor that multiply the base parameters.
     pub fn columns(&self) -> impl Iterator<Item = ParameterId> {
-        self.groups.iter().map(Group::leader)
+        self.groups.iter().map(Group::leading)
     }
 }
 
@@ -75,7 +75,7 @@ pub struct Group {
 impl Group {
     /// The parameter whose column of the regressor is that of the group.
     #[must_use]
-    pub fn leader(&self) -> ParameterId {
+    pub fn leading(&self) -> ParameterId {
         self.members[0].0
     }
 }
@@ -123,7 +123,7 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
     let blocks = together.iter().map(|together| found.block(together));
     let blocks = blocks.collect();
     let kept = found.forms.numbered().filter(|(_, form)| !form.is_empty());
-    let groups = kept.map(|(leader, form)| group(leader, form, &described));
+    let groups = kept.map(|(leading, form)| group(leading, form, &described));
     BaseParameters {
         groups: groups.collect(),
         blocks,
@@ -209,7 +209,7 @@ impl Found<'_> {
                 if mover.is_none() {
                     movers.push((velocity, joint));
                 }
-                if let Some([armature, damping, friction]) = self.links.drive(joint) {
+                if let Some([armature, damping, friction]) = self.links.actuator(joint) {
                     let of_bound = bound.iter().map(|&(first, second)| match joint {
                         _ if joint == first => (Double::from(1.0), 1.0),
                         _ if Some(joint) == second => (Double::from(-1.0), 1.0),
@@ -232,7 +232,8 @@ impl Found<'_> {
     /// The damping and the friction of a joint as multiples of those of another joint with its velocity: a torque f d
     /// (f q̇) and one f c sign(f q̇), where f is a joint's multiplier.
     fn beside(&self, joint: BodyId, mover: Option<BodyId>) -> [Option<Combination>; 2] {
-        let Some((mover, parts)) = mover.and_then(|mover| Some((mover, self.links.drive(mover)?)))
+        let Some((mover, parts)) =
+            mover.and_then(|mover| Some((mover, self.links.actuator(mover)?)))
         else {
             return [None, None];
         };
@@ -250,7 +251,7 @@ impl Found<'_> {
         combination: Option<Combination>,
     ) {
         let Some(combination) = combination else {
-            block.leaders.push(parameter);
+            block.leading.push(parameter);
             return;
         };
         let handed_on = std::mem::take(&mut self.forms[parameter]);
@@ -284,12 +285,12 @@ fn add(sum: &mut Form, other: &Form, factor: Double) {
     *sum = all;
 }
 
-fn group(leader: ParameterId, form: &Form, described: &List<ParameterId, Double>) -> Group {
+fn group(leading: ParameterId, form: &Form, described: &List<ParameterId, Double>) -> Group {
     // Factors that are rounding errors are left out.
     let is_there = |member: &&Member| member.factor.to_f64().abs() > NOTHING * member.size;
-    let others = form.iter().filter(|member| member.parameter != leader);
+    let others = form.iter().filter(|member| member.parameter != leading);
     let others = others.filter(is_there);
-    let first = (leader, Double::from(1.0));
+    let first = (leading, Double::from(1.0));
     let others = others.map(|member| (member.parameter, member.factor));
     let members: Vec<(ParameterId, Double)> = [first].into_iter().chain(others).collect();
     let terms = members.iter().map(|&(k, factor)| factor * described[k]);

@@ -9,8 +9,8 @@ use super::closure;
 use super::mimic;
 use super::names::Names;
 use super::shape::{Joints, downstream, find_base};
-use super::tree::{Branch, Follow, Tree};
-use super::{drive, external, numbers};
+use super::tree::{Branch, MimicLaw, Tree};
+use super::{actuator, external, numbers};
 use crate::description::{Description, JointId, LinkId, Name, Number};
 use crate::error::Errors;
 use crate::list::List;
@@ -82,13 +82,13 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     for name in &request.actuated {
         joints.find(name, &mut errors);
     }
-    let follows = mimic::follows(description, &tree, &joints, &mut errors);
-    choose_tip(description, request, &follows, &mut tree, &mut errors);
-    mimic::hold(&mut tree, &follows);
+    let mimics = mimic::mimics(description, &tree, &joints, &mut errors);
+    choose_tip(description, request, &mimics, &mut tree, &mut errors);
+    mimic::hold(&mut tree, &mimics);
     check_moving(description, request, &tree, &links, &mut errors);
     check_size(description, &tree, &mut errors);
     numbers::check(description, request, &tree, &mut errors);
-    drive::check(description, request, &tree, &joints, &mut errors);
+    actuator::check(description, request, &tree, &joints, &mut errors);
     tree.external = external::check(description, request, &tree, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
@@ -291,7 +291,7 @@ fn check_size(description: &Description, tree: &Tree, errors: &mut Errors) {
 fn choose_tip(
     description: &Description,
     request: &Request,
-    follows: &List<JointId, Option<Follow>>,
+    mimics: &List<JointId, Option<MimicLaw>>,
     tree: &mut Tree,
     errors: &mut Errors,
 ) {
@@ -317,7 +317,7 @@ fn choose_tip(
     // A tip that was named and not found has been reported.
     let unknown = tree.tip.is_none() && request.tip.is_none();
     match tree.tip {
-        Some(tip) if request.path_only => hold_off_path(tree, follows, tip),
+        Some(tip) if request.path_only => hold_off_path(tree, mimics, tip),
         None if request.path_only && unknown => errors.push_with_hint(
             description.name.place,
             "path_only needs a tip, and the robot has more than one end",
@@ -336,22 +336,22 @@ fn choose_tip(
 }
 
 /// Holds every joint that does not move the tip, neither itself nor through a mimic joint.
-fn hold_off_path(tree: &mut Tree, follows: &List<JointId, Option<Follow>>, tip: LinkId) {
-    let mut moves = follows.map(|_| false);
+fn hold_off_path(tree: &mut Tree, mimics: &List<JointId, Option<MimicLaw>>, tip: LinkId) {
+    let mut moves = mimics.map(|_| false);
     let mut link = tip;
     // Children come after parents, so one pass backwards meets the path in order.
     for branch in tree.branches.iter().rev() {
         if branch.child == link && link != tree.base {
             link = branch.parent;
             moves[branch.joint] = true;
-            if let Some(follow) = follows[branch.joint] {
-                moves[follow.leader] = true;
+            if let Some(law) = mimics[branch.joint] {
+                moves[law.mimicked] = true;
             }
         }
     }
     for branch in &mut tree.branches {
         // A mimic joint is held by its mimicked joint.
-        let own = follows[branch.joint].is_none();
+        let own = mimics[branch.joint].is_none();
         if own && !moves[branch.joint] && branch.held.is_none() {
             branch.held = Some(Number::default());
         }

@@ -7,7 +7,7 @@
 use super::names::Names;
 use super::{Chain, Loop};
 use crate::description::{Description, LinkId};
-use crate::error::{Complaint, Errors};
+use crate::error::{Diagnostic, Errors};
 use crate::function::Function;
 use crate::request::Request;
 use crate::space::{Entry, VelocityId};
@@ -75,14 +75,14 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
 }
 
 /// Warnings about loops and actuators that no requested function reads.
-fn unasked(chain: &Chain, request: &Request) -> Vec<Complaint> {
+fn unasked(chain: &Chain, request: &Request) -> Vec<Diagnostic> {
     let asked = |is: fn(Function) -> bool| {
         let mut functions = request.functions.iter().flatten();
         request.functions.is_empty() || functions.any(|&function| is(function))
     };
     let mut warnings = Vec::new();
     if !asked(Function::is_of_loops) {
-        warnings.extend(chain.loops.iter().map(|closed| Complaint {
+        warnings.extend(chain.loops.iter().map(|closed| Diagnostic {
             place: closed.place,
             message: format!(
                 "loop {} is left open: no function of loops is generated",
@@ -92,9 +92,9 @@ fn unasked(chain: &Chain, request: &Request) -> Vec<Complaint> {
         }));
     }
     if let Some(first) = request.actuated.first()
-        && !asked(Function::wants_drives)
+        && !asked(Function::wants_actuators)
     {
-        warnings.push(Complaint {
+        warnings.push(Diagnostic {
             place: first.place,
             message: "actuated joints are named, but no function uses them".into(),
             hint: Some("generate actuated_inverse_dynamics".into()),

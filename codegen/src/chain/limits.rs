@@ -6,7 +6,7 @@
 
 use super::tree::Tree;
 use crate::description::{Description, Limits};
-use crate::error::Complaint;
+use crate::error::Diagnostic;
 use crate::wording::quoted;
 
 /// The range of the coordinate: one point if both limits are equal, unless both are zero, which in a URDF stands for
@@ -25,12 +25,12 @@ pub fn rates(limits: Limits) -> Option<[f64; 2]> {
 }
 
 /// Warnings about limits that are left out.
-pub fn warnings(description: &Description, tree: &Tree) -> Vec<Complaint> {
+pub fn warnings(description: &Description, tree: &Tree) -> Vec<Diagnostic> {
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
     let joints = moving.map(|branch| &description[branch.joint]);
     let limited = joints.filter(|joint| joint.limits.is_some() && joint.kind.has_several());
     limited
-        .map(|joint| Complaint {
+        .map(|joint| Diagnostic {
             place: joint.place,
             message: format!(
                 "joint {} is {} and has limits, which are not modelled: they do not name a coordinate",

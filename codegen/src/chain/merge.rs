@@ -3,13 +3,13 @@
 //! In: the description and its tree. Out: a [`Chain`] whose bodies move relative to each other, with the inertia of all
 //! links merged into them. Struct fields become inputs here, and are scalars like all others from here on.
 
+mod actuator;
 mod closure;
 mod displacement;
-mod drive;
 mod inertia;
+mod links;
 mod listed;
 mod reader;
-mod seat;
 
 use std::rc::Rc;
 
@@ -17,7 +17,7 @@ use super::tree::Tree;
 use super::{BodyId, Chain, Frame, Report};
 use crate::description::{Description, JointId, LinkId};
 use crate::expression::{Graph, Term};
-use crate::joint::{Drive, Motion, Posture, entry};
+use crate::joint::{ActuatorTerms, Manifold, Motion, entry};
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::Request;
@@ -42,7 +42,7 @@ struct Body<'g> {
     link: Option<(LinkId, Pose<Term<'g>>)>,
     inertia: Inertia<Term<'g>>,
     moved: Moved<'g>,
-    drive: Drive<Term<'g>>,
+    actuator: ActuatorTerms<Term<'g>>,
 }
 
 /// The coordinate that moves a body.
@@ -51,9 +51,9 @@ enum Moved<'g> {
     /// A coordinate of its own.
     Own,
     /// The coordinate of a mimicked joint, times a factor.
-    Follows { leader: JointId, factor: Term<'g> },
+    Mimic { mimicked: JointId, factor: Term<'g> },
     /// Coordinates that move it together with all later bodies of its joint.
-    Posture(Posture),
+    Manifold(Manifold),
     /// None: the first body of its joint has the displacement.
     Taken,
 }
@@ -68,7 +68,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         report: Report::default(),
     };
     let name = |link: LinkId| description[link].name.text.clone();
-    let (attachments, bodies) = seat::attach(description, tree, &mut reader);
+    let (attachments, bodies) = links::attach(description, tree, &mut reader);
     let frame = |link: LinkId| {
         let attachment = attachments[link]?;
         Some(Frame {
@@ -107,7 +107,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         has_tip: tree.tip.is_some(),
         gravity,
         report,
-        identifies_drives: false,
+        identifies_actuators: false,
         base_parameters: None,
         graph,
     }

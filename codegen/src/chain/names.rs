@@ -57,7 +57,7 @@ impl<'a, I: Id> Names<'a, I> {
         if found.is_none() {
             let message = format!("there is no {} {}", self.what, quoted(&name.text));
             // With very many names or errors, the search would take longer than reading them.
-            let few = self.order.len() <= SEARCHED && errors.complaints().len() < HELPED;
+            let few = self.order.len() <= SEARCHED && errors.diagnostics().len() < HELPED;
             if few {
                 let hint = named(&name.text, &format!("{}s", self.what), &self.order);
                 errors.push_with_hint(name.place, message, hint);

@@ -158,7 +158,7 @@ impl Account<'_> {
             match step {
                 Step::Translate(offset) => self.numbers(offset),
                 Step::Rotate(_, angle) => self.angle(angle),
-                Step::Turn(entries) => {
+                Step::Quaternion(entries) => {
                     self.numbers(entries);
                     if entries.iter().all(|entry| entry.value == 0.0) {
                         self.refuse(entries[0].place, "has a quaternion that is zero");

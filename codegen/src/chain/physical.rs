@@ -4,9 +4,9 @@
 //! the request is strict. Numbers stay as given: computations use non-physical inertias as they are.
 
 use super::tree::Tree;
-use super::{Chain, drive, limits, mimic};
+use super::{Chain, actuator, limits, mimic};
 use crate::description::{Description, Inertial, Link, LinkId, Name};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::expression::{Double, Term};
 use crate::list::List;
 use crate::matrix::Inertia;
@@ -28,7 +28,7 @@ pub fn check(
 ) -> Result<Chain, Errors> {
     let mut warnings = description.warnings.clone();
     warnings.append(&mut chain.report.warnings);
-    warnings.extend(drive::warnings(description, request, tree));
+    warnings.extend(actuator::warnings(description, request, tree));
     warnings.extend(limits::warnings(description, tree));
     warnings.extend(mimic::warnings(description, tree));
     // For each link the moving body that it is part of; for each of these, whether any of its links has a mass.
@@ -75,7 +75,7 @@ pub fn check(
 }
 
 /// One warning for all links that move and have no inertia, at the first of them.
-fn without_inertia(links: &[&Name]) -> Option<Complaint> {
+fn without_inertia(links: &[&Name]) -> Option<Diagnostic> {
     let (first, others) = links.split_first()?;
     let names: Vec<String> = links.iter().map(|link| quoted(&link.text)).collect();
     let names = list(names.iter().map(String::as_str));
@@ -84,7 +84,7 @@ fn without_inertia(links: &[&Name]) -> Option<Complaint> {
     } else {
         ("links", "move and have")
     };
-    Some(Complaint {
+    Some(Diagnostic {
         place: first.place,
         message: format!("{noun} {names} {verbs} no inertia: taken as massless"),
         hint: Some("give it an inertial, with mass 0 if it has none".into()),
@@ -93,7 +93,7 @@ fn without_inertia(links: &[&Name]) -> Option<Complaint> {
 
 /// The warning about a non-physical inertia, with the amount: the second moments about the centre of mass, ∫rrᵗdm,
 /// must not be negative in any direction.
-fn non_physical(link: &str, inertial: &Inertial) -> Option<Complaint> {
+fn non_physical(link: &str, inertial: &Inertial) -> Option<Diagnostic> {
     let [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(|entry| entry.value);
     let mass = inertial.mass.value;
     let half = (xx + yy + zz) / 2.0;
@@ -115,7 +115,7 @@ fn non_physical(link: &str, inertial: &Inertial) -> Option<Complaint> {
         return None;
     };
     let hint = Some("used as given: correct the file, or make this an error with strict".into());
-    Some(Complaint {
+    Some(Diagnostic {
         place: inertial.place,
         message,
         hint,
@@ -123,7 +123,7 @@ fn non_physical(link: &str, inertial: &Inertial) -> Option<Complaint> {
 }
 
 /// Warnings about fields for the centre of mass or the inertia of a link without mass.
-fn part_of_nothing(link: &Link, request: &Request) -> Vec<Complaint> {
+fn part_of_nothing(link: &Link, request: &Request) -> Vec<Diagnostic> {
     let inertial = link.inertial.as_ref();
     if inertial.is_some_and(|inertial| inertial.mass.value != 0.0) || request.weighs(&link.name) {
         return Vec::new();
@@ -142,7 +142,7 @@ fn part_of_nothing(link: &Link, request: &Request) -> Vec<Complaint> {
             }
             _ => return None,
         };
-        Some(Complaint {
+        Some(Diagnostic {
             place: Place::Token(field.span()),
             message,
             hint: Some(format!("give it a mass, or a field with mass_of = {name}")),

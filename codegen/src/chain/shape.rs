@@ -133,7 +133,7 @@ pub fn downstream(joints: &Joints, base: LinkId, dropped: &[LinkId]) -> Vec<Bran
                 parent,
                 child,
                 held: None,
-                follows: None,
+                mimics: None,
             });
         }
     }

@@ -2,9 +2,9 @@
 //!
 //! Errors within one item belong to the readers and are tested there.
 
+mod actuators;
 mod base_parameters;
 mod bodies;
-mod drives;
 mod external;
 mod fields;
 mod joints;

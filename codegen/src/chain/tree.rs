@@ -36,14 +36,14 @@ pub struct Branch {
     /// The coordinate at which it is held [rad or m]; `None` if it moves.
     pub held: Option<Number>,
     /// The mimicked joint, for a mimic joint.
-    pub follows: Option<Follow>,
+    pub mimics: Option<MimicLaw>,
 }
 
 /// The motion of a mimic joint: multiplier · q + offset.
 #[derive(Clone, Copy, Debug)]
-pub struct Follow {
+pub struct MimicLaw {
     /// The joint that has the coordinate q.
-    pub leader: JointId,
+    pub mimicked: JointId,
     /// The multiplier.
     pub multiplier: Double,
     /// The offset [rad or m].

@@ -58,7 +58,7 @@ pub fn judge_base_parameters(chain: &Chain) -> Result<(), Errors> {
         errors.push_with_hint(place, message, UNCERTAIN);
         return Err(errors);
     }
-    let counts = base.blocks.iter().map(|block| block.leaders.len() + MORE);
+    let counts = base.blocks.iter().map(|block| block.leading.len() + MORE);
     let counts: Vec<usize> = counts.collect();
     let most = counts.iter().copied().max().unwrap_or(0).max(CHECKED);
     let mut seen = Vec::new();
@@ -75,13 +75,13 @@ pub fn judge_base_parameters(chain: &Chain) -> Result<(), Errors> {
         let wanted = base.blocks.iter().zip(&counts);
         let wanted = wanted.filter(|(_, count)| **count > k);
         let wanted: BTreeSet<ParameterId> = wanted
-            .flat_map(|(block, _)| block.leaders.clone())
+            .flat_map(|(block, _)| block.leading.clone())
             .collect();
         let is_wanted = |parameter: ParameterId| k < CHECKED || wanted.contains(&parameter);
         let dense = Dense::of(robot, state);
         let (regressor, sizes) = dense.regressor_and_sizes(is_wanted);
         let at = Seen {
-            torques: dense.torques(Motion::Driven),
+            torques: dense.torques(Motion::Accelerated),
             regressor,
             sizes,
         };
@@ -137,7 +137,7 @@ fn first_wrong_torque(base: &BaseParameters, seen: &[Seen]) -> Option<(VelocityI
     seen.iter().find_map(|at| {
         at.torques.numbered().find_map(|(row, torque)| {
             let terms = base.groups.iter().map(|group| {
-                let entry = at.regressor[group.leader()][row].to_f64();
+                let entry = at.regressor[group.leading()][row].to_f64();
                 (entry * group.value, entry.abs() * group.size)
             });
             let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), (term, of_term)| {
@@ -167,7 +167,7 @@ fn first_wrong(base: &BaseParameters, seen: &[Seen]) -> Option<Wrong> {
     let mut factors: List<ParameterId, Vec<(ParameterId, f64)>> = first.map(|_| Vec::new());
     for group in &base.groups {
         for &(member, factor) in &group.members {
-            factors[member].push((group.leader(), factor));
+            factors[member].push((group.leading(), factor));
         }
     }
     let units = units_of_rows(seen);
@@ -232,12 +232,12 @@ impl Compared {
         {
             let expected = regressor[parameter][row];
             let (mut rest, mut rounding) = (expected.value, expected.error);
-            for &(leader, factor) in terms {
-                let entry = regressor[leader][row];
+            for &(leading, factor) in terms {
+                let entry = regressor[leading][row];
                 let term = Double::from(factor) * entry.value;
                 rest = rest - term;
                 rounding += 4.0 * f64::EPSILON * term.to_f64().abs() + factor.abs() * entry.error;
-                size = size.max(factor.abs() * sizes[leader][row]);
+                size = size.max(factor.abs() * sizes[leading][row]);
             }
             off = off.max(rest.to_f64().abs());
             whole = whole.max(expected.size());

@@ -8,7 +8,7 @@ use super::robot::Contradiction;
 use crate::chain::{Chain, Position};
 use crate::dense::{Approximate, Dense, State};
 use crate::expression::Double;
-use crate::joint::Posture;
+use crate::joint::Manifold;
 use crate::list::Id;
 use crate::quaternion::normalize;
 use crate::real::Real;
@@ -24,7 +24,7 @@ const CLOSED: f64 = 1e-15;
 const NEARLY: f64 = 1e-4;
 
 /// The damping of directions in which residuals hardly change, relative to the others.
-const DAMPING: f64 = Real::F64.vanishing();
+const DAMPING: f64 = Real::F64.zero_pivot();
 
 /// The first of some states that closes within the limits of the joints; or else the first that closes, or the
 /// nearest to closing.
@@ -178,9 +178,9 @@ fn moved(state: &State, chain: &Chain, velocities: &[f64]) -> State {
                 let entry = &mut moved.arguments[Variable::Q][coordinate.index()];
                 *entry = *entry + by(velocity, 0);
             }
-            Position::Posture(posture, first) => {
+            Position::Manifold(manifold, first) => {
                 let entries = &mut moved.arguments[Variable::Q][first.index()..];
-                displace(entries, posture, |k| by(velocity, k));
+                displace(entries, manifold, |k| by(velocity, k));
             }
             Position::Taken => {}
         }
@@ -189,16 +189,16 @@ fn moved(state: &State, chain: &Chain, velocities: &[f64]) -> State {
 }
 
 /// Moves a body by velocities in its own axes.
-fn displace(entries: &mut [Double], posture: Posture, by: impl Fn(usize) -> Double) {
-    match posture {
-        Posture::Planar => {
+fn displace(entries: &mut [Double], manifold: Manifold, by: impl Fn(usize) -> Double) {
+    match manifold {
+        Manifold::Planar => {
             let (sine, cosine) = entries[2].sin_cos();
             entries[0] = entries[0] + cosine * by(0) - sine * by(1);
             entries[1] = entries[1] + sine * by(0) + cosine * by(1);
             entries[2] = entries[2] + by(2);
         }
-        Posture::Spherical => rotate(&mut entries[..4], [by(0), by(1), by(2)]),
-        Posture::Floating => {
+        Manifold::Spherical => rotate(&mut entries[..4], [by(0), by(1), by(2)]),
+        Manifold::Floating => {
             let shift = rotated(&entries[3..7], [by(0), by(1), by(2)]);
             for (entry, shift) in entries.iter_mut().zip(shift) {
                 *entry = *entry + shift;

@@ -3,9 +3,9 @@
 //! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the moving joints
 //! alone, for comparison with the described one.
 
-use crate::dense::{Approximate, Body, BodyId, Closed, Freedom, Matrix, Moved, Robot};
+use crate::dense::{Approximate, Body, BodyId, Closed, DegreeOfFreedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
-use crate::joint::Posture;
+use crate::joint::Manifold;
 use crate::list::{Id, List};
 use crate::module::{ChainData, DataMotion, LoopsData};
 use crate::space::{CoordinateId, FrameId, VelocityId};
@@ -18,7 +18,7 @@ const PLACEMENT: usize = 12;
 pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
     let (joints, rest) = numbers.split_at(JOINT * data.parents.len());
     let (frames, rest) = rest.split_at(PLACEMENT * data.frames.len());
-    let (gravity, drives) = rest.split_at(3);
+    let (gravity, actuators) = rest.split_at(3);
     let (mut coordinate, mut velocity) = (CoordinateId::new(0), VelocityId::new(0));
     // For each joint, the first of its coordinates and velocities.
     let mut places = Vec::new();
@@ -33,11 +33,11 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         .map(|(k, ((numbers, parent), motion))| {
             let screw = [three(&numbers[12..15]), three(&numbers[15..18])];
             let along = |(coordinate, velocity), factor| {
-                let freedom = Freedom {
+                let degree_of_freedom = DegreeOfFreedom {
                     screw,
                     velocity,
                     factor,
-                    drive: [Approximate::exact(0.0); 3],
+                    actuator: [Approximate::exact(0.0); 3],
                 };
                 let moved = Moved::By {
                     screw,
@@ -45,31 +45,34 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
                     factor,
                     offset: Approximate::exact(0.0),
                 };
-                (moved, vec![freedom])
+                (moved, vec![degree_of_freedom])
             };
-            let (moved, freedoms) = match *motion {
+            let (moved, degrees_of_freedom) = match *motion {
                 DataMotion::Along => along(places[k], Approximate::exact(1.0)),
-                DataMotion::Follows { leader, multiplier } => along(
-                    places[usize::from(leader)],
+                DataMotion::Mimic {
+                    mimicked,
+                    multiplier,
+                } => along(
+                    places[usize::from(mimicked)],
                     Approximate::literal(multiplier),
                 ),
-                DataMotion::Posture(posture) => {
+                DataMotion::Manifold(manifold) => {
                     let (coordinate, velocity) = places[k];
-                    let moved = Moved::Posture(posture, coordinate);
-                    (moved, freedoms(posture, velocity))
+                    let moved = Moved::Manifold(manifold, coordinate);
+                    (moved, degrees_of_freedom(manifold, velocity))
                 }
             };
             Body {
                 parent: parent.map(BodyId::from),
                 placement: placement(&numbers[..PLACEMENT]),
                 moved,
-                freedoms,
+                degrees_of_freedom,
                 inertia: inertia(&numbers[18..]),
             }
         })
         .collect();
-    for (drive, &(joint, velocity)) in drives.chunks(3).zip(&data.driven) {
-        bodies[joint.into()].freedoms[usize::from(velocity)].drive = three(drive);
+    for (actuator, &(joint, velocity)) in actuators.chunks(3).zip(&data.actuated) {
+        bodies[joint.into()].degrees_of_freedom[usize::from(velocity)].actuator = three(actuator);
     }
     let mut frame =
         |(numbers, body): (&[Approximate], Option<u16>)| Some(bodies.push(fixed(body, numbers)));
@@ -99,7 +102,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
 const LOOP: usize = 2 * PLACEMENT + 1;
 
 /// The same with its loops, whose values are also given.
-pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approximate]) -> Robot {
+pub(super) fn closed_loops(mut robot: Robot, data: &LoopsData, numbers: &[Approximate]) -> Robot {
     for (closed, numbers) in data.loops.iter().zip(numbers.chunks(LOOP)) {
         let (placements, size) = numbers.split_at(2 * PLACEMENT);
         let ends = [0, 1].map(|end| {
@@ -113,9 +116,9 @@ pub(super) fn mechanism(mut robot: Robot, data: &LoopsData, numbers: &[Approxima
             size: size[0],
         });
     }
-    let driven = data.driven.iter().enumerate();
-    robot.actuated = driven
-        .filter(|(_, driven)| **driven)
+    let actuated = data.actuated.iter().enumerate();
+    robot.actuated = actuated
+        .filter(|(_, actuated)| **actuated)
         .map(|(k, _)| VelocityId::new(k))
         .collect();
     robot
@@ -128,28 +131,28 @@ fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
         parent: body.map(BodyId::from),
         placement: placement(numbers),
         moved: Moved::Held([nothing; 2], Double::ZERO),
-        freedoms: Vec::new(),
+        degrees_of_freedom: Vec::new(),
         inertia: Matrix::zero(),
     }
 }
 
 /// The degrees of freedom of a joint without an axis of its own: along the axes of its moved frame.
-fn freedoms(posture: Posture, first: VelocityId) -> Vec<Freedom> {
-    let screws: &[usize] = match posture {
-        Posture::Planar => &[3, 4, 2],
-        Posture::Spherical => &[0, 1, 2],
-        Posture::Floating => &[3, 4, 5, 0, 1, 2],
+fn degrees_of_freedom(manifold: Manifold, first: VelocityId) -> Vec<DegreeOfFreedom> {
+    let screws: &[usize] = match manifold {
+        Manifold::Planar => &[3, 4, 2],
+        Manifold::Spherical => &[0, 1, 2],
+        Manifold::Floating => &[3, 4, 5, 0, 1, 2],
     };
     let screws = screws.iter().enumerate();
     screws
         .map(|(k, &entry)| {
             let mut screw = [[Approximate::exact(0.0); 3]; 2];
             screw[entry / 3][entry % 3] = Approximate::exact(1.0);
-            Freedom {
+            DegreeOfFreedom {
                 screw,
                 velocity: first.plus(k),
                 factor: Approximate::exact(1.0),
-                drive: [Approximate::exact(0.0); 3],
+                actuator: [Approximate::exact(0.0); 3],
             }
         })
         .collect()

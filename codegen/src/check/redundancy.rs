@@ -7,7 +7,7 @@
 use super::{robot, states};
 use crate::chain::Chain;
 use crate::dense::{Dense, State};
-use crate::error::Complaint;
+use crate::error::Diagnostic;
 use crate::space::Space;
 use crate::wording::{list, quoted};
 
@@ -35,7 +35,7 @@ pub struct Redundancy {
     /// Their names.
     pub dependent: Vec<String>,
     /// Warnings about uncertain dependences.
-    pub warnings: Vec<Complaint>,
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// Compares the residuals of all loops in closed configurations.
@@ -46,7 +46,7 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
         Ok(Dense::of(robot, state.clone()))
     };
     let scalar = chain.request.scalar;
-    let (vanishing, roundoff) = (scalar.vanishing(), scalar.roundoff());
+    let (zero_pivot, roundoff) = (scalar.zero_pivot(), scalar.roundoff());
     let mut samples: Vec<Sample> = Vec::new();
     for number in 0..ATTEMPTS {
         // A robot that contradicts its chain is refused by the check.
@@ -56,7 +56,7 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
         let Ok(dense) = at(&state) else {
             return Redundancy::default();
         };
-        samples.push(Sample::of(dense, vanishing, roundoff));
+        samples.push(Sample::of(dense, zero_pivot, roundoff));
         if samples.iter().filter(|sample| sample.is_useful()).count() == STATES {
             break;
         }
@@ -109,14 +109,14 @@ struct Sample {
 }
 
 impl Sample {
-    fn of(mut dense: Dense, vanishing: f64, roundoff: f64) -> Self {
-        let pivots = dense.independence(vanishing).into_iter();
-        let pivots: Vec<f64> = pivots.map(|pivot| pivot / vanishing).collect();
+    fn of(mut dense: Dense, zero_pivot: f64, roundoff: f64) -> Self {
+        let pivots = dense.independence(zero_pivot).into_iter();
+        let pivots: Vec<f64> = pivots.map(|pivot| pivot / zero_pivot).collect();
         let residuals = dense.residuals();
         let open = residuals.iter().map(|residual| residual.size());
         let held = dense.held();
-        let accelerations = |dense: &Dense, vanishing| {
-            let mut solution = dense.constrained(vanishing);
+        let accelerations = |dense: &Dense, zero_pivot| {
+            let mut solution = dense.constrained(zero_pivot);
             solution.truncate(dense.state.velocities());
             solution
         };
@@ -125,7 +125,7 @@ impl Sample {
             held,
             moves: pivots.iter().filter(|pivot| **pivot >= CLEAR).count() < held,
             pivots,
-            is_certain: dense.sensitivity(accelerations, (vanishing, roundoff)) <= CERTAIN,
+            is_certain: dense.sensitivity(accelerations, (zero_pivot, roundoff)) <= CERTAIN,
         }
     }
 
@@ -134,14 +134,14 @@ impl Sample {
     }
 }
 
-fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Complaint {
+fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Diagnostic {
     let names: Vec<String> = residuals.iter().map(|name| quoted(name)).collect();
     let (is, depend) = if let [_] = residuals {
         ("it does", "depends")
     } else {
         ("they do", "depend")
     };
-    Complaint {
+    Diagnostic {
         place: chain.loops[0].place,
         message: format!(
             "{} nearly {depend} on the other residuals where the loops are closed: accelerations differ by whether \
@@ -153,7 +153,7 @@ fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Complaint {
 }
 
 /// The warning that loops hold every joint among those that change their residuals.
-fn no_motion(chain: &Chain, held: usize) -> Complaint {
+fn no_motion(chain: &Chain, held: usize) -> Diagnostic {
     let names: Vec<String> = chain
         .loops
         .iter()
@@ -169,7 +169,7 @@ fn no_motion(chain: &Chain, held: usize) -> Complaint {
     } else {
         format!(" that moves {its} ends against each other")
     };
-    Complaint {
+    Diagnostic {
         place: chain.loops[0].place,
         message: format!(
             "{loops} {} {hold} where closed every joint{which}",

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 
 use crate::chain::Chain;
 use crate::chain::base_parameters::BaseParameters;
-use crate::dense::{Approximate, Body, BodyId, Freedom, Matrix, Moved, Robot};
+use crate::dense::{Approximate, Body, BodyId, DegreeOfFreedom, Matrix, Moved, Robot};
 use crate::description::{Description, LinkId, Name};
 use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
@@ -79,10 +79,14 @@ pub(super) fn robot(
             let name = &joint.name.text;
             return Err(Contradiction(format!("whether joint {name} moves")));
         }
-        moving += if own { joint.kind.freedoms().len() } else { 0 };
+        moving += if own {
+            joint.kind.degrees_of_freedom().len()
+        } else {
+            0
+        };
         // The last body of a joint is the link; the others have no mass.
-        let link = match joint.kind.posture() {
-            Some(posture) if own => reader.placed(joint, posture, place, &places, &mut bodies)?,
+        let link = match joint.kind.manifold() {
+            Some(manifold) if own => reader.placed(joint, manifold, place, &places, &mut bodies)?,
             _ => reader.in_series(joint, motion, place, &places, &mut bodies)?,
         };
         let child = joint.child.text.as_str();
@@ -121,7 +125,7 @@ pub(super) fn robot(
             .flat_map(BaseParameters::columns)
             .collect(),
         identified: (chain.joints.iter())
-            .filter(|_| chain.identifies_drives)
+            .filter(|_| chain.identifies_actuators)
             .filter_map(|joint| moved.get(joint.link.as_ref()?.0.as_str()).cloned())
             .collect(),
         links: (chain.joints.iter())
@@ -158,11 +162,11 @@ impl Places<'_> {
                 factor,
                 offset,
             },
-            freedoms: vec![Freedom {
+            degrees_of_freedom: vec![DegreeOfFreedom {
                 screw,
                 velocity: place(self.velocities, name)?,
                 factor,
-                drive: [Scalar::literal(0.0); 3],
+                actuator: [Scalar::literal(0.0); 3],
             }],
             inertia: Matrix::zero(),
         })
@@ -185,7 +189,7 @@ fn held(
         parent,
         placement,
         moved: Moved::Held(screw, at),
-        freedoms: Vec::new(),
+        degrees_of_freedom: Vec::new(),
         inertia: Matrix::zero(),
     }
 }
@@ -196,7 +200,7 @@ enum Motion<'d> {
     /// Its own coordinates.
     Own,
     /// The coordinate of a joint with this name, times a factor, plus an offset.
-    Follows(&'d str, Scalar, Scalar),
+    Mimic(&'d str, Scalar, Scalar),
     /// None: it is held at a coordinate.
     Held(Double),
 }

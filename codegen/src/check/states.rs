@@ -80,7 +80,11 @@ pub(super) fn wide(chain: &Chain, count: usize) -> Vec<State> {
 fn state_within(chain: &Chain, random: &mut Random, [length, time]: [f64; 2]) -> State {
     let spaces = chain.spaces();
     let mut drawn = |kind: Kind| {
-        let unit = if kind == Kind::Slide { length } else { 1.0 };
+        let unit = if kind == Kind::Translation {
+            length
+        } else {
+            1.0
+        };
         3.0 * unit * (2.0 * random.unit() - 1.0)
     };
     let mut state = State {
@@ -128,7 +132,7 @@ fn reach(coordinate: &Entry) -> [f64; 2] {
     const FARTHEST: f64 = 1e6;
     match (coordinate.range, coordinate.kind) {
         (Some(ends), _) => ends.map(|end| end.clamp(-FARTHEST, FARTHEST)),
-        (None, Kind::Turn) => [-3.0, 3.0],
+        (None, Kind::Rotation) => [-3.0, 3.0],
         (None, _) => [-1.0, 1.0],
     }
 }

@@ -235,25 +235,15 @@ fn every_function_of_many_robots_agrees_with_the_description() {
 #[test]
 fn they_agree_in_every_formulation() {
     let forms = [
-        Formulation {
-            angles: Angles::Merged,
-            products: Products::Unfused,
-            forward: Some(Forward::MassMatrix { refinements: 1 }),
-            ..Formulation::default()
-        },
-        Formulation {
-            parameters: Parameters::Raw,
-            forward: Some(Forward::MassMatrix { refinements: 2 }),
-            ..Formulation::default()
-        },
-        Formulation {
-            frame: Frame::Base,
-            ..Formulation::default()
-        },
-        Formulation {
-            forward: Some(Forward::Articulated),
-            ..Formulation::default()
-        },
+        Formulation::default()
+            .with_angles(Angles::Merged)
+            .with_products(Products::Unfused)
+            .with_forward(Forward::MassMatrix { refinements: 1 }),
+        Formulation::default()
+            .with_parameters(Parameters::Raw)
+            .with_forward(Forward::MassMatrix { refinements: 2 }),
+        Formulation::default().with_frame(Frame::Base),
+        Formulation::default().with_forward(Forward::Articulated),
     ];
     for formulation in forms {
         pass(formulation);

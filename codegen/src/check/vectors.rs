@@ -10,7 +10,7 @@
 use std::mem;
 
 use super::{robot, states};
-use crate::accuracy::Means;
+use crate::accuracy::RoundingModel;
 use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, State};
 use crate::expression::{Double, Input};
@@ -42,8 +42,11 @@ const NEARER: usize = 8;
 const BY: f64 = 8.0;
 
 /// The test vectors of all functions, one state after the other.
-pub fn vectors(chain: &Chain, (functions, means): (&[GeneratedFunction], Means)) -> Vec<Vector> {
-    let (scalar, generated) = (means.scalar, functions.iter().enumerate());
+pub fn vectors(
+    chain: &Chain,
+    (functions, model): (&[GeneratedFunction], RoundingModel),
+) -> Vec<Vector> {
+    let (scalar, generated) = (model.scalar, functions.iter().enumerate());
     let at = |state: State| {
         let robot = robot::robot(chain, &state.fields)?;
         Ok(Dense::of(robot, state))
@@ -63,7 +66,7 @@ pub fn vectors(chain: &Chain, (functions, means): (&[GeneratedFunction], Means))
             // A robot that contradicts its chain has been refused before.
             let Ok(dense) = at(state) else { break };
             wanted.retain(|(function, generated)| {
-                let found = rounding(&dense.state, &generated.program, means);
+                let found = rounding(&dense.state, &generated.program, model);
                 if found
                     .iter()
                     .any(|found| found.reason == Some(Reason::Angle))
@@ -89,7 +92,7 @@ pub fn vectors(chain: &Chain, (functions, means): (&[GeneratedFunction], Means))
         let Some(mut closed) = closed else { continue };
         for &(function, generated) in wanted {
             if !is_uncertain(&mut closed, &generated.functions, scalar) {
-                let found = rounding(&closed.state, &generated.program, means);
+                let found = rounding(&closed.state, &generated.program, model);
                 vectors.extend(vector(
                     &closed,
                     chain,
@@ -181,7 +184,7 @@ fn with_coordinates(
 
 /// True if constrained results depend on the threshold of zero pivots, or on the rounding of a pivot.
 fn is_uncertain(dense: &mut Dense, functions: &[Function], scalar: Real) -> bool {
-    let limits = (scalar.vanishing(), ROUNDINGS * scalar.roundoff());
+    let limits = (scalar.zero_pivot(), ROUNDINGS * scalar.roundoff());
     functions.iter().any(|function| match function.truth() {
         Truth::Constrained(value) => {
             dense.sensitivity(value, limits) > CERTAIN * scalar.roundoff().sqrt()
@@ -214,7 +217,7 @@ fn nearer(state: &State, chain: &Chain, (index, scalar): (usize, Real)) -> State
         .map(|(q, entry)| {
             let [least, most] = entry.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
             match entry.kind {
-                Kind::Turn => (q.to_f64() / BY).max(least).min(most).into(),
+                Kind::Rotation => (q.to_f64() / BY).max(least).min(most).into(),
                 _ => *q,
             }
         });
@@ -267,7 +270,7 @@ fn truth(
     };
     match function.truth() {
         Truth::Value(value) | Truth::OfMass(value) => Some(value(dense, frame)),
-        Truth::Constrained(value) => Some(value(dense, scalar.vanishing())),
+        Truth::Constrained(value) => Some(value(dense, scalar.zero_pivot())),
         Truth::Solution(Given::Torques) => acceleration(),
         Truth::Solution(Given::MassMatrix) => Some(inverse()?.concat()),
         Truth::Solution(Given::TorqueDerivatives) => {
@@ -314,8 +317,8 @@ fn solved(dense: &Dense, mut right: Vec<Vec<Approximate>>) -> Option<Vec<Vec<App
 }
 
 /// Bounds of the rounding errors of a program's results at a state.
-fn rounding(state: &State, program: &Program, means: Means) -> Vec<Found> {
-    let scalar = means.scalar;
+fn rounding(state: &State, program: &Program, model: RoundingModel) -> Vec<Found> {
+    let scalar = model.scalar;
     let range = |input: Input| {
         let meant = state.get(input);
         let (exact, written) = (meant.to_f64(), in_type(meant.to_f64(), scalar));
@@ -326,7 +329,7 @@ fn rounding(state: &State, program: &Program, means: Means) -> Vec<Found> {
     };
     let conditions = Conditions {
         scalar,
-        angles: means.trigonometry.reach(scalar),
+        angles: model.trigonometry.reach(scalar),
         range: &range,
         quaternions: &[],
     };
@@ -488,7 +491,7 @@ mod tests {
                 let q = arguments.find(|(argument, _)| *argument == Variable::Q);
                 let entries = q.map_or(&[][..], |(_, q)| q).iter();
                 let entries = entries.zip(&module.spaces.coordinates);
-                let mut turns = entries.filter(|(_, entry)| entry.kind == Kind::Turn);
+                let mut turns = entries.filter(|(_, entry)| entry.kind == Kind::Rotation);
                 assert!(turns.all(|(q, _)| q.abs() <= reach), "{}", generated.name());
             }
         }

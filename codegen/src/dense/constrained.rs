@@ -7,7 +7,7 @@
 //! less its part of 1/(1 + (d/εa)²)⁴, and 0 if roundings of the description leave no digit of a.
 
 use super::{Approximate, Dense, Matrix, Motion};
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::expression::Arithmetic;
 use crate::list::{self, List};
 use crate::space::{Variable, VelocityId};
@@ -28,10 +28,10 @@ impl Dense {
             let seen = a.inverse().times(&b);
             let rows = closed.rows.iter();
             rows.map(move |&row| match row {
-                Row::Along(k) => seen.0[k][3],
-                Row::Product(i, j) => seen.0[i][j],
-                Row::Inclined => seen.0[2][2] - closed.size,
-                Row::Distance => {
+                ResidualKind::Along(k) => seen.0[k][3],
+                ResidualKind::Product(i, j) => seen.0[i][j],
+                ResidualKind::Inclined => seen.0[2][2] - closed.size,
+                ResidualKind::Distance => {
                     let [x, y, z] = point(&seen);
                     let square = x * x + y * y + z * z;
                     (square - closed.size * closed.size) / (closed.size + closed.size)
@@ -86,7 +86,7 @@ impl Dense {
             let rows = closed.rows.iter();
             rows.map(move |&row| {
                 let bias = change(row, closed.size, &seen, &second);
-                if row != Row::Distance {
+                if row != ResidualKind::Distance {
                     return bias;
                 }
                 let [x, y, z] = point(&first);
@@ -97,7 +97,7 @@ impl Dense {
     }
 
     /// q̈ followed by λ, where parts below ε of the whole count as zero.
-    pub(crate) fn constrained(&self, vanishing: f64) -> Vec<Scalar> {
+    pub(crate) fn constrained(&self, zero_pivot: f64) -> Vec<Scalar> {
         let (rows, bias) = (self.residual_rates(), self.residual_bias());
         let held = self.torques(Motion::Coasting).into_iter();
         let forces = held.zip(self.state.of_velocities(Variable::Tau));
@@ -107,7 +107,7 @@ impl Dense {
         let mut multipliers: Vec<Scalar> = (rows.iter().zip(&bias))
             .map(|(row, bias)| -(dot(row, &accelerations) + *bias))
             .collect();
-        self.eliminate(matrix, &mut multipliers, vanishing);
+        self.eliminate(matrix, &mut multipliers, zero_pivot);
         for (moved, multiplier) in moved.iter().zip(&multipliers) {
             for (acceleration, moved) in accelerations.iter_mut().zip(moved) {
                 *acceleration = *acceleration + *moved * *multiplier;
@@ -146,25 +146,27 @@ impl Dense {
 
     /// The entries of the velocities without an actuator.
     fn passive(&self, of: &List<VelocityId, Scalar>) -> Vec<Scalar> {
-        let passive = of.ids().filter(|k| !self.posture.actuated().contains(k));
+        let passive = of
+            .ids()
+            .filter(|k| !self.configuration.actuated().contains(k));
         passive.map(|k| of[k]).collect()
     }
 
     /// τ of the actuated velocities for the motion of the state, where λ balances the others: by the normal equations.
-    pub(crate) fn driven(&self, vanishing: f64) -> Vec<Scalar> {
-        let needed = self.torques(Motion::Driven);
+    pub(crate) fn actuated(&self, zero_pivot: f64) -> Vec<Scalar> {
+        let needed = self.torques(Motion::Accelerated);
         let rows = self.residual_rates();
         let Equations { moved, matrix } = self.by_passive(&rows);
         let passive = self.passive(&needed);
         let mut multipliers: Vec<Scalar> = moved.iter().map(|row| dot(row, &passive)).collect();
-        self.eliminate(matrix, &mut multipliers, vanishing);
+        self.eliminate(matrix, &mut multipliers, zero_pivot);
         let torque = |k: VelocityId| {
             let held = rows.iter().zip(&multipliers);
             held.fold(needed[k], |torque, (row, multiplier)| {
                 torque - row[k] * *multiplier
             })
         };
-        let is_actuated = |k: VelocityId| self.posture.actuated().contains(&k);
+        let is_actuated = |k: VelocityId| self.configuration.actuated().contains(&k);
         needed
             .ids()
             .map(|k| {
@@ -179,11 +181,11 @@ impl Dense {
 
     /// The pivot of each row relative to the whole, for accelerations: below ε if the row depends on those before it,
     /// far above ε otherwise.
-    pub(crate) fn independence(&self, vanishing: f64) -> Vec<f64> {
+    pub(crate) fn independence(&self, zero_pivot: f64) -> Vec<f64> {
         let rows = self.residual_rates();
         let Equations { matrix, .. } = self.by_mass_matrix(&rows);
         let mut nothing = vec![Scalar::exact(0.0); rows.len()];
-        self.eliminate(matrix, &mut nothing, vanishing)
+        self.eliminate(matrix, &mut nothing, zero_pivot)
     }
 
     /// The relative change of a solution, to its largest entry, if ε is halved or doubled, or if rounding changes
@@ -191,11 +193,11 @@ impl Dense {
     pub(crate) fn sensitivity(
         &mut self,
         solution: impl Fn(&Self, f64) -> Vec<Scalar>,
-        (vanishing, rounding): (f64, f64),
+        (zero_pivot, rounding): (f64, f64),
     ) -> f64 {
         let mut at = |times: f64, disturbance: f64| {
             self.disturbance = disturbance;
-            solution(self, times * vanishing)
+            solution(self, times * zero_pivot)
         };
         let whole = at(1.0, 0.0);
         let others = [at(0.5, 0.0), at(2.0, 0.0), at(1.0, rounding)];
@@ -222,7 +224,7 @@ impl Dense {
         &self,
         mut matrix: Vec<Vec<Scalar>>,
         y: &mut [Scalar],
-        vanishing: f64,
+        zero_pivot: f64,
     ) -> Vec<f64> {
         let wholes = self.wholes(&matrix);
         let (mut reciprocals, mut shares) = (Vec::new(), Vec::new());
@@ -231,7 +233,7 @@ impl Dense {
             let pivot = matrix[k][k] + whole * Scalar::exact(self.disturbance);
             let is_known = whole.size() > whole.error || whole.error.is_infinite();
             let reciprocal = if is_known {
-                reciprocal(pivot, whole * Scalar::exact(vanishing))
+                reciprocal(pivot, whole * Scalar::exact(zero_pivot))
             } else {
                 Scalar::exact(0.0)
             };
@@ -264,7 +266,7 @@ impl Dense {
         for closed in self.loops() {
             let first = wholes.len();
             for row in &closed.rows {
-                let same = |(_, other): &(usize, &Row)| other.kind() == row.kind();
+                let same = |(_, other): &(usize, &ResidualKind)| other.kind() == row.kind();
                 let rows = closed.rows.iter().enumerate().filter(same);
                 let entries = rows.map(|(k, _)| matrix[first + k][first + k]);
                 let sum = entries.reduce(|sum, entry| sum + entry);
@@ -292,12 +294,17 @@ fn point(matrix: &Matrix<Scalar>) -> [Scalar; 3] {
 }
 
 /// The change of a residual for a change of the pose of B.
-fn change(row: Row, size: Scalar, seen: &Matrix<Scalar>, changed: &Matrix<Scalar>) -> Scalar {
+fn change(
+    row: ResidualKind,
+    size: Scalar,
+    seen: &Matrix<Scalar>,
+    changed: &Matrix<Scalar>,
+) -> Scalar {
     match row {
-        Row::Along(k) => changed.0[k][3],
-        Row::Product(i, j) => changed.0[i][j],
-        Row::Inclined => changed.0[2][2],
-        Row::Distance => dot(&point(seen), &point(changed)) / size,
+        ResidualKind::Along(k) => changed.0[k][3],
+        ResidualKind::Product(i, j) => changed.0[i][j],
+        ResidualKind::Inclined => changed.0[2][2],
+        ResidualKind::Distance => dot(&point(seen), &point(changed)) / size,
     }
 }
 

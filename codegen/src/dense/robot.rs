@@ -1,9 +1,9 @@
 //! A robot, link by link, as matrices of numbers.
 
 use super::{Approximate, Matrix};
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::expression::Double;
-use crate::joint::Posture;
+use crate::joint::Manifold;
 use crate::list::{List, id};
 use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 
@@ -21,13 +21,13 @@ pub(crate) struct Body {
     /// The displacement of the joint.
     pub(crate) moved: Moved,
     /// The degrees of freedom of the joint.
-    pub(crate) freedoms: Vec<Freedom>,
+    pub(crate) degrees_of_freedom: Vec<DegreeOfFreedom>,
     /// J of the link in its frame.
     pub(crate) inertia: Matrix<Approximate>,
 }
 
 /// A degree of freedom: a screw, in the link's frame, with its velocity.
-pub(crate) struct Freedom {
+pub(crate) struct DegreeOfFreedom {
     /// u and b.
     pub(crate) screw: [[Approximate; 3]; 2],
     /// The velocity's index in q̇.
@@ -35,7 +35,7 @@ pub(crate) struct Freedom {
     /// Factor of the velocity.
     pub(crate) factor: Approximate,
     /// Armature, damping and friction.
-    pub(crate) drive: [Approximate; 3],
+    pub(crate) actuator: [Approximate; 3],
 }
 
 /// The coordinates of a joint's displacement.
@@ -52,7 +52,7 @@ pub(crate) enum Moved {
         offset: Approximate,
     },
     /// The entries of q from here on.
-    Posture(Posture, CoordinateId),
+    Manifold(Manifold, CoordinateId),
     /// None: it is held at a coordinate along a screw.
     Held([[Approximate; 3]; 2], Double),
 }
@@ -62,7 +62,7 @@ pub(crate) struct Closed {
     /// Its frames A and B, among those of the robot.
     pub(crate) frames: [FrameId; 2],
     /// Its residuals.
-    pub(crate) rows: Vec<Row>,
+    pub(crate) rows: Vec<ResidualKind>,
     /// The length of a rod, or the cosine of the angle between two axes.
     pub(crate) size: Approximate,
 }

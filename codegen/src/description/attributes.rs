@@ -14,7 +14,7 @@ use syn::{
 
 use super::inline::{self, Contents};
 use super::item::Item;
-use super::tokens::{self, Parsed, complaint, complaint_with_hint};
+use super::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use crate::error::Errors;
 use crate::request::{Parameter, Target, TargetOf};
 use crate::wording::{known, quoted};
@@ -34,8 +34,8 @@ pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<I
     let parsed = tokens::check_depth(&tokens);
     let input: DeriveInput = match parsed.and_then(|()| Ok(syn::parse2(tokens)?)) {
         Ok(input) => input,
-        Err(complaint) => {
-            tokens::push(errors, complaint);
+        Err(diagnostic) => {
+            tokens::push(errors, diagnostic);
             return None;
         }
     };
@@ -100,7 +100,7 @@ fn is_robot(attribute: &Attribute) -> bool {
 }
 
 fn refuse_kind(span: Span, ident: &Ident, kind: &str, errors: &mut Errors) {
-    let problem = complaint(span, format!("{ident} is {kind}: a robot is a struct"));
+    let problem = diagnostic(span, format!("{ident} is {kind}: a robot is a struct"));
     tokens::push(errors, problem);
 }
 
@@ -115,7 +115,7 @@ fn arguments(
         let message = "`robot` needs a list in parentheses";
         let hint = format!("write {example}");
         let span = attribute.meta.span();
-        tokens::push(errors, complaint_with_hint(span, message, hint));
+        tokens::push(errors, diagnostic_with_hint(span, message, hint));
         return;
     }
     // Errors were reported where they were found.
@@ -143,7 +143,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 errors,
                 |input, errors| match tokens::list(input, argument) {
                     Ok(arguments) => read = arguments,
-                    Err(complaint) => tokens::push(errors, complaint),
+                    Err(diagnostic) => tokens::push(errors, diagnostic),
                 },
             );
             for argument in read {
@@ -152,7 +152,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                     Argument::Range(second) => {
                         if range.is_some() {
                             let message = format!("field `{ident}` has two ranges");
-                            tokens::push(errors, complaint(second.span, message));
+                            tokens::push(errors, diagnostic(second.span, message));
                         }
                         range = Some(second);
                         continue;
@@ -161,7 +161,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                 };
                 if found.is_some() {
                     let message = format!("field `{ident}` stands for two numbers");
-                    tokens::push(errors, complaint(span, message));
+                    tokens::push(errors, diagnostic(span, message));
                     is_clear = false;
                 } else {
                     found = Some(target);
@@ -184,7 +184,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
 /// Reports a type that holds more or fewer numbers than its target.
 fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
     let entries = target.entries();
-    let is_meant = match of {
+    let is_mjcf = match of {
         Type::Paren(inner) => return check_type(&inner.elem, target, field, errors),
         Type::Group(inner) => return check_type(&inner.elem, target, field, errors),
         Type::Array(array) => match &array.len {
@@ -201,7 +201,7 @@ fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
         Type::Reference(_) | Type::Slice(_) | Type::Tuple(_) => false,
         _ => true,
     };
-    if is_meant {
+    if is_mjcf {
         return;
     }
     let what = target.words();
@@ -211,7 +211,7 @@ fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
     };
     let message = format!("field `{field}` stands for {what}, which is {numbers}");
     let hint = format!("write {field}: {example}");
-    tokens::push(errors, complaint_with_hint(of.span(), message, hint));
+    tokens::push(errors, diagnostic_with_hint(of.span(), message, hint));
 }
 
 /// An argument of a field's attribute.
@@ -252,7 +252,7 @@ impl Range {
         let Some(target) = target else {
             let message = format!("field `{field}` has a range and stands for no number");
             let hint = "write what it stands for beside it: #[robot(gravity, range = 12.0)]";
-            tokens::push(errors, complaint_with_hint(self.span, message, hint));
+            tokens::push(errors, diagnostic_with_hint(self.span, message, hint));
             return None;
         };
         let ends = match self.least {
@@ -261,7 +261,7 @@ impl Range {
         };
         if let Some([problem, hint]) = target.refusal(ends) {
             let message = format!("the range of field `{field}` {problem}");
-            tokens::push(errors, complaint_with_hint(self.span, message, hint));
+            tokens::push(errors, diagnostic_with_hint(self.span, message, hint));
             return None;
         }
         Some(ends)
@@ -283,7 +283,7 @@ fn argument(input: ParseStream) -> Parsed<Argument> {
         None => {
             let message = format!("a field cannot stand for {}", quoted(&text));
             let hint = known(&text, "keys", &keys());
-            return Err(complaint_with_hint(key.span(), message, hint));
+            return Err(diagnostic_with_hint(key.span(), message, hint));
         }
     }))
 }

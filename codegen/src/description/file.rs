@@ -9,7 +9,7 @@ use proc_macro2::Span;
 use super::load::load;
 use super::xacro::{self, Given};
 use super::{Description, denavit_hartenberg, mjcf, urdf};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 
 /// Reads a file without arguments: see [`read_file_with`].
 pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Option<Description> {
@@ -136,7 +136,7 @@ fn text_in(
             .trim_start()
             .starts_with('<'),
     };
-    let is_xacro = !is_table && !mjcf::is_meant(text) && xacro::is_meant(text, file);
+    let is_xacro = !is_table && !mjcf::is_mjcf(text) && xacro::is_xacro(text, file);
     if !is_xacro && !given.arguments.is_empty() {
         errors.set_file(file, anchor);
         errors.push_with_hint(
@@ -147,7 +147,7 @@ fn text_in(
     }
     if is_table {
         denavit_hartenberg::read(text, file, anchor, errors)
-    } else if mjcf::is_meant(text) {
+    } else if mjcf::is_mjcf(text) {
         mjcf::read(text, file, folder, anchor, errors)
     } else if is_xacro {
         xacro::read(text, file, folder, given, anchor, errors)
@@ -157,7 +157,7 @@ fn text_in(
 }
 
 /// The warning, or error, for bytes that are UTF-8 only up to `valid`.
-fn encoding_warning(bytes: &[u8], valid: usize) -> Complaint {
+fn encoding_warning(bytes: &[u8], valid: usize) -> Diagnostic {
     let place = std::str::from_utf8(&bytes[..valid]).map_or(Place::Unknown, |text| {
         super::position::Positions::new(text).place(valid)
     });
@@ -166,7 +166,7 @@ fn encoding_warning(bytes: &[u8], valid: usize) -> Complaint {
     } else {
         "the file is not UTF-8"
     };
-    Complaint {
+    Diagnostic {
         place,
         message: message.to_owned(),
         hint: Some("save it as UTF-8".to_owned()),

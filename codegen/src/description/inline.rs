@@ -27,10 +27,10 @@ use syn::{Attribute, Generics, Ident, Token, Visibility, token};
 use self::joint::Joint;
 use super::item::Item;
 use super::settings::{self, Settings};
-use super::tokens::{self, Parsed, complaint, complaint_with_hint};
+use super::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use super::xacro::Given;
 use super::{Description, Link, Loop, Name, Source, Unmodelled, file, names};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::quoted;
 
 /// The entries between the braces or the parentheses.
@@ -39,7 +39,7 @@ pub(super) struct Contents {
     pub(super) settings: Settings,
     parts: Vec<Part>,
     /// Loops, each with its warnings.
-    loops: Vec<(Loop, Vec<Complaint>)>,
+    loops: Vec<(Loop, Vec<Diagnostic>)>,
 }
 
 /// A part of the robot, in the order of the text.
@@ -54,14 +54,14 @@ enum Part {
 ///
 /// `None` if no struct is named.
 pub fn read(tokens: TokenStream, folder: &Path, errors: &mut Errors) -> Option<Item> {
-    if let Err(complaint) = tokens::check_depth(&tokens) {
-        tokens::push(errors, complaint);
+    if let Err(diagnostic) = tokens::check_depth(&tokens) {
+        tokens::push(errors, diagnostic);
         return None;
     }
     let mut found = None;
     let parser = |input: ParseStream| {
         found = chain(input, folder, errors)
-            .map_err(|complaint| tokens::push(errors, complaint))
+            .map_err(|diagnostic| tokens::push(errors, diagnostic))
             .ok();
         tokens::skip(input, |_| false);
         Ok(())
@@ -76,7 +76,11 @@ fn chain(input: ParseStream, folder: &Path, errors: &mut Errors) -> Parsed<Item>
     let visibility: Visibility = input.parse()?;
     if !input.peek(Token![struct]) {
         let hint = "a chain begins with the struct it makes: struct Arm;";
-        return Err(complaint_with_hint(input.span(), "expected `struct`", hint));
+        return Err(diagnostic_with_hint(
+            input.span(),
+            "expected `struct`",
+            hint,
+        ));
     }
     input.parse::<Token![struct]>()?;
     let ident: Ident = input.parse()?;
@@ -88,7 +92,7 @@ fn chain(input: ParseStream, folder: &Path, errors: &mut Errors) -> Parsed<Item>
         input.parse::<Token![;]>()?;
     } else {
         let message = format!("expected `{{` or `;` after `{ident}`");
-        tokens::push(errors, complaint(input.span(), message));
+        tokens::push(errors, diagnostic(input.span(), message));
         tokens::skip(input, |token| {
             tokens::is_braces(token) || tokens::is_punctuation(token, ';')
         });
@@ -107,8 +111,8 @@ pub(super) fn entries(input: ParseStream, contents: &mut Contents, errors: &mut 
             tokens::skip(input, |_| true);
             continue;
         }
-        if let Err(complaint) = entry(input, contents, errors) {
-            tokens::push(errors, complaint);
+        if let Err(diagnostic) = entry(input, contents, errors) {
+            tokens::push(errors, diagnostic);
             tokens::skip(input, |token| {
                 tokens::is_braces(token)
                     || tokens::is_punctuation(token, ',')
@@ -121,7 +125,7 @@ pub(super) fn entries(input: ParseStream, contents: &mut Contents, errors: &mut 
 fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Parsed<()> {
     let ahead = input.fork();
     let word = tokens::word(&ahead).map_err(|_| {
-        complaint(
+        diagnostic(
             input.span(),
             "expected a setting, `link`, `joint` or `loop`",
         )
@@ -142,7 +146,7 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
             };
             for joint in joints {
                 // Terms written in the description itself are always modelled.
-                contents.settings.request.model(&joint.drive);
+                contents.settings.request.model(&joint.actuator);
                 contents.parts.push(Part::Joint(joint));
             }
         }
@@ -160,12 +164,12 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
             settings::read(input, &mut contents.settings, errors)?;
             if !input.is_empty() && !input.peek(Token![,]) && !input.peek(Token![;]) {
                 let message = format!("expected `,` after the setting `{word}`");
-                let complaint = complaint(input.span(), message);
+                let diagnostic = diagnostic(input.span(), message);
                 if !input.peek(Ident::peek_any) {
-                    return Err(complaint);
+                    return Err(diagnostic);
                 }
                 // Only the comma is missing, so the next entry can be read.
-                tokens::push(errors, complaint);
+                tokens::push(errors, diagnostic);
             }
         }
     }
@@ -198,7 +202,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
     if let Some(extra) = settings.files.get(usize::from(parts.is_empty())) {
         let message = format!("{ident} is described twice");
         let hint = "name one file, or describe links and joints in place";
-        tokens::push(errors, complaint_with_hint(extra.span(), message, hint));
+        tokens::push(errors, diagnostic_with_hint(extra.span(), message, hint));
     }
     let file = settings.files.first().cloned();
     let mut description = match &file {
@@ -249,7 +253,7 @@ pub fn close<'t>(
 }
 
 /// Adds loops and their warnings to those of the file.
-fn add(description: &mut Description, loops: Vec<(Loop, Vec<Complaint>)>, errors: &mut Errors) {
+fn add(description: &mut Description, loops: Vec<(Loop, Vec<Diagnostic>)>, errors: &mut Errors) {
     if loops.is_empty() {
         return;
     }

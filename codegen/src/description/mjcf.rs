@@ -20,7 +20,6 @@ mod files;
 mod geom;
 mod inertial;
 mod joint;
-mod lost;
 mod mesh;
 mod names;
 mod orientation;
@@ -29,6 +28,7 @@ mod settings;
 mod shape;
 mod spatial;
 mod tree;
+mod unmodelled;
 mod values;
 
 use std::path::{Path, PathBuf};
@@ -39,11 +39,11 @@ use self::assets::Meshes;
 use self::class::Defaults;
 use self::element::Element;
 use self::files::{Parsed, Text};
-use self::lost::Noted;
 use self::names::Names;
 use self::reading::Mjcf;
 use self::settings::Compiler;
 use self::tree::Tree;
+use self::unmodelled::Noted;
 use super::fingerprint::fingerprint;
 use super::xml::element::Reader;
 use super::xml::survey;
@@ -56,7 +56,7 @@ pub use self::elements::page;
 
 /// True if the root element of a text is `<mujoco>`.
 #[must_use]
-pub fn is_meant(text: &str) -> bool {
+pub fn is_mjcf(text: &str) -> bool {
     let mut rest = text.trim_start_matches('\u{feff}').trim_start();
     loop {
         let end = match rest {

@@ -7,9 +7,9 @@ use proc_macro2::Span;
 
 use super::unmodelled::Unmodelled;
 use crate::closure::Closure;
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::joint::JointKind;
-use crate::joint::drive::Parts;
+use crate::joint::actuator::Parts;
 use crate::list::{Id, id};
 use crate::name::Name;
 use crate::number::Number;
@@ -30,7 +30,7 @@ pub struct Description {
     /// Acceleration of gravity in the frame of the root link [m/s²], if the file has one.
     pub gravity: Option<[Number; 3]>,
     /// Warnings.
-    pub warnings: Vec<Complaint>,
+    pub warnings: Vec<Diagnostic>,
     /// Mechanics that are warnings unless the request models them.
     pub unmodelled: Unmodelled,
 }
@@ -120,7 +120,7 @@ pub enum Step {
     /// Rotation about one axis \[rad\].
     Rotate(Axis, Number),
     /// Rotation by a quaternion x, y, z, w of any length but 0.
-    Turn([Number; 4]),
+    Quaternion([Number; 4]),
 }
 
 /// A coordinate axis.
@@ -158,7 +158,7 @@ pub struct Joint {
     /// The mimicked joint, if this one has no coordinate of its own.
     pub mimic: Option<Mimic>,
     /// Armature, rotors, damping and friction; modelled only on request.
-    pub drive: Parts,
+    pub actuator: Parts,
     /// Its place in the text.
     pub place: Place,
 }
@@ -187,7 +187,7 @@ pub struct Loop {
 #[derive(Clone, Debug)]
 pub struct Mimic {
     /// The mimicked joint, which may itself be a mimic joint.
-    pub leader: Name,
+    pub mimicked: Name,
     /// Multiplier \[1, m/rad or rad/m\].
     pub multiplier: Number,
     /// Offset [rad or m].

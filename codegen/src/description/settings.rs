@@ -8,9 +8,9 @@ use quote::ToTokens;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, Lit, LitInt, LitStr, Path, Token, token};
 
-use super::tokens::{self, Parsed, complaint, complaint_with_hint};
+use super::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use super::{Name, Number, number};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::formulation::{self, Formulation};
 use crate::function::Function;
 use crate::processor::Processor;
@@ -57,11 +57,11 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         let meant = flags.find(|setting| setting.flag_name() == text);
         let meant = meant.map_or(&*text, |setting| setting.key);
         let hint = known(meant, "keys", &words());
-        return Err(complaint_with_hint(key.span(), message, hint));
+        return Err(diagnostic_with_hint(key.span(), message, hint));
     };
     if settings.span(&text).is_some() {
         let message = format!("the key {} occurs twice", quoted(&text));
-        return Err(complaint(key.span(), message));
+        return Err(diagnostic(key.span(), message));
     }
     settings.seen.push(key.clone());
     let request = &mut settings.request;
@@ -87,17 +87,17 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         SettingForm::Positions(of) => {
             *of(request) = tokens::list(&list()?, |input| position(input, &key))?;
         }
-        SettingForm::Drive(_, Some(alone)) if !has_value(input) && !input.peek(token::Paren) => {
+        SettingForm::Actuator(_, Some(alone)) if !has_value(input) && !input.peek(token::Paren) => {
             *alone(request) = true;
         }
-        SettingForm::Drive(part, _) => {
+        SettingForm::Actuator(part, _) => {
             let joints = tokens::list(&list()?, |input| {
                 let name = tokens::name(input)?;
                 tokens::separator(input, &key)?;
                 let subject = format!("the {key} of joint {}", quoted(&name.text));
                 Ok((name, part, tokens::one_or_more(input, &subject)?))
             })?;
-            request.drives.extend(joints);
+            request.actuators.extend(joints);
         }
         SettingForm::External(_) => {
             tokens::list(&list()?, |input| external(input, request))?;
@@ -119,7 +119,7 @@ fn in_parentheses<'a>(input: ParseStream<'a>, key: &str, example: &str) -> Parse
     if !input.peek(token::Paren) {
         let message = format!("`{key}` needs a list in parentheses");
         let hint = format!("write {example}");
-        return Err(complaint_with_hint(input.span(), message, hint));
+        return Err(diagnostic_with_hint(input.span(), message, hint));
     }
     Ok(tokens::parentheses(input)?)
 }
@@ -130,9 +130,9 @@ fn has_value(input: ParseStream) -> bool {
 }
 
 /// An error of a setting that needs another value.
-fn needs(span: Span, setting: &Setting, what: &str) -> Complaint {
+fn needs(span: Span, setting: &Setting, what: &str) -> Diagnostic {
     let message = format!("`{}` needs {what}", setting.key);
-    complaint_with_hint(span, message, format!("write {}", setting.example))
+    diagnostic_with_hint(span, message, format!("write {}", setting.example))
 }
 
 fn string(input: ParseStream, setting: &Setting, what: &str) -> Parsed<LitStr> {
@@ -187,7 +187,7 @@ fn external(input: ParseStream, request: &mut Request) -> Parsed<()> {
         return Ok(());
     }
     let message = "external wrenches are in the frames of their links, or all in frame 0";
-    Err(complaint_with_hint(span, message, hint))
+    Err(diagnostic_with_hint(span, message, hint))
 }
 
 /// A vector, or `none`.
@@ -201,7 +201,7 @@ fn gravity(input: ParseStream, setting: &Setting) -> Parsed<[Number; 3]> {
     }
     let hint = format!("write {}", setting.example);
     let message = "gravity must be a vector or none";
-    Err(complaint_with_hint(span, message, hint))
+    Err(diagnostic_with_hint(span, message, hint))
 }
 
 fn scalar(input: ParseStream) -> Parsed<Real> {
@@ -211,7 +211,7 @@ fn scalar(input: ParseStream) -> Parsed<Real> {
         let text = word.to_string();
         let message = format!("unknown scalar {}", quoted(&text));
         let hint = known(&text, "scalars", &Real::ALL.map(Real::name));
-        complaint_with_hint(word.span(), message, hint)
+        diagnostic_with_hint(word.span(), message, hint)
     })
 }
 
@@ -219,7 +219,7 @@ fn processor(input: ParseStream, setting: &Setting) -> Parsed<Processor> {
     let name = string(input, setting, "the name of a processor")?;
     Processor::from_name(&name.value()).map_err(|hint| {
         let message = format!("unknown processor {}", quoted(&name.value()));
-        complaint_with_hint(name.span(), message, hint)
+        diagnostic_with_hint(name.span(), message, hint)
     })
 }
 
@@ -252,7 +252,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         if word == "all_of" {
             let content = in_parentheses(input, "all_of", "all_of(mass_matrix, bias)")?;
             if content.is_empty() {
-                tokens::push(errors, complaint(word.span(), "`all_of` is empty"));
+                tokens::push(errors, diagnostic(word.span(), "`all_of` is empty"));
             }
             tokens::list(&content, |input| {
                 let word = tokens::word(input)?;
@@ -264,7 +264,7 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         }
         if items.contains(&item) {
             let message = format!("{} occurs twice", quoted(&word.to_string()));
-            tokens::push(errors, complaint(word.span(), message));
+            tokens::push(errors, diagnostic(word.span(), message));
         } else if !item.is_empty() {
             items.push(item);
         }
@@ -274,10 +274,10 @@ fn functions(input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Vec<Function
         Some(word) if !items.is_empty() => {
             let message = "`all` stands for every function";
             let hint = "name functions, or write generate(all)";
-            tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+            tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
         }
         None if items.is_empty() && errors.is_empty() => {
-            let problem = complaint_with_hint(span, "`generate` names no function", HOW_TO_ASK);
+            let problem = diagnostic_with_hint(span, "`generate` names no function", HOW_TO_ASK);
             tokens::push(errors, problem);
         }
         _ => {}
@@ -293,13 +293,13 @@ fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
     let text = word.to_string();
     let problem = match Function::from_name(&text) {
         Some(function) if item.contains(&function) => {
-            complaint(word.span(), format!("{} occurs twice", quoted(&text)))
+            diagnostic(word.span(), format!("{} occurs twice", quoted(&text)))
         }
         Some(function) => {
             item.push(function);
             return;
         }
-        None => complaint_with_hint(
+        None => diagnostic_with_hint(
             word.span(),
             format!("unknown function {}", quoted(&text)),
             known(&text, "functions", &Function::names()),
@@ -320,7 +320,7 @@ fn formulation(input: ParseStream, errors: &mut Errors) -> Parsed<Formulation> {
             None
         };
         if let Err(refusal) = reader.take(&word.to_string(), value.as_deref()) {
-            let problem = complaint_with_hint(word.span(), refusal.message, refusal.hint);
+            let problem = diagnostic_with_hint(word.span(), refusal.message, refusal.hint);
             tokens::push(errors, problem);
         }
         Ok(())
@@ -336,7 +336,7 @@ fn path(input: ParseStream, setting: &Setting) -> Parsed<TokenStream> {
     let literal: LitStr = input.parse()?;
     match literal.parse_with(Path::parse_mod_style) {
         Ok(path) => Ok(path.into_token_stream()),
-        Err(_) => Err(complaint_with_hint(
+        Err(_) => Err(diagnostic_with_hint(
             literal.span(),
             format!("{} is not a path", quoted(&literal.value())),
             format!("write {}", setting.example),

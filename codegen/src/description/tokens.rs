@@ -9,42 +9,42 @@ use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, LitFloat, LitInt, LitStr, Token, token};
 
 use super::{Name, Number, constant};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::{known, quoted};
 
 /// A parsed value, or an error.
-pub(super) type Parsed<T> = Result<T, Complaint>;
+pub(super) type Parsed<T> = Result<T, Diagnostic>;
 
-impl From<syn::Error> for Complaint {
+impl From<syn::Error> for Diagnostic {
     fn from(error: syn::Error) -> Self {
-        complaint(error.span(), error.to_string())
+        diagnostic(error.span(), error.to_string())
     }
 }
 
-pub(super) fn complaint(span: Span, message: impl Into<String>) -> Complaint {
-    Complaint {
+pub(super) fn diagnostic(span: Span, message: impl Into<String>) -> Diagnostic {
+    Diagnostic {
         place: Place::Token(span),
         message: message.into(),
         hint: None,
     }
 }
 
-pub(super) fn complaint_with_hint(
+pub(super) fn diagnostic_with_hint(
     span: Span,
     message: impl Into<String>,
     hint: impl Into<String>,
-) -> Complaint {
-    Complaint {
+) -> Diagnostic {
+    Diagnostic {
         hint: Some(hint.into()),
-        ..complaint(span, message)
+        ..diagnostic(span, message)
     }
 }
 
 /// Adds an error to the list.
-pub(super) fn push(errors: &mut Errors, complaint: Complaint) {
-    match complaint.hint {
-        Some(hint) => errors.push_with_hint(complaint.place, complaint.message, hint),
-        None => errors.push(complaint.place, complaint.message),
+pub(super) fn push(errors: &mut Errors, diagnostic: Diagnostic) {
+    match diagnostic.hint {
+        Some(hint) => errors.push_with_hint(diagnostic.place, diagnostic.message, hint),
+        None => errors.push(diagnostic.place, diagnostic.message),
     }
 }
 
@@ -59,7 +59,7 @@ pub(super) fn check_depth(tokens: &TokenStream) -> Parsed<()> {
         match innermost.next() {
             Some(TokenTree::Group(group)) if open.len() > DEEPEST => {
                 let message = format!("brackets are nested more than {DEEPEST} deep");
-                return Err(complaint(group.span_open(), message));
+                return Err(diagnostic(group.span_open(), message));
             }
             Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
             Some(_) => {}
@@ -79,9 +79,9 @@ pub(super) fn word(input: ParseStream) -> Parsed<Ident> {
         return Err(match syn::parse_str::<Ident>(&text) {
             Ok(word) => {
                 let hint = format!("write {word}, without quotes");
-                complaint_with_hint(literal.span(), message, hint)
+                diagnostic_with_hint(literal.span(), message, hint)
             }
-            Err(_) => complaint(literal.span(), message),
+            Err(_) => diagnostic(literal.span(), message),
         });
     }
     Ok(input.call(Ident::parse_any)?.unraw())
@@ -96,10 +96,10 @@ pub(super) fn name(input: ParseStream) -> Parsed<Name> {
         let word = word(input)?;
         (word.to_string(), word.span())
     } else {
-        return Err(complaint(input.span(), "expected a name"));
+        return Err(diagnostic(input.span(), "expected a name"));
     };
     if text.trim().is_empty() {
-        return Err(complaint(span, "this name is empty"));
+        return Err(diagnostic(span, "this name is empty"));
     }
     Ok(Name {
         text,
@@ -121,7 +121,7 @@ pub(super) fn separator(input: ParseStream, key: &Ident) -> Parsed<()> {
         } else {
             input.span()
         };
-        return Err(complaint(span, message));
+        return Err(diagnostic(span, message));
     }
     Ok(())
 }
@@ -146,7 +146,7 @@ pub(super) fn number(input: ParseStream, subject: &str) -> Parsed<Number> {
             break;
         }
     }
-    constant::read(&text, Place::Token(span)).map_err(|refusal| Complaint {
+    constant::read(&text, Place::Token(span)).map_err(|refusal| Diagnostic {
         place: Place::Token(span),
         message: format!("{subject} {}", refusal.what),
         hint: refusal.hint.map(str::to_owned),
@@ -168,13 +168,13 @@ fn factor(input: ParseStream, subject: &str) -> Parsed<String> {
     } else {
         let message = format!("{subject} is not a number");
         let hint = "write digits, or pi: 0.5, -1e-3, pi/2";
-        return Err(complaint_with_hint(input.span(), message, hint));
+        return Err(diagnostic_with_hint(input.span(), message, hint));
     };
     if suffix.is_empty() {
         Ok(digits)
     } else {
         let message = format!("{subject} has the suffix {}", quoted(&suffix));
-        Err(complaint_with_hint(span, message, "leave it out"))
+        Err(diagnostic_with_hint(span, message, "leave it out"))
     }
 }
 
@@ -183,7 +183,7 @@ pub(super) fn numbers(input: ParseStream, subject: &str) -> Parsed<(Span, Vec<Nu
     let span = input.span();
     if !input.peek(token::Bracket) {
         let message = format!("{subject} is not a list of numbers");
-        return Err(complaint_with_hint(span, message, "write [0.0, 0.0, 1.0]"));
+        return Err(diagnostic_with_hint(span, message, "write [0.0, 0.0, 1.0]"));
     }
     let content = brackets(input)?;
     Ok((span, list(&content, |input| number(input, subject))?))
@@ -196,7 +196,7 @@ pub(super) fn one_or_more(input: ParseStream, subject: &str) -> Parsed<Vec<Numbe
     }
     let (span, numbers) = numbers(input, subject)?;
     if numbers.is_empty() {
-        return Err(complaint(span, format!("{subject} is an empty list")));
+        return Err(diagnostic(span, format!("{subject} is an empty list")));
     }
     Ok(numbers)
 }
@@ -222,7 +222,7 @@ fn exactly<const N: usize>(numbers: Vec<Number>, span: Span, subject: &str) -> P
     <[Number; N]>::try_from(numbers).map_err(|numbers| {
         let count = numbers.len();
         let plural = if count == 1 { "" } else { "s" };
-        complaint(
+        diagnostic(
             span,
             format!("{subject} has {count} number{plural} instead of {N}"),
         )
@@ -285,25 +285,25 @@ pub(super) fn fields(
             if !keys.contains(&text.as_str()) {
                 let message = format!("{subject} has the unknown key {}", quoted(&text));
                 let hint = known(&text, "keys", keys);
-                return Err(complaint_with_hint(key.span(), message, hint));
+                return Err(diagnostic_with_hint(key.span(), message, hint));
             }
             if seen.contains(&key) {
                 let message = format!("{subject} has the key {} twice", quoted(&text));
-                return Err(complaint(key.span(), message));
+                return Err(diagnostic(key.span(), message));
             }
             seen.push(key.clone());
             separator(&content, &key)?;
             field(&text, &content)
         };
-        if let Err(complaint) = read() {
-            push(errors, complaint);
+        if let Err(diagnostic) = read() {
+            push(errors, diagnostic);
         } else if content.peek(Ident::peek_any) {
             // Only the comma is missing, so the next field can be read.
             let message = "expected `,` between two fields";
-            push(errors, complaint(content.span(), message));
+            push(errors, diagnostic(content.span(), message));
             continue;
         } else if !content.is_empty() && !content.peek(Token![,]) {
-            push(errors, complaint(content.span(), "expected `,`"));
+            push(errors, diagnostic(content.span(), "expected `,`"));
         }
         skip(&content, |token| is_punctuation(token, ','));
     }
@@ -330,18 +330,18 @@ pub(super) fn is_braces(token: &TokenTree) -> bool {
 /// Messages with lines and columns of tokens, for the tests of the grammar.
 #[cfg(test)]
 pub(super) fn show(errors: &Errors) -> String {
-    let line = |complaint: &Complaint| {
-        let place = match complaint.place {
+    let line = |diagnostic: &Diagnostic| {
+        let place = match diagnostic.place {
             Place::Token(span) => {
                 let start = span.start();
                 format!("{}:{}: ", start.line, start.column + 1)
             }
             _ => String::new(),
         };
-        let hint = complaint.hint.as_ref();
+        let hint = diagnostic.hint.as_ref();
         let hint = hint.map_or(String::new(), |hint| format!("\n  hint: {hint}"));
-        format!("{place}{}{hint}\n", errors.locate(complaint))
+        format!("{place}{}{hint}\n", errors.locate(diagnostic))
     };
-    let lines: Vec<String> = errors.complaints().iter().map(line).collect();
+    let lines: Vec<String> = errors.diagnostics().iter().map(line).collect();
     lines.concat()
 }

@@ -3,7 +3,7 @@
 //! Collects each occurrence with its place. Once the request is known, it yields one warning for each kind, at the
 //! first occurrence, so that a file with friction in thirty joints gets one line.
 
-use crate::error::{Complaint, Place};
+use crate::error::{Diagnostic, Place};
 use crate::wording::list;
 
 /// Occurrences of mechanics that may not be modelled, by kind.
@@ -85,7 +85,7 @@ impl Unmodelled {
 
     /// One warning for each kind.
     #[must_use]
-    pub fn warnings(&self, modelled: &Modelled<'_>) -> Vec<Complaint> {
+    pub fn warnings(&self, modelled: &Modelled<'_>) -> Vec<Diagnostic> {
         let friction = self.friction.iter().filter(|_| !modelled.friction);
         let friction: Vec<&Occurrence> = friction.collect();
         let mut words: Vec<&str> = Vec::new();
@@ -169,7 +169,7 @@ fn warning(
     all: &[&Occurrence],
     message: impl FnOnce(&str) -> String,
     hint: &str,
-) -> Option<Complaint> {
+) -> Option<Diagnostic> {
     let (first, others) = all.split_first()?;
     let first_item = &first.item;
     let of = match others.len() {
@@ -177,7 +177,7 @@ fn warning(
         1 => format!("{first_item} and 1 other"),
         others => format!("{first_item} and {others} others"),
     };
-    Some(Complaint {
+    Some(Diagnostic {
         place: first.place,
         message: message(&of),
         hint: Some(hint.to_owned()),

@@ -22,7 +22,7 @@ use super::position::Positions;
 use super::xml::element::Reader;
 use super::xml::{self, plain, survey};
 use super::{Description, Name, Source, Unmodelled, names};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::quoted;
 
 #[doc(hidden)]
@@ -73,7 +73,7 @@ pub fn read(
 pub(super) fn read_at(
     positions: &Positions<'_>,
     source: Source,
-    warnings: Vec<Complaint>,
+    warnings: Vec<Diagnostic>,
     errors: &mut Errors,
 ) -> Option<Description> {
     let plain = plain::plain(positions.text());

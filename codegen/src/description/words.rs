@@ -4,7 +4,7 @@ use super::inline::{body, closure as loops, composite, joint as joints, table};
 use super::{attributes, denavit_hartenberg, settings};
 use crate::formulation;
 use crate::function::Function;
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::{closure, joint};
@@ -45,8 +45,8 @@ pub enum Place {
 /// The words of each place.
 #[must_use]
 pub fn words() -> Vec<(Place, Vec<&'static str>)> {
-    let drives = Part::ALL.map(Part::word);
-    let joint = joints::KEYS.into_iter().chain(drives).collect();
+    let actuators = Part::ALL.map(Part::word);
+    let joint = joints::KEYS.into_iter().chain(actuators).collect();
     let kinds = joint::ALL.map(|kind| kind.word).into_iter();
     vec![
         (Place::Robot, settings::words()),

@@ -39,7 +39,7 @@ use super::fingerprint::fingerprint;
 use super::position::{Positions, Segment, Segments};
 use super::xml::{self, plain};
 use super::{Description, Source, urdf};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::{list, quoted};
 
 /// Elements that only an unexpanded file has.
@@ -57,7 +57,7 @@ const ELEMENTS: [&str; 8] = [
 /// True if a file is to be expanded: its name ends in `.xacro`, or it declares the namespace of xacro and contains
 /// elements or expressions of it. Files that the tool has expanded keep the declaration.
 #[must_use]
-pub fn is_meant(text: &str, file: &str) -> bool {
+pub fn is_xacro(text: &str, file: &str) -> bool {
     let is_named = file
         .rsplit_once('.')
         .is_some_and(|(_, ending)| ending == "xacro");
@@ -73,7 +73,7 @@ struct Urdf {
     text: String,
     segments: Segments,
     source: Source,
-    warnings: Vec<Complaint>,
+    warnings: Vec<Diagnostic>,
 }
 
 /// Reads the text of the file `file` in `folder`; `anchor` is the token that named the file, for the compiler.
@@ -138,17 +138,17 @@ fn expand(
     let all = (0..files.count()).map(|file| files.positions(FileId(file)));
     let all: Vec<Positions<'_>> = all.collect();
     let place = |origin: Origin| all[origin.file.0].place(origin.offset);
-    let complaint = |report: Report| Complaint {
+    let diagnostic = |report: Report| Diagnostic {
         place: place(report.origin),
         message: report.what,
         hint: report.hint,
     };
-    let mut warnings: Vec<Complaint> = warnings.into_iter().map(complaint).collect();
+    let mut warnings: Vec<Diagnostic> = warnings.into_iter().map(diagnostic).collect();
     warnings.extend(unused(&arguments));
     if !found.is_empty() {
         errors.warn(warnings);
         for report in found {
-            errors.record(complaint(report));
+            errors.record(diagnostic(report));
         }
         return None;
     }
@@ -237,7 +237,7 @@ fn elements(
 }
 
 /// The warning of given arguments that the file does not have.
-fn unused(arguments: &HashMap<String, Argument>) -> Option<Complaint> {
+fn unused(arguments: &HashMap<String, Argument>) -> Option<Diagnostic> {
     let names = |is_used: bool| {
         let names = arguments
             .iter()
@@ -256,7 +256,7 @@ fn unused(arguments: &HashMap<String, Argument>) -> Option<Complaint> {
     } else {
         format!("its arguments: {}", list(known.iter().map(String::as_str)))
     };
-    Some(Complaint {
+    Some(Diagnostic {
         place: Place::Unknown,
         message: format!(
             "the file does not use the given {}",

@@ -9,9 +9,9 @@ use crate::chain::Chain;
 use crate::expression::{Double, Expr, Input, Node, Term};
 use crate::formulation::Parameters;
 use crate::function::Function;
-use crate::joint::Drive;
+use crate::joint::ActuatorTerms;
 use crate::layout::{Layout, arrange};
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::module::About;
 use crate::space::FrameId;
 use crate::wording::{code, list};
@@ -29,7 +29,7 @@ pub(super) fn about(chain: &Chain) -> About {
             _ => String::new(),
         },
         facts: facts(chain, formulation.parameters),
-        driven: chain.is_driven(),
+        actuated: chain.has_actuator_terms(),
         formulation: formulation.words(),
         warnings: report.warnings.clone(),
         left_out: Vec::new(),
@@ -68,18 +68,18 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
             "implied by the others where loops are closed: {names}"
         ));
     }
-    let having = |is: fn(&Drive<Expr>) -> Expr| {
+    let having = |is: fn(&ActuatorTerms<Expr>) -> Expr| {
         let joints = chain.joints.iter();
-        let joints = joints.filter(|joint| !chain.graph.term(is(&joint.drive)).is_zero());
+        let joints = joints.filter(|joint| !chain.graph.term(is(&joint.actuator)).is_zero());
         // A joint with several velocities counts once.
         let joints: BTreeSet<&str> = joints.map(|joint| joint.of.as_str()).collect();
         joints.len()
     };
     let what = [
-        (having(|drive| drive.armature), "armature of"),
-        (having(|drive| drive.damping), "viscous friction of"),
+        (having(|actuator| actuator.armature), "armature of"),
+        (having(|actuator| actuator.damping), "viscous friction of"),
         (
-            having(|drive| drive.friction),
+            having(|actuator| actuator.friction),
             "Coulomb friction (its sign that of q̇, 0 at rest: a step) of",
         ),
     ];
@@ -158,7 +158,8 @@ fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
             _ => entry,
         });
     }
-    let torques = Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
+    let torques =
+        Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, Algorithm::PLAIN);
     let torques: Vec<Expr> = torques.into_iter().map(Term::expr).collect();
     let (needed, _) = graph.needed(&torques);
     let is_read = |expr: &Expr| match graph.node(*expr) {

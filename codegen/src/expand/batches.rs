@@ -5,7 +5,7 @@
 //! requested.
 
 use crate::chain::Chain;
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::function::Function;
 use crate::module::{About, GeneratedFunction, LeftOut};
 use crate::wording::list;
@@ -35,15 +35,15 @@ pub(super) fn report(
     {
         let functions = list(functions.iter().map(String::as_str));
         let message = format!("there is no {functions}: {reason}");
-        let complaint = |message| Complaint {
+        let diagnostic = |message| Diagnostic {
             place: Place::Unknown,
             message,
             hint,
         };
         if request.strict {
-            errors.record(complaint(format!("{message} (refused: strict)")));
+            errors.record(diagnostic(format!("{message} (refused: strict)")));
         } else {
-            about.warnings.push(complaint(message));
+            about.warnings.push(diagnostic(message));
         }
     }
     errors.into_result(())

@@ -8,8 +8,8 @@
 mod measured;
 
 use crate::chain::{Chain, Loop};
-use crate::closure::Row;
-use crate::error::{Complaint, Errors};
+use crate::closure::ResidualKind;
+use crate::error::{Diagnostic, Errors};
 use crate::space::Kind;
 use crate::wording::{list, quoted};
 use measured::{Measured, measured};
@@ -84,10 +84,14 @@ impl Measured {
 /// Errors of one loop.
 fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
     let name = quoted(&closed.name);
-    let residual = |row: &Row| quoted(&row.name(&closed.name));
+    let residual = |row: &ResidualKind| quoted(&row.name(&closed.name));
     let rows = || closed.rows.iter().zip(measured);
     for (row, measured) in rows().filter(|(_, measured)| measured.is_open()) {
-        let unit = if row.kind() == Kind::Slide { " m" } else { "" };
+        let unit = if row.kind() == Kind::Translation {
+            " m"
+        } else {
+            ""
+        };
         let (residual, value) = (residual(row), measured.value);
         errors.push_with_hint(
             closed.place,
@@ -120,7 +124,7 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
 }
 
 /// The warning about the residuals of one loop that are left out although rounding to `f64` does not explain them.
-fn warning(closed: &Loop, measured: &[Measured]) -> Option<Complaint> {
+fn warning(closed: &Loop, measured: &[Measured]) -> Option<Diagnostic> {
     let slight: Vec<(String, f64)> = (closed.rows.iter().zip(measured))
         .filter(|(_, of)| of.is_constant() && !of.is_open() && !of.is_explained_by_rounding())
         .map(|(row, of)| {
@@ -133,7 +137,7 @@ fn warning(closed: &Loop, measured: &[Measured]) -> Option<Complaint> {
     let most = slight.iter().map(|(_, share)| *share).reduce(f64::max)?;
     let names = list(slight.iter().map(|(name, _)| name.as_str()));
     let is = if slight.len() == 1 { "is" } else { "are" };
-    Some(Complaint {
+    Some(Diagnostic {
         place: closed.place,
         message: format!(
             "loop {}: {names} {is} taken as zero, being at most {most:.0e} of the joints' motion",

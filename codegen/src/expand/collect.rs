@@ -10,7 +10,7 @@ use super::left_out::{functions_of_a_frame, leave_out};
 use super::prepared::prepared;
 #[cfg(feature = "files")]
 use super::review::review;
-use crate::accuracy::{Means, of_plan};
+use crate::accuracy::{RoundingModel, of_plan};
 use crate::chain::Chain;
 use crate::error::Errors;
 use crate::module::{About, GeneratedFunction, LeftOut, Module, Review};
@@ -88,14 +88,14 @@ fn reviewed(_: &Chain, _: &[GeneratedFunction]) -> Option<Review> {
 
 /// The generated function of a plan, with the bounds of its results.
 fn generated(plan: Plan<'_>, request: &Request) -> GeneratedFunction {
-    let accuracy = of_plan(&plan, Means::of(request));
+    let accuracy = of_plan(&plan, RoundingModel::of(request));
     let frame = plan.further_frame().map(str::to_owned);
     GeneratedFunction {
         functions: plan.functions,
         frame,
         layout: plan.layout,
         program: plan.program,
-        price: plan.price,
+        operation_count: plan.operation_count,
         accuracy,
     }
 }

@@ -23,11 +23,11 @@ pub(super) fn data(chain: &Chain) -> ChainData {
         let mimicked = chain.mover(joint.velocity);
         let motion = match joint.position {
             Position::Along { .. } if mimicked == k => Some(DataMotion::Along),
-            Position::Along { factor, .. } => Some(DataMotion::Follows {
-                leader: places[mimicked],
+            Position::Along { factor, .. } => Some(DataMotion::Mimic {
+                mimicked: places[mimicked],
                 multiplier: chain.graph.value(factor).map_or(1.0, Double::to_f64),
             }),
-            Position::Posture(posture, _) => Some(DataMotion::Posture(posture)),
+            Position::Manifold(manifold, _) => Some(DataMotion::Manifold(manifold)),
             Position::Taken => None,
         };
         match (motion, inertias.last_mut()) {
@@ -56,17 +56,17 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             .iter()
             .take(k.index())
             .filter(|&&place| place == of_joint);
-        let drive = joint.drive.entries();
+        let actuator = joint.actuator.entries();
         let is_zero = |entry: &Expr| chain.graph.term(*entry).is_zero();
-        if !drive.iter().all(is_zero) {
-            results.extend(drive);
+        if !actuator.iter().all(is_zero) {
+            results.extend(actuator);
             actuators.push((of_joint, narrow(before.count())));
         }
     }
     let place = |body: BodyId| places[body];
     let name = |(joint, motion): &(&Joint, DataMotion)| match motion {
-        DataMotion::Posture(_) => joint.of.clone(),
-        DataMotion::Along | DataMotion::Follows { .. } => joint.name.clone(),
+        DataMotion::Manifold(_) => joint.of.clone(),
+        DataMotion::Along | DataMotion::Mimic { .. } => joint.name.clone(),
     };
     ChainData {
         names: joints.iter().map(name).collect(),
@@ -78,7 +78,7 @@ pub(super) fn data(chain: &Chain) -> ChainData {
             .map(|frame| (frame.name.clone(), frame.body.map(place)))
             .collect(),
         external: (chain.external.len(), chain.request.external_in_frame_0),
-        driven: actuators,
+        actuated: actuators,
         program: schedule(&chain.graph, &results),
         loops: loops(chain, place),
     }
@@ -100,7 +100,7 @@ fn loops(chain: &Chain, place: impl Fn(BodyId) -> u16) -> LoopsData {
     let numbers: Vec<Expr> = numbers.collect();
     LoopsData {
         loops: loops.collect(),
-        driven: chain.actuated.clone().into(),
+        actuated: chain.actuated.clone().into(),
         program: schedule(&chain.graph, &numbers),
     }
 }

@@ -23,17 +23,17 @@ pub(super) fn functions_of_a_frame() -> LeftOut {
 
 /// Adds a function that the robot cannot have to the others with the same reason.
 pub(super) fn leave_out(left_out: &mut Vec<LeftOut>, function: String, refusal: &Errors) {
-    let reasons = refusal.complaints().iter();
+    let reasons = refusal.diagnostics().iter();
     let reasons: Vec<String> = reasons.map(|reason| refusal.locate(reason)).collect();
     let reason = reasons.join("; ");
     if let Some(same) = left_out.iter_mut().find(|other| other.reason == reason) {
         same.functions.push(function);
     } else {
-        let mut hints = refusal.complaints().iter();
+        let mut hints = refusal.diagnostics().iter();
         left_out.push(LeftOut {
             functions: vec![function],
             reason,
-            hint: hints.find_map(|complaint| complaint.hint.clone()),
+            hint: hints.find_map(|diagnostic| diagnostic.hint.clone()),
             is_fault: is_fault(refusal),
         });
     }
@@ -61,9 +61,9 @@ mod tests {
             "center_of_mass_jacobian".to_owned(),
             &unknown,
         );
-        let told = left_out
+        let reported = left_out
             .iter()
             .map(|left_out| (left_out.functions.len(), left_out.is_fault));
-        assert_eq!(told.collect::<Vec<_>>(), [(1, true), (2, false)]);
+        assert_eq!(reported.collect::<Vec<_>>(), [(1, true), (2, false)]);
     }
 }

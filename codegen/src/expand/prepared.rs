@@ -6,7 +6,7 @@
 use crate::error::{Errors, Place};
 use crate::module::{GeneratedFunction, Prepared};
 use crate::request::{Parameter, Request};
-use crate::schedule::{Price, part};
+use crate::schedule::{OperationCount, part};
 
 /// Splits functions into the part that depends on fields alone and the rest.
 ///
@@ -19,17 +19,18 @@ pub(super) fn prepared(
     let programs: Vec<_> = functions.iter().map(|function| &function.program).collect();
     let entries: Vec<Vec<String>> = request.parameters.iter().map(Parameter::entries).collect();
     let parts = part(&programs, &entries);
-    let on = |price: Price| price.on(request.processor, request.scalar);
+    let on =
+        |operation_count: OperationCount| operation_count.on(request.processor, request.scalar);
     let left = functions.iter().zip(parts.each);
     let left = left.map(|(function, program)| {
-        let Price {
+        let OperationCount {
             naive_mul,
             naive_add,
             ..
-        } = function.price;
-        let price = Price::of(&program).beside_dense(naive_mul, naive_add);
+        } = function.operation_count;
+        let operation_count = OperationCount::of(&program).beside_dense(naive_mul, naive_add);
         GeneratedFunction {
-            price: on(price),
+            operation_count: on(operation_count),
             program,
             ..function.clone()
         }
@@ -44,7 +45,7 @@ pub(super) fn prepared(
     }
     errors.into_result(Prepared {
         functions: left.collect(),
-        price: on(Price::of(&parts.once)),
+        operation_count: on(OperationCount::of(&parts.once)),
         once: parts.once,
         names: parts.names,
     })

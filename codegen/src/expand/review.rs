@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::accuracy::Means;
+use crate::accuracy::RoundingModel;
 use crate::chain::Chain;
 use crate::check::vectors;
 use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
@@ -23,13 +23,13 @@ const PARAMETERS: usize = 10;
 const RESIDUE: f64 = 1e-12;
 
 pub(super) fn review(chain: &Chain, functions: &[GeneratedFunction]) -> Review {
-    let means = Means::of(&chain.request);
+    let rounding = RoundingModel::of(&chain.request);
     Review {
         // No test vectors for generic scalars.
-        vectors: if means.scalar == Real::Generic {
+        vectors: if rounding.scalar == Real::Generic {
             Vec::new()
         } else {
-            vectors(chain, (functions, means))
+            vectors(chain, (functions, rounding))
         },
         origins: origins(chain, functions),
         merged: chain.report.merged.clone(),

@@ -7,13 +7,13 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use super::{expand, understand};
-use crate::accuracy::{Means, of_plan};
+use crate::accuracy::{RoundingModel, of_plan};
 use crate::description::{Description, read_text};
 use crate::error::Errors;
 use crate::function::Function;
 use crate::plan::{Planned, Programs, plan, plans};
 use crate::request::{Parameter, Request, Target};
-use crate::schedule::Price;
+use crate::schedule::OperationCount;
 use crate::space::FrameId;
 
 fn described(robot: &str) -> Description {
@@ -33,9 +33,9 @@ fn functions_requested_together_share_their_work() {
     let chain = understand(&described("robots/panda_class.urdf"), &Request::default());
     let chain = chain.expect("an arm");
     let programs = Programs::of(&chain);
-    let price = |functions: &[Function]| {
+    let operation_count = |functions: &[Function]| {
         let plan = plan(&programs, functions.to_vec(), FrameId::FIRST).expect("it moves");
-        let Price { mul, add, .. } = plan.price;
+        let OperationCount { mul, add, .. } = plan.operation_count;
         (mul, add)
     };
     let operational = [MassMatrix, Bias, GeometricJacobian, GeometricJacobianRate];
@@ -55,9 +55,11 @@ fn functions_requested_together_share_their_work() {
         (&with_bias, (776, 636), 0.85),
         (&all, (1048, 785), 0.78),
     ] {
-        let together = price(functions);
+        let together = operation_count(functions);
         assert_eq!(together, pinned, "{functions:?}");
-        let alone = functions.iter().map(|&function| price(&[function]));
+        let alone = functions
+            .iter()
+            .map(|&function| operation_count(&[function]));
         let (mul, add) = alone.fold((0, 0), |sum, (mul, add)| (sum.0 + mul, sum.1 + add));
         let share = f64::from(u32::try_from(together.0 + together.1).expect("few"))
             / f64::from(u32::try_from(mul + add).expect("few"));
@@ -82,7 +84,7 @@ fn share_of_the_bounds_in_the_time_of_an_expansion() {
                 continue;
             };
             let start = Instant::now();
-            let _ = of_plan(&plan, Means::of(&request));
+            let _ = of_plan(&plan, RoundingModel::of(&request));
             bounds += start.elapsed();
         }
         println!(
@@ -121,11 +123,13 @@ fn a_payload_that_is_prepared_costs_little_more_than_none() {
     let folded = expand(&description, &request(Vec::new(), false)).expect("an arm");
     let free = expand(&description, &request(vec![load], true)).expect("an arm");
     let prepared = free.prepared.as_ref().expect("it is asked for");
-    let pair = |price: Price| (price.mul, price.add);
+    let pair = |operation_count: OperationCount| (operation_count.mul, operation_count.add);
     let functions = folded.functions.iter().zip(&free.functions);
     let functions = functions.zip(&prepared.functions);
-    let prices: Vec<_> = functions
-        .map(|((folded, free), left)| [folded, free, left].map(|generated| pair(generated.price)))
+    let operation_counts: Vec<_> = functions
+        .map(|((folded, free), left)| {
+            [folded, free, left].map(|generated| pair(generated.operation_count))
+        })
         .collect();
     let inverse_dynamics = [(305, 278), (344, 334), (308, 283)];
     let gravity = [(49, 30), (58, 45), (50, 32)];
@@ -133,8 +137,11 @@ fn a_payload_that_is_prepared_costs_little_more_than_none() {
     // With its largest payload only a more expensive formulation is accurate enough.
     let forward_dynamics = [(603, 534), (854, 780), (819, 733)];
     assert_eq!(
-        prices,
+        operation_counts,
         [inverse_dynamics, gravity, mass_matrix, forward_dynamics]
     );
-    assert_eq!((pair(prepared.price), prepared.names.len()), ((62, 89), 56));
+    assert_eq!(
+        (pair(prepared.operation_count), prepared.names.len()),
+        ((62, 89), 56)
+    );
 }

@@ -14,8 +14,8 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::ACCELERATION,
     properties: &[Property::Frame],
-    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Driven).1.upper()),
-    ways: Definition::one_way,
+    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Accelerated).1.upper()),
+    algorithms: Definition::one_way,
     dense,
     build,
 };

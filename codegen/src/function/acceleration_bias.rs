@@ -5,7 +5,7 @@ use super::quantities;
 use super::tally::{MOVING, Size, Tally};
 use crate::dense::Motion;
 use crate::expression::Term;
-use crate::model::{Carried, Scene, Way};
+use crate::model::{Algorithm, Carried, Scene};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::ACCELERATION,
     properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Coasting).1.upper()),
-    ways,
+    algorithms,
     dense,
     build,
 };
@@ -36,7 +36,13 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
 }
 
 /// From the end effector inwards, which costs less alone; from the base outwards, which shares work with dynamics.
-fn ways() -> Vec<Way> {
+fn algorithms() -> Vec<Algorithm> {
     let pose = Carried::Outwards;
-    vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]
+    vec![
+        Algorithm::PLAIN,
+        Algorithm {
+            pose,
+            ..Algorithm::PLAIN
+        },
+    ]
 }

@@ -14,8 +14,8 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::FORCES,
     properties: &[Property::Mass, Property::Actuation],
-    truth: Truth::Constrained(Dense::driven),
-    ways: Definition::one_way,
+    truth: Truth::Constrained(Dense::actuated),
+    algorithms: Definition::one_way,
     dense,
     build,
 };
@@ -35,5 +35,5 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    scene.driven().into()
+    scene.actuated().into()
 }

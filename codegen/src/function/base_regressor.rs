@@ -13,7 +13,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::BASE_REGRESSOR,
     properties: &[],
     truth: Truth::Value(|dense, _| dense.base_regressor()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense: regressor::dense,
     build,
 };

@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::FORCES,
     properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| dense.torques(Motion::Coasting).into()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense: tally::torques,
     build,
 };

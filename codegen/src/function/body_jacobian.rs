@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let back = dense.pose(frame).inverse();
         dense.columns(frame, |screw| back.carries(screw))
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense: tally::screws_elsewhere,
     build,
 };

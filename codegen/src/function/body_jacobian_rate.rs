@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
             back.carries(&rate.minus(&w.commutator(screw)))
         })
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense: tally::screw_rates_elsewhere,
     build,
 };

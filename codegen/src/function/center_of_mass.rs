@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::POINT,
     properties: &[Property::Mass],
     truth: Truth::OfMass(|dense, _| dense.mass_center().to_vec()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

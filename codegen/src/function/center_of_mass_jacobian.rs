@@ -5,7 +5,7 @@ use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
 use crate::expression::Term;
-use crate::model::{Carried, MassCenter, Scene, Way};
+use crate::model::{Algorithm, Carried, MassCenter, Scene};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -24,7 +24,7 @@ pub(super) const DEFINITION: Definition = Definition {
             .flat_map(|momentum| dense.by_mass(momentum))
             .collect()
     }),
-    ways,
+    algorithms,
     dense,
     build,
 };
@@ -38,11 +38,17 @@ fn dense(size: Size) -> Tally {
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let joints = scene.joints();
     let center = MassCenter::of(&joints, &scene.bodies.base);
-    scene.gathered(&center.columns(scene.way.pose).map(|column| column.0))
+    scene.gathered(&center.columns(scene.algorithm.pose).map(|column| column.0))
 }
 
 /// Each column is transformed joint by joint, or rotated by the pose of its body.
-fn ways() -> Vec<Way> {
+fn algorithms() -> Vec<Algorithm> {
     let pose = Carried::Outwards;
-    vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]
+    vec![
+        Algorithm::PLAIN,
+        Algorithm {
+            pose,
+            ..Algorithm::PLAIN
+        },
+    ]
 }

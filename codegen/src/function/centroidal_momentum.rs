@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let momentum = dense.moments(Motion::Coasting).skew();
         dense.about_mass_center(&momentum).vectors().to_vec()
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

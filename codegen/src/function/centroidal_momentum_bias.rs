@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let rate = dense.inertia_forces(Motion::Coasting).skew();
         dense.about_mass_center(&rate).vectors().to_vec()
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

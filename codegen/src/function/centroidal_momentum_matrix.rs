@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let momenta = momenta.map(|momentum| dense.about_mass_center(&momentum).vectors());
         momenta.flatten().collect()
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -16,7 +16,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::CONSTRAINED_MOTION,
     properties: &[Property::Mass],
     truth: Truth::Constrained(Dense::constrained),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::RESIDUALS,
     properties: &[],
     truth: Truth::Value(|dense, _| dense.residuals()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::RESIDUAL_ACCELERATIONS,
     properties: &[],
     truth: Truth::Value(|dense, _| dense.residual_bias()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::RESIDUAL_RATES,
     properties: &[],
     truth: Truth::Value(|dense, _| dense.residual_rates().into_iter().flatten().collect()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

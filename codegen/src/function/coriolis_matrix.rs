@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::DAMPING,
     properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::Value(|dense, _| dense.coriolis_matrix().into()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -3,7 +3,7 @@
 use super::tally::{Size, Tally};
 use crate::dense::{Approximate, Dense};
 use crate::expression::Term;
-use crate::model::{Scene, Way};
+use crate::model::{Algorithm, Scene};
 use crate::space::{FrameId, Outcome, Variable};
 
 /// Reference for the results of a function, independent of the algorithm.
@@ -62,7 +62,7 @@ pub(super) struct Definition {
     /// Reference for the check.
     pub(super) truth: Truth,
     /// Equivalent algorithms, among which the one with the fewest operations is chosen.
-    pub(super) ways: fn() -> Vec<Way>,
+    pub(super) algorithms: fn() -> Vec<Algorithm>,
     /// Cost by dense 4×4 matrices.
     pub(super) dense: fn(Size) -> Tally,
     /// Expressions of its results, in the order of its quantities.
@@ -71,7 +71,7 @@ pub(super) struct Definition {
 
 impl Definition {
     /// A single algorithm.
-    pub(super) fn one_way() -> Vec<Way> {
-        vec![Way::PLAIN]
+    pub(super) fn one_way() -> Vec<Algorithm> {
+        vec![Algorithm::PLAIN]
     }
 }

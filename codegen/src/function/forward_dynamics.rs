@@ -16,7 +16,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::SECOND_RATES,
     properties: &[Property::Mass, Property::External],
     truth: Truth::Solution(Given::Torques),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };
@@ -38,7 +38,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
 
 /// q̈ by the mass matrix or by articulated bodies.
 pub(super) fn accelerations<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<'g>> {
-    match scene.way.forward {
+    match scene.algorithm.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
             &scene.mass_matrix(),
             &scene.parents(),
@@ -47,9 +47,9 @@ pub(super) fn accelerations<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<
             refinements,
         ),
         Forward::Articulated => {
-            let (joints, outside) = (scene.link_joints(), scene.outside(Frame::Link));
+            let (joints, external) = (scene.link_joints(), scene.external(Frame::Link));
             let gravity = scene.bodies.gravity;
-            articulated::forward_dynamics(&joints, gravity, &scene.state, &outside).renumbered()
+            articulated::forward_dynamics(&joints, gravity, &scene.state, &external).renumbered()
         }
     }
 }

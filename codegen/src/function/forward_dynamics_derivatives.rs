@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::ACCELERATION_DERIVATIVES,
     properties: &[Property::Mass, Property::External],
     truth: Truth::Solution(Given::TorqueDerivatives),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };
@@ -44,7 +44,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
         columns.map(|column| column.map(|&entry| -entry))
     });
     let columns: Vec<List<VelocityId, Term<'g>>> = columns.collect();
-    let found = match scene.way.forward {
+    let found = match scene.algorithm.forward {
         Forward::UNREFINED => {
             model::forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), &columns)
         }

@@ -4,7 +4,7 @@ use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{POSE, Size, Tally};
 use crate::expression::Term;
-use crate::model::{Carried, Scene, Way, pose};
+use crate::model::{Algorithm, Carried, Scene, pose};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::POSE,
     properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.pose(frame).upper()),
-    ways,
+    algorithms,
     dense,
     build,
 };
@@ -28,16 +28,19 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    pose::forward_kinematics(&scene.link_path(), scene.way.pose)
+    pose::forward_kinematics(&scene.link_path(), scene.algorithm.pose)
 }
 
 /// Any column of the rotation is the cross product of the two others. From the base outwards, a pose shares work with
 /// Jacobians.
-fn ways() -> Vec<Way> {
+fn algorithms() -> Vec<Algorithm> {
     let carried = (0..3).map(|column| Carried::Inwards {
         by_product: Some(column),
     });
     let carried = carried.chain([Carried::Outwards]);
-    let others = carried.map(|pose| Way { pose, ..Way::PLAIN });
-    [Way::PLAIN].into_iter().chain(others).collect()
+    let others = carried.map(|pose| Algorithm {
+        pose,
+        ..Algorithm::PLAIN
+    });
+    [Algorithm::PLAIN].into_iter().chain(others).collect()
 }

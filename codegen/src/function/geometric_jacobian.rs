@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let back = Matrix::translation([tip[0], tip[1], tip[2]]);
         dense.columns(frame, |screw| back.carries(screw))
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense: tally::screws_elsewhere,
     build,
 };

@@ -6,7 +6,7 @@ use super::quantities;
 use super::tally;
 use crate::dense::{Matrix, Motion};
 use crate::expression::Term;
-use crate::model::{Carried, Scene, Way, jacobian_rate};
+use crate::model::{Algorithm, Carried, Scene, jacobian_rate};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -26,7 +26,7 @@ pub(super) const DEFINITION: Definition = Definition {
             back.carries(&rate.minus(&pole.commutator(screw)))
         })
     }),
-    ways,
+    algorithms,
     dense: tally::screw_rates_elsewhere,
     build,
 };
@@ -39,12 +39,18 @@ fn sentence(base: &str, frame: &str) -> String {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let rates = jacobian_rate::geometric(&scene.link_path(), &scene.state, scene.way.pose);
+    let rates = jacobian_rate::geometric(&scene.link_path(), &scene.state, scene.algorithm.pose);
     scene.columns(&rates)
 }
 
 /// The reference point is transformed to each body, or each body to the reference point.
-fn ways() -> Vec<Way> {
+fn algorithms() -> Vec<Algorithm> {
     let pose = Carried::Outwards;
-    vec![Way::PLAIN, Way { pose, ..Way::PLAIN }]
+    vec![
+        Algorithm::PLAIN,
+        Algorithm {
+            pose,
+            ..Algorithm::PLAIN
+        },
+    ]
 }

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::STIFFNESS,
     properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| dense.gravity_derivative().into()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

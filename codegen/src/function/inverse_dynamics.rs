@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::FORCES,
     properties: &[Property::Mass, Property::External],
     truth: Truth::Value(|dense, _| dense.driving_torques().into()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense: tally::torques,
     build,
 };

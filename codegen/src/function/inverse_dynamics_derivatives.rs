@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::FORCE_DERIVATIVES,
     properties: &[Property::Mass, Property::External],
     truth: Truth::Value(|dense, _| dense.torque_derivatives().map(Vec::from).concat()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

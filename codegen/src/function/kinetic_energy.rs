@@ -20,10 +20,12 @@ pub(super) const DEFINITION: Definition = Definition {
     truth: Truth::Value(|dense, _| {
         let twice = (dense.links(Motion::Coasting))
             .map(|(w, j)| w.times(j).times(&w.transposed()).trace())
-            .fold(dense.twice_energy_of_drives(), |sum, energy| sum + energy);
+            .fold(dense.twice_energy_of_actuators(), |sum, energy| {
+                sum + energy
+            });
         vec![twice * Approximate::exact(0.5)]
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };
@@ -47,7 +49,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
         // Tr(W J Wᵗ) = W ⊗ skew[W J].
         let twist = Screw { u: w.omega, b: w.v };
         twice = twice + Action::of_screw(twist, joint.inertia).along(twist);
-        twice = twice + joint.drive.armature * rate * rate;
+        twice = twice + joint.actuator.armature * rate * rate;
         velocities.push(w);
     }
     vec![twice * scene.state.constant(0.5)]

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::INERTIAS,
     properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| dense.mass_matrix().clone().into()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::INVERSE_INERTIAS,
     properties: &[Property::Mass],
     truth: Truth::Solution(Given::MassMatrix),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };
@@ -37,7 +37,7 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
 
 /// M⁻¹ by the mass matrix or by articulated bodies.
 pub(super) fn inverse<'g>(scene: &Scene<'_, 'g>) -> Square<VelocityId, Term<'g>> {
-    match scene.way.forward {
+    match scene.algorithm.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::mass_matrix_inverse(
             &scene.mass_matrix(),
             &scene.parents(),

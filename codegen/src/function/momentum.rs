@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::MOMENTUM,
     properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::Value(|dense, _| dense.moments(Motion::Coasting).skew().vectors().to_vec()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

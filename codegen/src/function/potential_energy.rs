@@ -23,7 +23,7 @@ pub(super) const DEFINITION: Definition = Definition {
         let energy = energies.fold(Approximate::exact(0.0), |sum, energy| sum - energy);
         vec![energy]
     }),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

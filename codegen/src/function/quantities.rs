@@ -176,9 +176,9 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
             let [rotation, translation] = match of[1] {
                 Kind::Moment(0) => ["m²/s²", "m/s²"],
                 Kind::Moment(1) => ["m/s²", "1/s²"],
-                Kind::Drive { order: 2, .. } => ["1/s²", "m/s²"],
-                Kind::Drive { order: 1, .. } => ["1/s", "m/s"],
-                Kind::Drive { .. } => ["1", "1"],
+                Kind::Actuator { order: 2, .. } => ["1/s²", "m/s²"],
+                Kind::Actuator { order: 1, .. } => ["1/s", "m/s"],
+                Kind::Actuator { .. } => ["1", "1"],
                 _ => ["1/s²", "1/(m s²)"],
             };
             vec![by_one(of, rotation, translation)]
@@ -216,9 +216,9 @@ pub(super) const RESIDUAL_RATES: Outcome = Outcome::One(Quantity {
     entity: Entity::Number,
     units: |of| {
         vec![match [of[0], of[1]] {
-            [Kind::Slide, Kind::Slide] => "1",
-            [Kind::Slide, _] => "m",
-            [_, Kind::Slide] => "1/m",
+            [Kind::Translation, Kind::Translation] => "1",
+            [Kind::Translation, _] => "m",
+            [_, Kind::Translation] => "1/m",
             _ => "1",
         }]
     },
@@ -250,7 +250,7 @@ const fn matrix(units: fn(&[Kind]) -> Vec<&'static str>) -> Quantity {
 
 fn by_one(of: &[Kind], rotation: &'static str, translation: &'static str) -> &'static str {
     match of[0] {
-        Kind::Slide => translation,
+        Kind::Translation => translation,
         _ => rotation,
     }
 }
@@ -258,8 +258,8 @@ fn by_one(of: &[Kind], rotation: &'static str, translation: &'static str) -> &'s
 /// Unit of an entry of two rotations, of one rotation and one translation, and of two translations.
 fn by_two(of: &[Kind], [both, one, none]: [&'static str; 3]) -> &'static str {
     match [of[0], of[1]] {
-        [Kind::Slide, Kind::Slide] => none,
-        [Kind::Slide, _] | [_, Kind::Slide] => one,
+        [Kind::Translation, Kind::Translation] => none,
+        [Kind::Translation, _] | [_, Kind::Translation] => one,
         _ => both,
     }
 }
@@ -267,8 +267,8 @@ fn by_two(of: &[Kind], [both, one, none]: [&'static str; 3]) -> &'static str {
 /// Unit of an entry whose row and column are alike, of a rotation by a translation, and of a translation by a rotation.
 fn by_row_and_column(of: &[Kind], [alike, mixed, inverse]: [&'static str; 3]) -> &'static str {
     match [of[0], of[1]] {
-        [Kind::Turn, Kind::Slide] => mixed,
-        [Kind::Slide, Kind::Turn] => inverse,
+        [Kind::Rotation, Kind::Translation] => mixed,
+        [Kind::Translation, Kind::Rotation] => inverse,
         _ => alike,
     }
 }

@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::REGRESSOR,
     properties: &[],
     truth: Truth::Value(|dense, _| dense.regressor()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

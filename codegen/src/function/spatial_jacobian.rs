@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::SCREWS,
     properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.columns(frame, Clone::clone)),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::SCREW_RATES,
     properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.column_rates(frame, |_, rate| rate.clone())),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

@@ -7,7 +7,7 @@ use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
-use crate::model::{Scene, Way};
+use crate::model::{Algorithm, Scene};
 use crate::space::{FrameId, Outcome, Space, Variable};
 
 macro_rules! definitions {
@@ -132,7 +132,7 @@ impl Function {
 
     /// True if it depends on which joints are actuated.
     #[must_use]
-    pub fn wants_drives(self) -> bool {
+    pub fn wants_actuators(self) -> bool {
         self.has(Property::Actuation)
     }
 
@@ -161,8 +161,8 @@ impl Function {
 
     /// Equivalent algorithms, among which the one with the fewest operations is chosen.
     #[must_use]
-    pub fn ways(self) -> Vec<Way> {
-        (self.definition().ways)()
+    pub fn algorithms(self) -> Vec<Algorithm> {
+        (self.definition().algorithms)()
     }
 
     /// Multiplications and additions by dense 4×4 matrices. `path`: the number of joints, of all `joints`, that lead to
@@ -180,8 +180,8 @@ impl Function {
         graph: &'g Graph,
         bodies: &Bodies<'g>,
         frame: FrameId,
-        way: Way,
+        algorithm: Algorithm,
     ) -> Vec<Term<'g>> {
-        (self.definition().build)(&Scene::new(graph, bodies, frame, way))
+        (self.definition().build)(&Scene::new(graph, bodies, frame, algorithm))
     }
 }

@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::VELOCITY,
     properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Coasting).0.vectors().to_vec()),
-    ways: Definition::one_way,
+    algorithms: Definition::one_way,
     dense,
     build,
 };

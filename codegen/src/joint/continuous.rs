@@ -1,10 +1,10 @@
 //! Rotation about an axis, without limits.
 
-use super::{Along, Definition, Freedom, JointKind};
+use super::{Along, Definition, DegreeOfFreedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "continuous",
-    freedoms: &[Freedom::rotation("angle", Along::Axis)],
-    posture: None,
+    degrees_of_freedom: &[DegreeOfFreedom::rotation("angle", Along::Axis)],
+    manifold: None,
     make: |_| JointKind::Continuous,
 };

@@ -1,13 +1,13 @@
 //! Rotation about an axis and translation along it, independent of each other.
 
-use super::{Along, Definition, Freedom, JointKind};
+use super::{Along, Definition, DegreeOfFreedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "cylindrical",
-    freedoms: &[
-        Freedom::rotation("angle", Along::Axis),
-        Freedom::translation("shift", Along::Axis),
+    degrees_of_freedom: &[
+        DegreeOfFreedom::rotation("angle", Along::Axis),
+        DegreeOfFreedom::translation("shift", Along::Axis),
     ],
-    posture: None,
+    manifold: None,
     make: |_| JointKind::Cylindrical,
 };

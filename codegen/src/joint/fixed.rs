@@ -4,7 +4,7 @@ use super::{Definition, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "fixed",
-    freedoms: &[],
-    posture: None,
+    degrees_of_freedom: &[],
+    manifold: None,
     make: |_| JointKind::Fixed,
 };

@@ -1,17 +1,17 @@
 //! Any motion.
 
-use super::{Along, Definition, Freedom, JointKind, Posture};
+use super::{Along, Definition, DegreeOfFreedom, JointKind, Manifold};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "floating",
-    freedoms: &[
-        Freedom::translation("vx", Along::Frame(0)),
-        Freedom::translation("vy", Along::Frame(1)),
-        Freedom::translation("vz", Along::Frame(2)),
-        Freedom::rotation("wx", Along::Frame(0)),
-        Freedom::rotation("wy", Along::Frame(1)),
-        Freedom::rotation("wz", Along::Frame(2)),
+    degrees_of_freedom: &[
+        DegreeOfFreedom::translation("vx", Along::Frame(0)),
+        DegreeOfFreedom::translation("vy", Along::Frame(1)),
+        DegreeOfFreedom::translation("vz", Along::Frame(2)),
+        DegreeOfFreedom::rotation("wx", Along::Frame(0)),
+        DegreeOfFreedom::rotation("wy", Along::Frame(1)),
+        DegreeOfFreedom::rotation("wz", Along::Frame(2)),
     ],
-    posture: Some(Posture::Floating),
+    manifold: Some(Manifold::Floating),
     make: |_| JointKind::Floating,
 };

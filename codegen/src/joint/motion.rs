@@ -22,8 +22,8 @@ impl Motion {
     #[must_use]
     pub fn of(movement: Movement, pitch: impl FnOnce() -> Expr) -> Self {
         match movement {
-            Movement::Turn => Self::Revolute,
-            Movement::Slide => Self::Prismatic,
+            Movement::Rotation => Self::Revolute,
+            Movement::Translation => Self::Prismatic,
             Movement::Helix => Self::Screw(pitch()),
         }
     }
@@ -32,19 +32,19 @@ impl Motion {
     #[must_use]
     pub const fn kind(self) -> Kind {
         match self {
-            Self::Prismatic => Kind::Slide,
-            Self::Revolute | Self::Screw(_) => Kind::Turn,
+            Self::Prismatic => Kind::Translation,
+            Self::Revolute | Self::Screw(_) => Kind::Rotation,
         }
     }
 
     /// True if the body keeps its orientation.
     #[must_use]
-    pub const fn slides(self) -> bool {
+    pub const fn translates(self) -> bool {
         matches!(self, Self::Prismatic)
     }
 
     /// Translation along the axis at a coordinate, if there is one.
-    pub fn slide<'g>(self, q: impl FnOnce() -> Term<'g>) -> Option<Term<'g>> {
+    pub fn translation<'g>(self, q: impl FnOnce() -> Term<'g>) -> Option<Term<'g>> {
         match self {
             Self::Revolute => None,
             Self::Prismatic => Some(q()),

@@ -1,14 +1,14 @@
 //! Translation in the plane perpendicular to an axis, and rotation about the axis.
 
-use super::{Along, Definition, Freedom, JointKind, Posture};
+use super::{Along, Definition, DegreeOfFreedom, JointKind, Manifold};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "planar",
-    freedoms: &[
-        Freedom::translation("vx", Along::Frame(0)),
-        Freedom::translation("vy", Along::Frame(1)),
-        Freedom::rotation("wz", Along::Frame(2)),
+    degrees_of_freedom: &[
+        DegreeOfFreedom::translation("vx", Along::Frame(0)),
+        DegreeOfFreedom::translation("vy", Along::Frame(1)),
+        DegreeOfFreedom::rotation("wz", Along::Frame(2)),
     ],
-    posture: Some(Posture::Planar),
+    manifold: Some(Manifold::Planar),
     make: |_| JointKind::Planar,
 };

@@ -1,10 +1,10 @@
 //! Translation along an axis.
 
-use super::{Along, Definition, Freedom, JointKind};
+use super::{Along, Definition, DegreeOfFreedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "prismatic",
-    freedoms: &[Freedom::translation("shift", Along::Axis)],
-    posture: None,
+    degrees_of_freedom: &[DegreeOfFreedom::translation("shift", Along::Axis)],
+    manifold: None,
     make: |_| JointKind::Prismatic,
 };

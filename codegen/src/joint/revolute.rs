@@ -1,10 +1,10 @@
 //! Rotation about an axis, within limits.
 
-use super::{Along, Definition, Freedom, JointKind};
+use super::{Along, Definition, DegreeOfFreedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "revolute",
-    freedoms: &[Freedom::rotation("angle", Along::Axis)],
-    posture: None,
+    degrees_of_freedom: &[DegreeOfFreedom::rotation("angle", Along::Axis)],
+    manifold: None,
     make: |_| JointKind::Revolute,
 };

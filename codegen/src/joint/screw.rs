@@ -1,14 +1,14 @@
 //! Rotation about an axis and translation along it, in a fixed ratio.
 
-use super::{Along, Definition, Freedom, JointKind, Movement};
+use super::{Along, Definition, DegreeOfFreedom, JointKind, Movement};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "screw",
-    freedoms: &[Freedom {
+    degrees_of_freedom: &[DegreeOfFreedom {
         name: "angle",
         movement: Movement::Helix,
         along: Along::Axis,
     }],
-    posture: None,
+    manifold: None,
     make: |pitch| JointKind::Screw { pitch },
 };

@@ -1,14 +1,14 @@
 //! Rotation about a point.
 
-use super::{Along, Definition, Freedom, JointKind, Posture};
+use super::{Along, Definition, DegreeOfFreedom, JointKind, Manifold};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "spherical",
-    freedoms: &[
-        Freedom::rotation("wx", Along::Frame(0)),
-        Freedom::rotation("wy", Along::Frame(1)),
-        Freedom::rotation("wz", Along::Frame(2)),
+    degrees_of_freedom: &[
+        DegreeOfFreedom::rotation("wx", Along::Frame(0)),
+        DegreeOfFreedom::rotation("wy", Along::Frame(1)),
+        DegreeOfFreedom::rotation("wz", Along::Frame(2)),
     ],
-    posture: Some(Posture::Spherical),
+    manifold: Some(Manifold::Spherical),
     make: |_| JointKind::Spherical,
 };

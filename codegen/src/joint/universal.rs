@@ -1,13 +1,13 @@
 //! Rotation about a first axis, and about a second one that the first rotation moves (Cardan joint).
 
-use super::{Along, Definition, Freedom, JointKind};
+use super::{Along, Definition, DegreeOfFreedom, JointKind};
 
 pub(super) const DEFINITION: Definition = Definition {
     word: "universal",
-    freedoms: &[
-        Freedom::rotation("first", Along::Axis),
-        Freedom::rotation("second", Along::Second),
+    degrees_of_freedom: &[
+        DegreeOfFreedom::rotation("first", Along::Axis),
+        DegreeOfFreedom::rotation("second", Along::Second),
     ],
-    posture: None,
+    manifold: None,
     make: |_| JointKind::Universal,
 };

@@ -5,9 +5,9 @@
 
 use crate::chain::base_parameters::BaseParameters;
 use crate::chain::{BodyId, Chain, Frame, Position};
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::expression::{Double, Expr, Graph, Term};
-use crate::joint::{Drive, Motion};
+use crate::joint::{ActuatorTerms, Motion};
 use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
 use crate::space::{FrameId, ParameterId, VelocityId};
@@ -22,7 +22,7 @@ pub struct Bodies<'g> {
     /// The columns of the base regressor, as columns of the regressor, if base parameters are requested.
     pub base_columns: Vec<ParameterId>,
     /// True if the regressor has columns of armature, damping and friction after those of links.
-    pub identifies_drives: bool,
+    pub identifies_actuators: bool,
     /// The requested frames, followed by A and B of each loop: the joint whose body carries it, and M of the frame in
     /// that body's frame.
     pub frames: List<FrameId, (Option<BodyId>, Pose<Term<'g>>)>,
@@ -44,7 +44,7 @@ pub struct Closed<'g> {
     /// Frames A and B.
     pub frames: [FrameId; 2],
     /// Its residuals.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ResidualKind>,
     /// The length of a rod \[m\]; for a universal loop, the cosine of the angle between its axes.
     pub size: Term<'g>,
 }
@@ -71,7 +71,7 @@ pub struct Body<'g> {
     /// M of its link's frame in this one; `None` for a body between two coordinates of a joint.
     pub link: Option<Pose<Term<'g>>>,
     /// Armature, damping and friction of its joint.
-    pub drive: Drive<Term<'g>>,
+    pub actuator: ActuatorTerms<Term<'g>>,
 }
 
 impl Body<'_> {
@@ -87,20 +87,20 @@ impl Body<'_> {
     pub const fn factor(&self) -> Option<Expr> {
         match self.position {
             Position::Along { factor, .. } => Some(factor),
-            Position::Posture(..) | Position::Taken => None,
+            Position::Manifold(..) | Position::Taken => None,
         }
     }
 
     /// True if its only motion is a translation.
     #[must_use]
-    pub const fn slides_alone(&self) -> bool {
-        self.has_own_axis() && self.motion.slides()
+    pub const fn translates_alone(&self) -> bool {
+        self.has_own_axis() && self.motion.translates()
     }
 
     /// True if its only motion is a rotation, or a screw motion.
     #[must_use]
-    pub const fn turns_alone(&self) -> bool {
-        self.has_own_axis() && !self.motion.slides()
+    pub const fn rotates_alone(&self) -> bool {
+        self.has_own_axis() && !self.motion.translates()
     }
 }
 
@@ -135,7 +135,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     let term = |expr| graph.term(expr);
     let rotations = chain.joints.map(|joint| match joint.position {
         Position::Along { .. } => Pose::rotation(Rotation::with_z(joint.axis.map(term))),
-        Position::Posture(..) | Position::Taken => Pose::identity(graph),
+        Position::Manifold(..) | Position::Taken => Pose::identity(graph),
     });
     let seen_from = |parent: Option<BodyId>, pose: Pose<Term<'g>>| match parent {
         Some(parent) => rotations[parent].inverse() * pose,
@@ -147,7 +147,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             motion: joint.motion,
             axis: match joint.position {
                 Position::Along { .. } => 2,
-                Position::Posture(..) | Position::Taken => along(joint.axis.map(term)),
+                Position::Manifold(..) | Position::Taken => along(joint.axis.map(term)),
             },
             position: joint.position,
             velocity: joint.velocity,
@@ -155,7 +155,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             offset: None,
             inertia: joint.inertia.map(term).change_frame(rotation.inverse()),
             link: (joint.link.as_ref()).map(|(_, link)| rotation.inverse() * link.map(term)),
-            drive: joint.drive.map(term),
+            actuator: joint.actuator.map(term),
         })
         .collect();
     let of_loops = chain.loops.iter().flat_map(|closed| &closed.frames);
@@ -176,7 +176,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
         base_columns: (chain.base_parameters.iter())
             .flat_map(BaseParameters::columns)
             .collect(),
-        identifies_drives: chain.identifies_drives,
+        identifies_actuators: chain.identifies_actuators,
         frames: chain.frames.iter().chain(of_loops).map(place).collect(),
         external: chain.external.iter().map(place).collect(),
         external_in_frame_0: chain.request.external_in_frame_0,

@@ -11,7 +11,7 @@ use crate::expression::{Double, Expr, Input, evaluate};
 use crate::formulation::{Angles, Forward};
 use crate::function::Function;
 use crate::joint::Motion;
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::request::{Parameter, Request, Target};
 use crate::space::{FrameId, Variable};
 
@@ -31,10 +31,10 @@ fn state(input: Input) -> Double {
     }
 }
 
-fn results(chain: &Chain, function: Function, layout: Layout, way: Way) -> Vec<Double> {
+fn results(chain: &Chain, function: Function, layout: Layout, algorithm: Algorithm) -> Vec<Double> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
-    let terms = function.build(&graph, &bodies, FrameId::FIRST, way);
+    let terms = function.build(&graph, &bodies, FrameId::FIRST, algorithm);
     let results: Vec<Expr> = terms
         .into_iter()
         .map(crate::expression::Term::expr)
@@ -64,12 +64,12 @@ fn layouts() -> Vec<Layout> {
             Sliding::AtChild,
             Sliding::AtMassCenter,
         ] {
-            for turn_ends in [false, true] {
+            for rotate_ends in [false, true] {
                 for regroup in [false, true] {
                     layouts.push(Layout {
                         normals,
                         sliding,
-                        turn_ends,
+                        rotate_ends,
                         regroup,
                     });
                 }
@@ -80,7 +80,7 @@ fn layouts() -> Vec<Layout> {
 }
 
 /// Every algorithm of a function, including those that only the operation count chooses.
-fn ways(function: Function) -> Vec<Way> {
+fn algorithms(function: Function) -> Vec<Algorithm> {
     let forms = [
         Forward::UNREFINED,
         Forward::MassMatrix { refinements: 1 },
@@ -88,23 +88,23 @@ fn ways(function: Function) -> Vec<Way> {
     ];
     match function {
         Function::ForwardDynamics => forms
-            .map(|forward| Way {
+            .map(|forward| Algorithm {
                 forward,
-                ..Way::PLAIN
+                ..Algorithm::PLAIN
             })
             .to_vec(),
-        _ => function.ways(),
+        _ => function.algorithms(),
     }
 }
 
 /// The algorithms that only a formulation selects.
-fn formulations(function: Function) -> Vec<Way> {
-    let apart = [vec![Way::IN_FRAME_0], ways(function)].concat();
-    let merged = apart.iter().map(|&way| Way {
+fn formulations(function: Function) -> Vec<Algorithm> {
+    let apart = [vec![Algorithm::IN_FRAME_0], algorithms(function)].concat();
+    let merged = apart.iter().map(|&algorithm| Algorithm {
         angles: Angles::Merged,
-        ..way
+        ..algorithm
     });
-    [vec![Way::IN_FRAME_0], merged.collect()].concat()
+    [vec![Algorithm::IN_FRAME_0], merged.collect()].concat()
 }
 
 /// The two layouts that differ most.
@@ -112,30 +112,35 @@ fn extremes() -> [Layout; 2] {
     let most = Layout {
         normals: true,
         sliding: Sliding::AtMassCenter,
-        turn_ends: true,
+        rotate_ends: true,
         regroup: true,
     };
     [Layout::DESCRIBED, most]
 }
 
 fn agree(name: &str, chain: &Chain) {
-    compare(name, chain, &layouts(), ways);
+    compare(name, chain, &layouts(), algorithms);
     compare(name, chain, &extremes(), formulations);
 }
 
-fn compare(name: &str, chain: &Chain, layouts: &[Layout], ways: fn(Function) -> Vec<Way>) {
+fn compare(
+    name: &str,
+    chain: &Chain,
+    layouts: &[Layout],
+    algorithms: fn(Function) -> Vec<Algorithm>,
+) {
     for function in Function::ALL {
         if function.of_a_frame() && chain.frames.is_empty() {
             continue;
         }
-        let expected = results(chain, function, Layout::DESCRIBED, Way::PLAIN);
+        let expected = results(chain, function, Layout::DESCRIBED, Algorithm::PLAIN);
         for &layout in layouts {
-            for way in ways(function) {
-                let results = results(chain, function, layout, way);
+            for algorithm in algorithms(function) {
+                let results = results(chain, function, layout, algorithm);
                 let difference = difference(&results, &expected);
                 assert!(
                     difference < TOLERANCE,
-                    "{name}: {function:?} by {layout:?} and {way:?}: {difference:.1e}"
+                    "{name}: {function:?} by {layout:?} and {algorithm:?}: {difference:.1e}"
                 );
             }
         }
@@ -241,7 +246,7 @@ fn a_tree_with_fields_has_the_same_torques_in_every_layout() {
 fn a_locked_joint_is_a_joint_at_rest() {
     let joints = ["one", "two", "three", "four", "five", "six"];
     let free = fine(OBLIQUE);
-    let (graph, way) = (free.graph.clone(), Way::PLAIN);
+    let (graph, algorithm) = (free.graph.clone(), Algorithm::PLAIN);
     let bodies = arrange(&graph, &free, Layout::DESCRIBED);
     for (k, joint) in joints.into_iter().enumerate() {
         let lock = format!("tip: tool, lock({joint} = 0.3)");
@@ -264,14 +269,19 @@ fn a_locked_joint_is_a_joint_at_rest() {
                 state(input)
             }
         };
-        let terms = Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, way);
+        let terms = Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, algorithm);
         let all: Vec<Expr> = terms
             .into_iter()
             .map(crate::expression::Term::expr)
             .collect();
         let mut expected = evaluate(&graph, &all, still);
         expected.remove(k);
-        let results = results(&locked, Function::InverseDynamics, Layout::DESCRIBED, way);
+        let results = results(
+            &locked,
+            Function::InverseDynamics,
+            Layout::DESCRIBED,
+            algorithm,
+        );
         let difference = difference(&results, &expected);
         assert!(difference < TOLERANCE, "{joint}: {difference:.1e}");
     }

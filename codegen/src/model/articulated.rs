@@ -34,7 +34,7 @@ pub fn forward_dynamics<'g>(
     for (k, joint) in joints.numbered().rev() {
         let action = actions[k];
         let own = articulated[k].eliminate(joint);
-        let friction = joint.drive.resistance(state.qd(k));
+        let friction = joint.actuator.resistance(state.qd(k));
         let unbalanced = state.tau(k) - friction - action.along(joint.screw);
         if let Some(parent) = joint.parent {
             let reduced = own.reduced;
@@ -78,7 +78,7 @@ pub fn pivots<'g>(joints: &Joints<'g>) -> List<BodyId, [Term<'g>; 2]> {
             articulated[parent] = articulated[parent] + own.reduced.passed_on(joint);
         }
         let share = own.action.along(joint.screw);
-        pivots.push([whole, share].map(|inertia| inertia + joint.drive.armature));
+        pivots.push([whole, share].map(|inertia| inertia + joint.actuator.armature));
     }
     pivots.reverse();
     pivots.into()
@@ -185,7 +185,7 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
         b: Rotation(b),
         m: Symmetric(m),
     };
-    if joint.drive.armature.is_zero() {
+    if joint.actuator.armature.is_zero() {
         reduced.clear(joint);
     }
     let (reduced, action) = passed_on(joint, &reduced, Action { c, f });
@@ -316,7 +316,7 @@ impl<'g> Eliminated<'g> {
             along = along.graph().constant(0.0);
         }
         match joint.motion {
-            _ if !joint.drive.armature.is_zero() => {}
+            _ if !joint.actuator.armature.is_zero() => {}
             Motion::Revolute => c.0[joint.axis] = along,
             Motion::Prismatic => f.0[joint.axis] = along,
             Motion::Screw(_) => {}
@@ -349,7 +349,7 @@ impl<'g> Articulated<'g> {
     /// which is part of D.
     fn eliminate(&self, joint: &Joint<'g>) -> Eliminated<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
-        let share = action.along(joint.screw) + joint.drive.armature;
+        let share = action.along(joint.screw) + joint.actuator.armature;
         share.label(
             Block::Pivot
                 .of(Of::Body(joint.body.into()))
@@ -365,7 +365,7 @@ impl<'g> Articulated<'g> {
             })),
             m: self.m - Symmetric::half_product(f, over_f),
         };
-        if joint.drive.armature.is_zero() {
+        if joint.actuator.armature.is_zero() {
             reduced.clear(joint);
         }
         Eliminated {
@@ -395,8 +395,8 @@ impl<'g> Articulated<'g> {
 
     /// In the frame of the parent body.
     fn passed_on(&self, joint: &Joint<'g>) -> Self {
-        let moved = match joint.posture {
-            Some(posture) => self.inboard(posture),
+        let moved = match joint.displacement {
+            Some(displacement) => self.inboard(displacement),
             None => self.turn(joint.turn()).shift(joint.offset()),
         };
         moved.inboard(joint.placement)

@@ -8,13 +8,13 @@
 
 use std::iter::successors;
 
+use super::algorithm::{Algorithm, Congruence};
+use super::axis_rotation::{self, AxisRotation};
 use super::state::State;
-use super::turn::{self, Turn};
-use super::way::{Congruence, Way};
 use crate::chain::{BodyId, Position};
 use crate::expression::{Block, Numeral, Of, Term};
 use crate::formulation::Frame;
-use crate::joint::{Drive, Motion};
+use crate::joint::{ActuatorTerms, Motion};
 use crate::layout::{Bodies, Body};
 use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
@@ -39,9 +39,9 @@ pub struct Joint<'g> {
     /// Sine and cosine of the rotation.
     pub angle: (Term<'g>, Term<'g>),
     /// The translation \[m\].
-    pub slide: Term<'g>,
+    pub translation: Term<'g>,
     /// The displacement of a joint without an axis of its own, in place of both.
-    pub posture: Option<Pose<Term<'g>>>,
+    pub displacement: Option<Pose<Term<'g>>>,
     /// True if the body before it, with the same frame, has the displacement of the joint.
     pub taken: bool,
     /// The axis of its frame; z for a joint with an axis of its own.
@@ -51,7 +51,7 @@ pub struct Joint<'g> {
     /// J of the body.
     pub inertia: Inertia<Term<'g>>,
     /// Armature, damping and friction.
-    pub drive: Drive<Term<'g>>,
+    pub actuator: ActuatorTerms<Term<'g>>,
     /// The change of frame of inertias.
     pub congruence: Congruence,
 }
@@ -65,7 +65,7 @@ impl<'g> Joint<'g> {
         bodies: &Bodies<'g>,
         k: BodyId,
         state: &State<'g>,
-        left: &List<BodyId, Option<Turn<'g>>>,
+        left: &List<BodyId, Option<AxisRotation<'g>>>,
         congruence: Congruence,
     ) -> Self {
         let body: &Body<'g> = &bodies.bodies[k];
@@ -74,12 +74,12 @@ impl<'g> Joint<'g> {
         let outer = body.parent.and_then(|parent| left[parent]);
         let angle = match left[k] {
             Some(_) => (zero, one),
-            None => turn::of_body(body, k, state, outer).sine_and_cosine(graph),
+            None => axis_rotation::of_body(body, k, state, outer).sine_and_cosine(graph),
         };
-        let slide = body.motion.slide(|| state.q(k)).unwrap_or(zero);
-        let posture = match body.position {
-            Position::Posture(posture, first) => {
-                Some(posture.displacement(|entry| state.coordinate(first.plus(entry))))
+        let translation = body.motion.translation(|| state.q(k)).unwrap_or(zero);
+        let displacement = match body.position {
+            Position::Manifold(manifold, first) => {
+                Some(manifold.displacement(|entry| state.coordinate(first.plus(entry))))
             }
             Position::Along { .. } | Position::Taken => None,
         };
@@ -98,8 +98,8 @@ impl<'g> Joint<'g> {
             from_root: false,
             placement,
             angle,
-            slide,
-            posture,
+            translation,
+            displacement,
             taken: matches!(body.position, Position::Taken),
             axis: body.axis,
             screw: body.motion.screw(Vector(axis)),
@@ -107,7 +107,7 @@ impl<'g> Joint<'g> {
                 Some(turn) => body.inertia.rotate_about_z(turn.sine_and_cosine(graph)),
                 None => body.inertia,
             },
-            drive: body.drive,
+            actuator: body.actuator,
             congruence,
         }
     }
@@ -115,7 +115,7 @@ impl<'g> Joint<'g> {
     /// The joint with all its matrices in frame 0, for a pose of its body: M L M⁻¹ and M J Mᵗ, as in the paper (eqs. 8
     /// and 17).
     fn in_frame_0(self, pose: Pose<Term<'g>>) -> Self {
-        let graph = self.slide.graph();
+        let graph = self.translation.graph();
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
         let index = self.body.into();
         let screw = self.screw.change_frame(pose);
@@ -130,8 +130,8 @@ impl<'g> Joint<'g> {
             frame: Frame::Base,
             placement: Pose::identity(graph),
             angle: (zero, one),
-            slide: zero,
-            posture: None,
+            translation: zero,
+            displacement: None,
             screw,
             inertia,
             ..self
@@ -153,11 +153,11 @@ impl<'g> Joint<'g> {
 
     /// Keeps the origin of a body at the root at that of frame 0; it only rotates there.
     fn stay(&mut self) {
-        let zero = Vector::zero(self.slide.graph());
+        let zero = Vector::zero(self.translation.graph());
         self.placement.translation = zero;
-        self.slide = zero.x();
-        if let Some(posture) = &mut self.posture {
-            posture.translation = zero;
+        self.translation = zero.x();
+        if let Some(displacement) = &mut self.displacement {
+            displacement.translation = zero;
         }
     }
 
@@ -189,16 +189,18 @@ impl<'g> Joint<'g> {
 
     /// The rotation as a matrix.
     pub fn turn(&self) -> Rotation<Term<'g>> {
-        self.posture
-            .map_or_else(|| Rotation::about_z(self.angle), |posture| posture.rotation)
+        self.displacement.map_or_else(
+            || Rotation::about_z(self.angle),
+            |displacement| displacement.rotation,
+        )
     }
 
     /// The translation as a vector.
     pub fn offset(&self) -> Vector<Term<'g>> {
-        let zero = self.slide.graph().constant(0.0);
-        let along_z = || Vector([zero, zero, self.slide]);
-        self.posture
-            .map_or_else(along_z, |posture| posture.translation)
+        let zero = self.translation.graph().constant(0.0);
+        let along_z = || Vector([zero, zero, self.translation]);
+        self.displacement
+            .map_or_else(along_z, |displacement| displacement.translation)
     }
 
     /// A vector in the parent's axes, from the body's.
@@ -232,8 +234,8 @@ impl<'g> Joint<'g> {
 
     /// J of the body in its parent's frame.
     pub fn inertia_inboard(&self, inertia: Inertia<Term<'g>>) -> Inertia<Term<'g>> {
-        let moved = match self.posture {
-            Some(posture) => inertia.change_frame(posture),
+        let moved = match self.displacement {
+            Some(displacement) => inertia.change_frame(displacement),
             None => self.rotated(inertia).translate(self.offset()),
         };
         moved.change_frame(self.placement)
@@ -261,7 +263,7 @@ pub(super) fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>
     let mut found: Vec<(Joint<'g>, Pose<Term<'g>>)> = Vec::with_capacity(joints.len());
     for &joint in joints {
         let outer = (found.iter().rev()).find(|(outer, _)| Some(outer.body) == joint.parent);
-        let base = || Pose::identity(joint.slide.graph());
+        let base = || Pose::identity(joint.translation.graph());
         let pose = joint.pose(outer.map_or_else(base, |&(_, pose)| pose));
         found.push((joint, pose));
     }
@@ -278,23 +280,23 @@ pub fn in_frame_0<'g, J: FromIterator<Joint<'g>>>(joints: &[Joint<'g>]) -> J {
 pub(super) fn left<'g>(
     bodies: &Bodies<'g>,
     state: &State<'g>,
-    way: Way,
-) -> List<BodyId, Option<Turn<'g>>> {
-    turn::left_to_carried(bodies, state, way.angles, |k| {
+    algorithm: Algorithm,
+) -> List<BodyId, Option<AxisRotation<'g>>> {
+    axis_rotation::left_to_carried(bodies, state, algorithm.angles, |k| {
         let mut carried = bodies
             .bodies
             .iter()
             .filter(|body| body.parent == Some(k))
             .peekable();
-        carried.peek().is_some() && carried.all(turn::is_parallel)
+        carried.peek().is_some() && carried.all(axis_rotation::is_parallel)
     })
 }
 
 /// All joints, in the order of the bodies.
-pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, way: Way) -> Joints<'g> {
-    let left = left(bodies, state, way);
+pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, algorithm: Algorithm) -> Joints<'g> {
+    let left = left(bodies, state, algorithm);
     let all = bodies.bodies.ids();
-    all.map(|k| Joint::new(bodies, k, state, &left, way.congruence))
+    all.map(|k| Joint::new(bodies, k, state, &left, algorithm.congruence))
         .collect()
 }
 
@@ -397,8 +399,13 @@ impl<'g> Path<'g> {
 }
 
 /// The path to a frame.
-pub fn path<'g>(bodies: &Bodies<'g>, frame: FrameId, state: &State<'g>, way: Way) -> Path<'g> {
-    path_beyond(bodies, None, frame, state, way)
+pub fn path<'g>(
+    bodies: &Bodies<'g>,
+    frame: FrameId,
+    state: &State<'g>,
+    algorithm: Algorithm,
+) -> Path<'g> {
+    path_beyond(bodies, None, frame, state, algorithm)
 }
 
 /// The path to a frame from a body that carries it, or from the base; its first placement is relative to that.
@@ -407,18 +414,18 @@ pub fn path_beyond<'g>(
     from: Option<BodyId>,
     frame: FrameId,
     state: &State<'g>,
-    way: Way,
+    algorithm: Algorithm,
 ) -> Path<'g> {
     let (last, end) = bodies.frames[frame];
     let inwards = || {
         let all = successors(last, |&k| bodies.bodies[k].parent);
         all.take_while(|&k| Some(k) != from)
     };
-    let left = turn::left_to_carried(bodies, state, way.angles, |k| {
+    let left = axis_rotation::left_to_carried(bodies, state, algorithm.angles, |k| {
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
-        Some(k) != from && next.is_some_and(|next| turn::is_parallel(&bodies.bodies[next]))
+        Some(k) != from && next.is_some_and(|next| axis_rotation::is_parallel(&bodies.bodies[next]))
     });
-    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left, way.congruence));
+    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left, algorithm.congruence));
     let mut joints: Vec<Joint<'g>> = joints.collect();
     joints.reverse();
     Path {

@@ -20,7 +20,7 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
         loop {
             let mut entry = action.along(joints[at].screw);
             if at == column {
-                entry = entry + joints[at].drive.armature;
+                entry = entry + joints[at].actuator.armature;
             }
             entries.set_both((at, column), entry);
             let Some(parent) = joints[at].parent else {

@@ -21,7 +21,7 @@ pub struct Loops<'g> {
     /// For each row, the first row of its loop with the same unit.
     pub alike: Vec<usize>,
     /// Ratio to the whole below which a diagonal entry of S counts as zero.
-    pub vanishing: f64,
+    pub zero_pivot: f64,
 }
 
 /// q̈ and λ; `forces` is f.
@@ -57,7 +57,7 @@ pub fn accelerations<'g>(
 
 /// τ of the actuated velocities, where `needed` is the torque of a motion at all velocities: λ balances the others, in
 /// the least-squares sense.
-pub fn driven<'g>(
+pub fn actuated<'g>(
     needed: &List<VelocityId, Term<'g>>,
     actuated: &List<VelocityId, bool>,
     loops: &Loops<'g>,
@@ -114,7 +114,7 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
             })
         };
         let pivot = entry(j, diagonal[j]);
-        inverse.push(guarded(pivot, whole(j), loops.vanishing));
+        inverse.push(guarded(pivot, whole(j), loops.zero_pivot));
         let below: Vec<Term<'g>> = (j + 1..count)
             .map(|i| entry(i, dot(&halves[i], &by_pivots[j])))
             .collect();
@@ -142,9 +142,9 @@ const LEAST: f64 = 1e-36;
 
 /// 1/d, or 0 if d is negligible relative to the whole a: d / (d² + (ε a)²), and two Newton steps, which leave (ε a /
 /// d)⁸ of its relative error.
-fn guarded<'g>(d: Term<'g>, whole: Term<'g>, vanishing: f64) -> Term<'g> {
+fn guarded<'g>(d: Term<'g>, whole: Term<'g>, zero_pivot: f64) -> Term<'g> {
     let constant = |value: f64| d.graph().constant(value);
-    let small = whole * constant(vanishing);
+    let small = whole * constant(zero_pivot);
     let first = d / (d * d + small * small + constant(LEAST));
     let better = |x: Term<'g>| x * (constant(2.0) - d * x);
     better(better(first))

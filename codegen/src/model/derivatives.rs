@@ -53,7 +53,7 @@ pub fn inverse_dynamics<'g>(
     let [by_coordinate, mut by_rate] = whole.torques(joints, state, &changes.collect());
     for (k, joint) in joints.numbered() {
         let own = &mut by_rate[(k, k)];
-        *own = *own + joint.drive.damping;
+        *own = *own + joint.actuator.damping;
     }
     [by_coordinate, by_rate]
 }
@@ -222,7 +222,7 @@ impl<'g> Whole<'g> {
             inertias[k].label(index, frame);
             if let Some(parent) = joint.parent {
                 let [by_displacement, by_placement] = gains[k];
-                let (inertia, flow) = match joint.posture {
+                let (inertia, flow) = match joint.displacement {
                     Some(Pose { rotation, .. }) => {
                         (inertias[k].rotate(rotation), flows[k].rotate(rotation))
                     }

@@ -31,9 +31,9 @@ pub fn coordinate_rates<'g>(
         .next()
         .expect("the first body of a joint is not taken");
     match chain.joints[first].position {
-        Position::Posture(posture, start) => {
+        Position::Manifold(manifold, start) => {
             let q = |k: usize| graph.input(input(start.plus(k)));
-            let rates = posture.rates(mover.index() - first.index(), q).into_iter();
+            let rates = manifold.rates(mover.index() - first.index(), q).into_iter();
             let coordinates = (0..).map(|k| input(start.plus(k)));
             coordinates.zip(rates).collect()
         }

@@ -4,11 +4,11 @@
 //! unchanged, so that for a joint with one velocity W of its parent body gives the same as that of the moved body; the
 //! screws of a joint with several are constant in the frame of the last body, and all move with it.
 
+use super::algorithm::Carried;
 use super::carry::{Joint, Path};
 use super::jacobian::columns;
 use super::moving::velocities;
 use super::state::State;
-use super::way::Carried;
 use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::list::List;

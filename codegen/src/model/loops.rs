@@ -8,9 +8,9 @@
 
 use super::carry::{self, Joint};
 use super::state::State;
-use super::{Scene, Way};
+use super::{Algorithm, Scene};
 use crate::chain::BodyId;
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::expression::Term;
 use crate::layout::{Bodies, Closed};
 use crate::list::List;
@@ -66,7 +66,7 @@ pub(crate) fn alike(bodies: &Bodies<'_>) -> Vec<usize> {
     for closed in &bodies.loops {
         let start = first.len();
         for row in &closed.rows {
-            let same = |other: &Row| other.kind() == row.kind();
+            let same = |other: &ResidualKind| other.kind() == row.kind();
             let place = closed.rows.iter().position(same);
             first.push(start + place.expect("a row is like itself"));
         }
@@ -78,21 +78,26 @@ fn each<'g, T>(scene: &Scene<'_, 'g>, of: impl Fn(&Closed<'g>, Seen<'g>) -> Vec<
     let loops = scene.bodies.loops.iter();
     loops
         .flat_map(|closed| {
-            let seen = seen(scene.bodies, closed, &scene.state, scene.way);
+            let seen = seen(scene.bodies, closed, &scene.state, scene.algorithm);
             of(closed, seen)
         })
         .collect()
 }
 
 /// Frame B of a loop in frame A: from A inwards to the body that carries both, and out to B.
-fn seen<'g>(bodies: &Bodies<'g>, closed: &Closed<'g>, state: &State<'g>, way: Way) -> Seen<'g> {
+fn seen<'g>(
+    bodies: &Bodies<'g>,
+    closed: &Closed<'g>,
+    state: &State<'g>,
+    algorithm: Algorithm,
+) -> Seen<'g> {
     let inwards = |frame: FrameId| {
         let (last, _) = bodies.frames[frame];
         std::iter::successors(last, |&k| bodies.bodies[k].parent)
     };
     let [a, b] = closed.frames;
     let both = inwards(a).find(|k| inwards(b).any(|other| other == *k));
-    let [a, b] = [a, b].map(|frame| carry::path_beyond(bodies, both, frame, state, way));
+    let [a, b] = [a, b].map(|frame| carry::path_beyond(bodies, both, frame, state, algorithm));
     let together = |_: &Joint<'g>, next: &Joint<'g>| next.taken;
     let mut pose = a.end.inverse();
     let mut joints = Vec::new();
@@ -148,25 +153,30 @@ fn motion<'g>(seen: &Seen<'g>, state: &State<'g>) -> (Velocity<Term<'g>>, Accele
     (w, h)
 }
 
-fn residual<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>) -> Term<'g> {
+fn residual<'g>(row: ResidualKind, size: Term<'g>, pose: Pose<Term<'g>>) -> Term<'g> {
     let (r, t) = (pose.rotation.0, pose.translation);
     match row {
-        Row::Along(k) => t.0[k],
-        Row::Product(i, j) => r[i][j],
-        Row::Inclined => r[2][2] - size,
-        Row::Distance => (t.dot(t) - size * size) * half_of_reciprocal(size),
+        ResidualKind::Along(k) => t.0[k],
+        ResidualKind::Product(i, j) => r[i][j],
+        ResidualKind::Inclined => r[2][2] - size,
+        ResidualKind::Distance => (t.dot(t) - size * size) * half_of_reciprocal(size),
     }
 }
 
 /// The derivative of a row if B moves along a screw: its entry of L M.
-fn rate<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>, screw: Screw<Term<'g>>) -> Term<'g> {
+fn rate<'g>(
+    row: ResidualKind,
+    size: Term<'g>,
+    pose: Pose<Term<'g>>,
+    screw: Screw<Term<'g>>,
+) -> Term<'g> {
     let t = pose.translation;
     let rotated = |i: usize, j: usize| screw.u.cross(pose.rotation.column(j)).0[i];
     match row {
-        Row::Along(k) => (screw.u.cross(t) + screw.b).0[k],
-        Row::Product(i, j) => rotated(i, j),
-        Row::Inclined => rotated(2, 2),
-        Row::Distance => {
+        ResidualKind::Along(k) => (screw.u.cross(t) + screw.b).0[k],
+        ResidualKind::Product(i, j) => rotated(i, j),
+        ResidualKind::Inclined => rotated(2, 2),
+        ResidualKind::Distance => {
             let half = half_of_reciprocal(size);
             t.dot(screw.b) * (half + half)
         }
@@ -175,7 +185,7 @@ fn rate<'g>(row: Row, size: Term<'g>, pose: Pose<Term<'g>>, screw: Screw<Term<'g
 
 /// The acceleration of a row: its entry of H M.
 fn second_rate<'g>(
-    row: Row,
+    row: ResidualKind,
     size: Term<'g>,
     pose: Pose<Term<'g>>,
     w: Velocity<Term<'g>>,
@@ -184,10 +194,10 @@ fn second_rate<'g>(
     let t = pose.translation;
     let accelerated = |i: usize, j: usize| Vector(h.g()[i]).dot(pose.rotation.column(j));
     match row {
-        Row::Along(k) => Vector(h.g()[k]).dot(t) + h.a.0[k],
-        Row::Product(i, j) => accelerated(i, j),
-        Row::Inclined => accelerated(2, 2),
-        Row::Distance => {
+        ResidualKind::Along(k) => Vector(h.g()[k]).dot(t) + h.a.0[k],
+        ResidualKind::Product(i, j) => accelerated(i, j),
+        ResidualKind::Inclined => accelerated(2, 2),
+        ResidualKind::Distance => {
             let half = half_of_reciprocal(size);
             let velocity = w.omega.cross(t) + w.v;
             (t.dot(h.point(t)) + velocity.dot(velocity)) * (half + half)

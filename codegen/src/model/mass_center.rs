@@ -4,9 +4,9 @@
 //! In: the joints and bodies, and the inertia that regrouping has moved to the base, which counts like that of bodies.
 //! Out: the centre of mass in frame 0, its velocity, and the derivative by each velocity.
 
+use super::algorithm::Carried;
 use super::carry::{self, Joints};
 use super::state::State;
-use super::way::Carried;
 use crate::chain::BodyId;
 use crate::expression::{Block, Of, Term};
 use crate::list::List;

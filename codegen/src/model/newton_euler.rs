@@ -59,9 +59,10 @@ pub fn motion<'g>(
         let (index, frame) = joint.numbers();
         let outer = joint.outer_frame_number();
         action.label(index, frame);
-        let drive = joint.drive;
-        tau[k] =
-            action.along(joint.screw) + drive.armature * qdd[k] + drive.resistance(state.qd(k));
+        let actuator = joint.actuator;
+        tau[k] = action.along(joint.screw)
+            + actuator.armature * qdd[k]
+            + actuator.resistance(state.qd(k));
         if let Some(parent) = joint.parent {
             let carried = action
                 .change_frame(joint.displacement())
@@ -142,11 +143,11 @@ pub fn seen<'g>(
     let placed = outer
         .move_pole(joint.placement.translation)
         .rotate(joint.placement.rotation.transposed());
-    match joint.posture {
-        Some(posture) => {
-            let moved = placed.move_pole(posture.translation);
-            let rotated = moved.rotate(posture.rotation.transposed());
-            (rotated, Vector::zero(joint.slide.graph()))
+    match joint.displacement {
+        Some(displacement) => {
+            let moved = placed.move_pole(displacement.translation);
+            let rotated = moved.rotate(displacement.rotation.transposed());
+            (rotated, Vector::zero(joint.translation.graph()))
         }
         None => (placed.rotate(joint.turn().transposed()), joint.offset()),
     }

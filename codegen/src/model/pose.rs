@@ -2,8 +2,8 @@
 //!
 //! In: the path from the base to the frame. Out: its pose, passed inwards by columns, or outwards by matrices.
 
+use super::algorithm::Carried;
 use super::carry::Path;
-use super::way::Carried;
 use crate::expression::{Block, Numeral, Of, Term};
 use crate::matrix::{Pose, Rotation, Vector};
 

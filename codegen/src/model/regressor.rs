@@ -67,7 +67,7 @@ pub fn regressor<'g>(
 }
 
 /// The columns of armature, damping and friction, three for each joint: q̈, q̇ and its sign.
-pub fn of_drives<'g>(joints: &Joints<'g>, state: &State<'g>) -> Vec<List<BodyId, Term<'g>>> {
+pub fn of_actuators<'g>(joints: &Joints<'g>, state: &State<'g>) -> Vec<List<BodyId, Term<'g>>> {
     let of_each = joints.ids().flat_map(|k| {
         let rate = state.qd(k);
         [state.qdd(k), rate, rate.sign()].map(|entry| {

@@ -61,7 +61,7 @@ impl<'g> State<'g> {
             Position::Along { coordinate, factor } => {
                 self.coordinate(coordinate) * self.graph.term(factor)
             }
-            Position::Posture(..) | Position::Taken => self.zero(),
+            Position::Manifold(..) | Position::Taken => self.zero(),
         }
     }
 

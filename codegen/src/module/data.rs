@@ -1,7 +1,7 @@
 //! The robot as data, for the generic recursions of the runtime.
 
-use crate::closure::Row;
-use crate::joint::Posture;
+use crate::closure::ResidualKind;
+use crate::joint::Manifold;
 use crate::schedule::Program;
 
 /// The robot as data, for the generic recursions of the runtime.
@@ -18,7 +18,7 @@ pub struct ChainData {
     /// Number of the last frames that external wrenches act on, and whether these are given in frame 0.
     pub external: (usize, bool),
     /// Modelled actuators: the joint, and the index of one of its velocities.
-    pub driven: Vec<(u16, u16)>,
+    pub actuated: Vec<(u16, u16)>,
     /// Numbers; the program reads parameters only. A joint has 28: placement at q = 0 in its parent's frame (rows of
     /// the upper 3×4 block), screw (u, b), and pseudo-inertia (xx, yy, zz, xy, xz, yz, the first moments qx, qy, qz,
     /// and m). A frame has 12, its placement. Gravity has 3. Each actuator has 3: armature, damping, friction.
@@ -33,7 +33,7 @@ pub struct LoopsData {
     /// Loops.
     pub loops: Vec<LoopData>,
     /// For each velocity: true if it is actuated.
-    pub driven: Vec<bool>,
+    pub actuated: Vec<bool>,
     /// Numbers; the program reads parameters only. A loop has 25: the placements of its two frames, and the length of a
     /// rod or the cosine of the angle between two axes.
     pub program: Program,
@@ -47,7 +47,7 @@ pub struct LoopData {
     /// Frames A and B that it connects: name, and the joint that carries it.
     pub frames: [(String, Option<u16>); 2],
     /// Residuals.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ResidualKind>,
 }
 
 /// Motion of a joint of [`ChainData`]. Its coordinates and velocities follow those of the joints before it.
@@ -56,14 +56,14 @@ pub enum DataMotion {
     /// One coordinate along the screw.
     Along,
     /// Mimic joint: the coordinate of another joint times a factor, along the screw.
-    Follows {
+    Mimic {
         /// The mimicked joint.
-        leader: u16,
+        mimicked: u16,
         /// The factor.
         multiplier: f64,
     },
     /// Several coordinates with quaternions or planar ones; the screw is that of the first velocity.
-    Posture(Posture),
+    Manifold(Manifold),
 }
 
 impl DataMotion {
@@ -72,8 +72,8 @@ impl DataMotion {
     pub const fn counts(self) -> (usize, usize) {
         match self {
             Self::Along => (1, 1),
-            Self::Follows { .. } => (0, 0),
-            Self::Posture(posture) => (posture.coordinates().len(), posture.velocities()),
+            Self::Mimic { .. } => (0, 0),
+            Self::Manifold(manifold) => (manifold.coordinates().len(), manifold.velocities()),
         }
     }
 }

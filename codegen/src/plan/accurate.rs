@@ -5,7 +5,7 @@
 //! little more than the best; or an error if none leaves half of the digits.
 
 use super::forward::{self, Form};
-use super::measured::{ENOUGH, Measure, Off};
+use super::measured::{ENOUGH, Measure, MeasuredError};
 use super::search::{Found, Search};
 use super::solvable::Worst;
 use crate::error::Errors;
@@ -30,8 +30,9 @@ pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Error
     if let Some(found) = trial.accurate() {
         return Ok(found);
     }
-    let least =
-        (trial.tried.iter()).fold(Off::INFINITE, |least, tried| least.least(tried.found.off));
+    let least = (trial.tried.iter()).fold(MeasuredError::INFINITE, |least, tried| {
+        least.least(tried.found.error)
+    });
     if forward::keeps_half(least.eighth, search.scalar) {
         Ok(trial.nearly_as_good(least.worst))
     } else {
@@ -72,7 +73,7 @@ impl<'s> Trial<'s> {
     }
 
     fn measured(&mut self, mut found: Found) -> Found {
-        found.off = self.measure.error(&found.program);
+        found.error = self.measure.error(&found.program);
         found
     }
 
@@ -80,10 +81,10 @@ impl<'s> Trial<'s> {
     fn measure(&mut self, form: Form) {
         // A form that is far from accurate in one layout is not tried in others.
         if let Some(before) = self.tried.first() {
-            let (layout, way) = (before.found.layout, before.found.way);
-            let (_, first) = self.search.within(form, &[layout], &[way]);
+            let (layout, algorithm) = (before.found.layout, before.found.algorithm);
+            let (_, first) = self.search.within(form, &[layout], &[algorithm]);
             let found = self.measured(first);
-            if found.off.worst > FAR * ENOUGH {
+            if found.error.worst > FAR * ENOUGH {
                 let cost = None;
                 return self.tried.push(Tried { cost, found });
             }
@@ -94,7 +95,7 @@ impl<'s> Trial<'s> {
             return;
         }
         let found = self.measured(found);
-        if found.off.worst <= ENOUGH {
+        if found.error.worst <= ENOUGH {
             self.best = Some((cost, found));
         } else {
             let cost = Some(cost);
@@ -112,7 +113,7 @@ impl<'s> Trial<'s> {
         }
         costlier.sort_by_key(|(cost, _)| *cost);
         let mut costlier = costlier.into_iter().map(|(_, found)| self.measured(found));
-        let cheaper = costlier.find(|found| found.off.worst <= ENOUGH);
+        let cheaper = costlier.find(|found| found.error.worst <= ENOUGH);
         cheaper.or_else(|| Some(self.best.take()?.1))
     }
 
@@ -120,18 +121,18 @@ impl<'s> Trial<'s> {
     /// near singular configurations. A loss a few times larger matters less than an inverse that does not invert.
     fn nearly_as_good(mut self, least: f64) -> Found {
         let mut good = std::mem::take(&mut self.tried);
-        let solves = |off: Off| off.worst <= FAR * least && off.unsolved <= ENOUGH;
-        if good.iter().any(|tried| solves(tried.found.off)) {
-            good.retain(|tried| solves(tried.found.off));
+        let solves = |error: MeasuredError| error.worst <= FAR * least && error.unsolved <= ENOUGH;
+        if good.iter().any(|tried| solves(tried.found.error)) {
+            good.retain(|tried| solves(tried.found.error));
         }
-        let worst = good.iter().map(|tried| tried.found.off.worst);
+        let worst = good.iter().map(|tried| tried.found.error.worst);
         let least = worst.fold(f64::INFINITY, f64::min);
-        good.retain(|tried| tried.found.off.worst <= 2.0 * least);
+        good.retain(|tried| tried.found.error.worst <= 2.0 * least);
         let weighed = good.into_iter().map(|Tried { cost, found }| {
             if let Some(cost) = cost {
                 return (cost, found);
             }
-            let (cost, found) = self.search.best(Form::of(found.way));
+            let (cost, found) = self.search.best(Form::of(found.algorithm));
             (cost, self.measured(found))
         });
         let best = weighed.min_by_key(|(cost, _)| *cost);

@@ -45,7 +45,8 @@ pub(super) fn cheapest(
     }
     let search = Search::new(processor, formulation, chain, functions, frame, scalar);
     if !functions.iter().any(|function| function.solves()) {
-        let inverts = |function: &Function| function.is_constrained() && !function.wants_drives();
+        let inverts =
+            |function: &Function| function.is_constrained() && !function.wants_actuators();
         if functions.iter().any(inverts) {
             solvable(chain)?;
             return Ok(search.best(Form::full(Forward::UNREFINED)).1);
@@ -72,7 +73,7 @@ fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
             "close one: loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.1, 0, 0) }",
         );
     }
-    if let Some(function) = functions.iter().find(|function| function.wants_drives())
+    if let Some(function) = functions.iter().find(|function| function.wants_actuators())
         && !chain.actuated.contains(&true)
     {
         let name = quoted(function.name());

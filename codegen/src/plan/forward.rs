@@ -4,15 +4,15 @@
 //! a warning about the form that was requested, or about a robot for which every form loses many digits; or an error
 //! if no form is usable.
 
-use super::measured::{ENOUGH, LIMIT, Measure, Off, allowed};
+use super::measured::{ENOUGH, LIMIT, Measure, MeasuredError, allowed};
 use super::program::program_by;
 use super::solvable::{self, Worst, solvable};
-use crate::chain::{Chain, Joint, Mimicked};
-use crate::error::{Complaint, Errors, Place};
+use crate::chain::{Chain, Joint, MimicJoint};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
-use crate::model::{Congruence, Way};
+use crate::model::{Algorithm, Congruence};
 use crate::real::Real;
 use crate::request::Request;
 use crate::space::FrameId;
@@ -48,19 +48,19 @@ impl Form {
     }
 
     /// The form of an algorithm.
-    pub(super) const fn of(way: Way) -> Self {
+    pub(super) const fn of(algorithm: Algorithm) -> Self {
         Self {
-            forward: way.forward,
-            congruence: way.congruence,
+            forward: algorithm.forward,
+            congruence: algorithm.congruence,
         }
     }
 
     /// An algorithm with this form.
-    pub(super) const fn along(self, way: Way) -> Way {
-        Way {
+    pub(super) const fn along(self, algorithm: Algorithm) -> Algorithm {
+        Algorithm {
             forward: self.forward,
             congruence: self.congruence,
-            ..way
+            ..algorithm
         }
     }
 }
@@ -119,7 +119,7 @@ pub(super) fn check(chain: &Chain, asked: Forward) -> Result<(), Errors> {
             Place::Unknown,
             format!(
                 "articulated bodies do not cover mimic joints: joint \"{}\" mimics joint \"{}\"",
-                mimic.joint, mimic.leader
+                mimic.joint, mimic.mimicked
             ),
             "leave the form out, or lock the joint",
         );
@@ -143,7 +143,7 @@ pub(super) fn hopeless(
 ) -> Errors {
     let mut errors = chain.description.source.errors();
     let cause = Cause::of(chain, worst);
-    let complaint = cause.complaint(
+    let diagnostic = cause.diagnostic(
         scalar,
         &format!(
             "{} would lose {}",
@@ -156,8 +156,8 @@ pub(super) fn hopeless(
         Frame::Link => cause.remedy(scalar),
     };
     errors.push_with_hint(
-        complaint.place,
-        complaint.message,
+        diagnostic.place,
+        diagnostic.message,
         format!("{hint}{}", solvable::at_the_end(chain)),
     );
     errors
@@ -168,7 +168,7 @@ pub(super) fn hopeless(
 ///
 /// If no function is named, a robot with many joints is not measured: that takes as long as generating its mass
 /// matrix.
-pub(crate) fn warnings(chain: &Chain, request: &Request) -> Vec<Complaint> {
+pub(crate) fn warnings(chain: &Chain, request: &Request) -> Vec<Diagnostic> {
     const UNASKED: usize = 40;
     let most = if request.functions.is_empty() {
         UNASKED
@@ -202,43 +202,40 @@ fn warning(
     worst: Worst,
     functions: &[Function],
     request: &Request,
-) -> Option<Complaint> {
+) -> Option<Diagnostic> {
     let (scalar, name) = (request.scalar, named(functions));
     // A refinement restores a loss below the cube root of 1/u.
     let harmless = worst.loss * worst.loss * worst.loss * scalar.roundoff() < 1.0;
     let (error, most, by, hint) = if let Some(forward) = request.formulation.forward {
         // The warning is about the form, not about the cost of a frame or of a sum of angles.
-        let way = Way {
+        let algorithm = Algorithm {
             forward,
-            ..Way::PLAIN
+            ..Algorithm::PLAIN
         };
-        let error = least_error(chain, worst, functions, scalar, [way]).worst;
-        let form = Formulation {
-            forward: Some(forward),
-            ..Formulation::default()
-        };
+        let error = least_error(chain, worst, functions, scalar, [algorithm]).worst;
+        let form = Formulation::default().with_forward(forward);
         let by = format!("{name} with {}", form.words().concat());
         let hint = "leave the form out".to_owned();
         (error, LIMIT, by, hint)
     } else if !harmless {
         let plain = match request.formulation.frame {
-            Frame::Link => Way::PLAIN,
-            Frame::Base => Way::IN_FRAME_0,
+            Frame::Link => Algorithm::PLAIN,
+            Frame::Base => Algorithm::IN_FRAME_0,
         };
         let forms = groups(chain, functions, request.formulation).into_iter();
-        let ways = forms.flatten().map(|form| form.along(plain));
-        let off = least_error(chain, worst, functions, scalar, ways);
+        let algorithms = forms.flatten().map(|form| form.along(plain));
+        let error = least_error(chain, worst, functions, scalar, algorithms);
         // If every form is unusable, the functions are refused one by one.
-        let off = Some(off).filter(|off| keeps_half(off.eighth, scalar))?;
+        let error = Some(error).filter(|error| keeps_half(error.eighth, scalar))?;
         let hint = Cause::of(chain, worst).remedy(Real::F32);
-        (off.worst, DOUBTFUL, format!("{name} in any form"), hint)
+        (error.worst, DOUBTFUL, format!("{name} in any form"), hint)
     } else {
         return None;
     };
     let what = format!("{by} loses {}", lost(functions, error, scalar));
-    (error > most).then(|| Complaint {
+    (error > most).then(|| Diagnostic {
         hint: Some(hint),
-        ..Cause::of(chain, worst).complaint(scalar, &what)
+        ..Cause::of(chain, worst).diagnostic(scalar, &what)
     })
 }
 
@@ -249,12 +246,18 @@ fn least_error(
     worst: Worst,
     functions: &[Function],
     scalar: Real,
-    ways: impl IntoIterator<Item = Way>,
-) -> Off {
+    algorithms: impl IntoIterator<Item = Algorithm>,
+) -> MeasuredError {
     let mut measure = Measure::of(chain, functions, worst.loss, scalar);
-    let mut least = Off::INFINITE;
-    for way in ways {
-        let program = program_by(chain, functions, FrameId::FIRST, Layout::DESCRIBED, way);
+    let mut least = MeasuredError::INFINITE;
+    for algorithm in algorithms {
+        let program = program_by(
+            chain,
+            functions,
+            FrameId::FIRST,
+            Layout::DESCRIBED,
+            algorithm,
+        );
         least = least.least(measure.error(&program));
         if least.worst <= ENOUGH {
             break;
@@ -268,13 +271,13 @@ enum Cause<'c> {
     /// A joint whose pivot of the mass matrix is small compared to its diagonal entry, and their ratio.
     MassMatrix(&'c Joint, f64),
     /// A mimic joint that is much faster than the joint it mimics: forces scale with the square of its multiplier.
-    Multiplier(&'c Mimicked, Place),
+    Multiplier(&'c MimicJoint, Place),
 }
 
 impl<'c> Cause<'c> {
     fn of(chain: &'c Chain, worst: Worst) -> Self {
         let fastest = chain.report.mimicked.iter();
-        let square = |mimicked: &Mimicked| mimicked.multiplier * mimicked.multiplier;
+        let square = |mimicked: &MimicJoint| mimicked.multiplier * mimicked.multiplier;
         let fastest = fastest.max_by(|one, other| square(one).total_cmp(&square(other)));
         match fastest.filter(|fastest| square(fastest) > worst.loss) {
             Some(fastest) => {
@@ -286,7 +289,7 @@ impl<'c> Cause<'c> {
         }
     }
 
-    fn complaint(&self, scalar: Real, what: &str) -> Complaint {
+    fn diagnostic(&self, scalar: Real, what: &str) -> Diagnostic {
         let roundoff = scalar.roundoff();
         let (place, why) = match self {
             Self::MassMatrix(joint, loss) => (
@@ -301,12 +304,12 @@ impl<'c> Cause<'c> {
                 format!(
                     "joint {} mimics joint {} with a multiplier of {}, whose square forces have",
                     quoted(&mimicked.joint),
-                    quoted(&mimicked.leader),
+                    quoted(&mimicked.mimicked),
                     mimicked.multiplier
                 ),
             ),
         };
-        Complaint {
+        Diagnostic {
             place,
             message: format!("{what}: {why}, and the unit roundoff is {roundoff:.0e}"),
             hint: None,
@@ -318,7 +321,7 @@ impl<'c> Cause<'c> {
             Self::MassMatrix(..) => "model a robot whose masses and lengths differ less".to_owned(),
             Self::Multiplier(mimicked, _) => format!(
                 "give joint {} the inertia of the fast part as a rotor or an armature",
-                quoted(&mimicked.leader)
+                quoted(&mimicked.mimicked)
             ),
         };
         match scalar {

@@ -12,7 +12,7 @@ use crate::formulation::Forward;
 use crate::function::{Function, Given, Truth};
 use crate::layout::Layout;
 use crate::list::Id;
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::quaternion::of_length_1;
 use crate::range::Range;
 use crate::real::Real;
@@ -78,7 +78,7 @@ pub(super) const fn allowed(function: Function) -> f64 {
 
 /// Error of a program, relative to its largest result \[u\] and to the error allowed for the function.
 #[derive(Clone, Copy, Debug)]
-pub struct Off {
+pub struct MeasuredError {
     /// In the worst of a thousand states, estimated from a few.
     pub worst: f64,
     /// Exceeded in at least an eighth of all states, to the same scale: a large value is a loss of the robot itself,
@@ -90,7 +90,7 @@ pub struct Off {
     pub unsolved: f64,
 }
 
-impl Off {
+impl MeasuredError {
     /// No error, or none measured.
     pub(super) const NONE: Self = Self {
         worst: 0.0,
@@ -134,13 +134,18 @@ impl<'c> Measure<'c> {
         } else {
             Forward::MassMatrix { refinements }
         };
-        let way = Way {
+        let algorithm = Algorithm {
             forward,
-            ..Way::PLAIN
+            ..Algorithm::PLAIN
         };
         let exactly = |function| {
-            let (graph, results) =
-                expressions_by(chain, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
+            let (graph, results) = expressions_by(
+                chain,
+                &[function],
+                FrameId::FIRST,
+                Layout::DESCRIBED,
+                algorithm,
+            );
             Evaluation::of(&graph, &results)
         };
         let mut solved = Vec::new();
@@ -171,7 +176,7 @@ impl<'c> Measure<'c> {
 
     /// The error in the worst of a thousand states, estimated from a few, relative to the largest result, in units of
     /// the type's roundoff. Infinite if a result is NaN.
-    pub(super) fn error(&mut self, program: &Program) -> Off {
+    pub(super) fn error(&mut self, program: &Program) -> MeasuredError {
         let scalar = self.scalar;
         let mut errors: Vec<f64> = Vec::new();
         let mut results = Vec::new();
@@ -194,17 +199,17 @@ impl<'c> Measure<'c> {
         }
         errors.sort_by(f64::total_cmp);
         let worst = &errors[errors.len() - errors.len() / 8..];
-        let mut off = Off {
+        let mut error = MeasuredError {
             worst: TAIL * worst.iter().sum::<f64>() / worst.iter().map(|_| 1.0).sum::<f64>(),
             eighth: TAIL * worst[0],
             unsolved: 0.0,
         };
-        if off.worst > ENOUGH {
+        if error.worst > ENOUGH {
             let states = results.iter().zip(&self.states);
             let unsolved = states.map(|(found, state)| self.unsolved(found, state));
-            off.unsolved = largest(unsolved) / scalar.roundoff();
+            error.unsolved = largest(unsolved) / scalar.roundoff();
         }
-        off
+        error
     }
 
     fn state(&self, number: u32) -> State {
@@ -264,10 +269,11 @@ impl<'c> Measure<'c> {
                     .sum();
                 for (i, row) in state.mass.chunks(count).enumerate() {
                     let one = f64::from(u8::from(i == j));
-                    let off = (row.iter().zip(&column)).fold(Double::from(-one), |sum, (m, x)| {
-                        sum + *m * Double::from(*x)
-                    });
-                    worst = largest([worst, off.to_f64() / (one + units[i] * size)].into_iter());
+                    let error = (row.iter().zip(&column))
+                        .fold(Double::from(-one), |sum, (m, x)| {
+                            sum + *m * Double::from(*x)
+                        });
+                    worst = largest([worst, error.to_f64() / (one + units[i] * size)].into_iter());
                 }
             }
         }

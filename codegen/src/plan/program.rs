@@ -9,7 +9,8 @@ use crate::function::Function;
 use crate::layout::{Bodies, Layout, arrange};
 use crate::list::List;
 use crate::model::{
-    ARTICULATED_INERTIA, Way, articulated_motion, articulated_steps, equation, equation_at_rest,
+    ARTICULATED_INERTIA, Algorithm, articulated_motion, articulated_steps, equation,
+    equation_at_rest,
 };
 use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
@@ -22,9 +23,9 @@ pub fn program_by(
     functions: &[Function],
     frame: FrameId,
     layout: Layout,
-    way: Way,
+    algorithm: Algorithm,
 ) -> Program {
-    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    let (graph, results) = expressions_by(chain, functions, frame, layout, algorithm);
     schedule(&graph, &results)
 }
 
@@ -37,9 +38,9 @@ pub struct Programs<'c> {
 /// The inputs that determine a program.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Key {
-    Function(Function, Layout, Way),
-    Equation(Layout, Way, bool),
-    EquationAtRest(Layout, Way),
+    Function(Function, Layout, Algorithm),
+    Equation(Layout, Algorithm, bool),
+    EquationAtRest(Layout, Algorithm),
 }
 
 /// The programs of the recursion over articulated bodies, one step inwards at a time.
@@ -69,39 +70,54 @@ impl<'c> Programs<'c> {
     }
 
     /// The program of a function of the whole robot.
-    pub fn function(&self, function: Function, layout: Layout, way: Way) -> Rc<Program> {
-        self.get(Key::Function(function, layout, way), || {
-            program_by(self.chain, &[function], FrameId::FIRST, layout, way)
+    pub fn function(
+        &self,
+        function: Function,
+        layout: Layout,
+        algorithm: Algorithm,
+    ) -> Rc<Program> {
+        self.get(Key::Function(function, layout, algorithm), || {
+            program_by(self.chain, &[function], FrameId::FIRST, layout, algorithm)
         })
     }
 
     /// The program of the equation of motion: the mass matrix, and the torques at q̈ = 0 with external wrenches, if
     /// there are any; with `has_residual` also the torques of given accelerations.
-    pub fn equation(&self, layout: Layout, way: Way, has_residual: bool) -> Rc<Program> {
-        self.get(Key::Equation(layout, way, has_residual), || {
+    pub fn equation(
+        &self,
+        layout: Layout,
+        algorithm: Algorithm,
+        has_residual: bool,
+    ) -> Rc<Program> {
+        self.get(Key::Equation(layout, algorithm, has_residual), || {
             compiled(self.chain, layout, |graph, bodies| {
-                equation(graph, bodies, way, has_residual)
+                equation(graph, bodies, algorithm, has_residual)
             })
         })
     }
 
     /// The same for the refinement of the inverse of the mass matrix.
-    pub fn equation_at_rest(&self, layout: Layout, way: Way) -> Rc<Program> {
-        self.get(Key::EquationAtRest(layout, way), || {
+    pub fn equation_at_rest(&self, layout: Layout, algorithm: Algorithm) -> Rc<Program> {
+        self.get(Key::EquationAtRest(layout, algorithm), || {
             compiled(self.chain, layout, |graph, bodies| {
-                equation_at_rest(graph, bodies, way)
+                equation_at_rest(graph, bodies, algorithm)
             })
         })
     }
 
     /// The programs of the recursion over articulated bodies; the arguments of a step are inputs.
     #[must_use]
-    pub fn recursion(&self, layout: Layout, way: Way, given: impl Fn(usize) -> Input) -> Recursion {
+    pub fn recursion(
+        &self,
+        layout: Layout,
+        algorithm: Algorithm,
+        given: impl Fn(usize) -> Input,
+    ) -> Recursion {
         let graph = self.chain.graph.clone();
         let bodies = arrange(&graph, self.chain, layout);
-        let motion = scheduled(&graph, &articulated_motion(&graph, &bodies, way));
+        let motion = scheduled(&graph, &articulated_motion(&graph, &bodies, algorithm));
         let given = std::array::from_fn(|k| graph.input(given(k)));
-        let steps = articulated_steps(&graph, &bodies, way, &given).into_iter();
+        let steps = articulated_steps(&graph, &bodies, algorithm, &given).into_iter();
         let (inertias, actions) = steps
             .map(|step| {
                 let (inertia, action) = step.split_at(ARTICULATED_INERTIA);
@@ -151,12 +167,12 @@ pub fn expressions_by(
     functions: &[Function],
     frame: FrameId,
     layout: Layout,
-    way: Way,
+    algorithm: Algorithm,
 ) -> (Graph, Vec<Expr>) {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, layout);
     let results: Vec<Expr> = (functions.iter())
-        .flat_map(|&function| function.build(&graph, &bodies, frame, way))
+        .flat_map(|&function| function.build(&graph, &bodies, frame, algorithm))
         .map(Term::expr)
         .collect();
     simplify(&graph, &results)

@@ -5,25 +5,25 @@
 //! measure the error and note it in a [`Found`].
 
 use super::forward::Form;
-use super::measured::Off;
+use super::measured::MeasuredError;
 use super::program::expressions_by;
 use crate::chain::Chain;
 use crate::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use crate::function::Function;
 use crate::layout::Layout;
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::schedule::{Price, Program, schedule, schedule_unfused};
+use crate::schedule::{OperationCount, Program, schedule, schedule_unfused};
 use crate::space::FrameId;
 
 /// A program with its layout and algorithm.
 pub(super) struct Found {
     pub(super) program: Program,
     pub(super) layout: Layout,
-    pub(super) way: Way,
+    pub(super) algorithm: Algorithm,
     /// Its measured error, if the form was chosen by it.
-    pub(super) off: Off,
+    pub(super) error: MeasuredError,
 }
 
 /// The search for the cheapest program.
@@ -35,7 +35,7 @@ pub(super) struct Search<'a> {
     frame: FrameId,
     pub(super) scalar: Real,
     layouts: Vec<Layout>,
-    ways: Vec<Way>,
+    algorithms: Vec<Algorithm>,
 }
 
 impl<'a> Search<'a> {
@@ -60,28 +60,33 @@ impl<'a> Search<'a> {
             } else {
                 Layout::for_kinematics(chain)
             },
-            ways: ways(formulation, functions),
+            algorithms: algorithms(formulation, functions),
         }
     }
 
     /// The cheapest program in a form of forward dynamics, over all layouts and algorithms; its error has not been
     /// measured.
     pub(super) fn best(&self, form: Form) -> (usize, Found) {
-        self.within(form, &self.layouts, &self.ways)
+        self.within(form, &self.layouts, &self.algorithms)
     }
 
     /// The cheapest program of each layout, the cheapest layout first.
     pub(super) fn by_cost(&self, form: Form) -> Vec<(usize, Found)> {
         let layouts = self.layouts.chunks(1);
         let mut found: Vec<_> = layouts
-            .map(|layout| self.within(form, layout, &self.ways))
+            .map(|layout| self.within(form, layout, &self.algorithms))
             .collect();
         found.sort_by_key(|(cost, _)| *cost);
         found
     }
 
     /// The same as [`best`](Self::best), over some layouts and algorithms.
-    pub(super) fn within(&self, form: Form, layouts: &[Layout], ways: &[Way]) -> (usize, Found) {
+    pub(super) fn within(
+        &self,
+        form: Form,
+        layouts: &[Layout],
+        algorithms: &[Algorithm],
+    ) -> (usize, Found) {
         let schedule = match self.formulation.products {
             Products::Fused if self.processor.fuses(self.scalar) => schedule,
             Products::Fused | Products::Unfused => schedule_unfused,
@@ -94,22 +99,23 @@ impl<'a> Search<'a> {
         for &layout in layouts {
             let regroup = layout.regroup && !physical;
             let layout = Layout { regroup, ..layout };
-            for &way in ways {
+            for &algorithm in algorithms {
                 let scalar = self.scalar;
-                let way = Way {
+                let algorithm = Algorithm {
                     scalar,
-                    ..form.along(way)
+                    ..form.along(algorithm)
                 };
                 let (chain, functions) = (self.chain, self.functions);
-                let (graph, results) = expressions_by(chain, functions, self.frame, layout, way);
+                let (graph, results) =
+                    expressions_by(chain, functions, self.frame, layout, algorithm);
                 let program = schedule(&graph, &results);
-                let cost = Price::of(&program).weight(self.processor, self.scalar);
+                let cost = OperationCount::of(&program).weight(self.processor, self.scalar);
                 if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     let found = Found {
                         program,
                         layout,
-                        way,
-                        off: Off::NONE,
+                        algorithm,
+                        error: MeasuredError::NONE,
                     };
                     best = Some((cost, found));
                 }
@@ -120,21 +126,21 @@ impl<'a> Search<'a> {
 }
 
 /// The algorithms among which the operation count decides.
-fn ways(formulation: Formulation, functions: &[Function]) -> Vec<Way> {
+fn algorithms(formulation: Formulation, functions: &[Function]) -> Vec<Algorithm> {
     let apart = match formulation.frame {
         Frame::Link => functions
             .iter()
-            .map(|&function| function.ways())
+            .map(|&function| function.algorithms())
             .max_by_key(Vec::len)
             .unwrap_or_default(),
-        Frame::Base => vec![Way::IN_FRAME_0],
+        Frame::Base => vec![Algorithm::IN_FRAME_0],
     };
     match formulation.angles {
         Angles::Apart => apart,
         Angles::Merged => {
-            let merged = apart.iter().map(|&way| Way {
+            let merged = apart.iter().map(|&algorithm| Algorithm {
                 angles: Angles::Merged,
-                ..way
+                ..algorithm
             });
             merged.chain(apart.iter().copied()).collect()
         }

@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use crate::chain::{BodyId, Chain, Joint, physical};
-use crate::error::{Complaint, Errors};
+use crate::error::{Diagnostic, Errors};
 use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
 use crate::layout::{Layout, arrange};
 use crate::list::{Id, List};
@@ -18,7 +18,7 @@ use crate::space::{FieldId, Variable, VelocityId};
 use crate::wording::{list, quoted};
 
 /// Number of configurations.
-const POSTURES: u32 = 16;
+const SAMPLES: u32 = 16;
 
 /// Ratio Mᵢᵢ / pivot beyond which a pivot is pure rounding error.
 const SINGULAR: f64 = 1e20;
@@ -53,10 +53,10 @@ pub(super) fn solvable(chain: &Chain) -> Result<Worst, Errors> {
 
 /// Warnings about a chain that is solvable in some configuration: fields that must not have their described values, and
 /// inertias that are non-physical in some configurations.
-pub(super) fn warnings(chain: &Chain, worst: Worst) -> Vec<Complaint> {
+pub(super) fn warnings(chain: &Chain, worst: Worst) -> Vec<Diagnostic> {
     let against = worst.against.map(|joint| {
         let cause = cause(chain, joint).unwrap_or(&chain.joints[joint]);
-        Complaint {
+        Diagnostic {
             place: cause.place,
             message: format!("{}, in some configurations", against_force(chain, joint)),
             hint: Some(CORRECT.to_owned()),
@@ -66,7 +66,7 @@ pub(super) fn warnings(chain: &Chain, worst: Worst) -> Vec<Complaint> {
 }
 
 /// The warning that a chain is singular if fields have their described values.
-fn zero(chain: &Chain) -> Option<Complaint> {
+fn zero(chain: &Chain) -> Option<Diagnostic> {
     if chain.nominal.iter().all(|nominal| !is_zero(nominal)) {
         return None;
     }
@@ -75,7 +75,7 @@ fn zero(chain: &Chain) -> Option<Complaint> {
         return None;
     };
     let joint = &chain.joints[joint];
-    Some(Complaint {
+    Some(Diagnostic {
         place: joint.place,
         message: format!(
             "joint \"{}\" can accelerate without any force where {} {} as described, zero: \
@@ -176,9 +176,9 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
     // A joint that is singular in one configuration may only pass through it.
     let mut least = velocities.map(|_| f64::INFINITY);
     let mut always = velocities.map(|_| true);
-    for posture in 0..POSTURES {
+    for sample in 0..SAMPLES {
         let coordinates = (0..).zip(range.turns_with_digits());
-        let coordinates = coordinates.map(|(k, ends)| coordinate(ends, k, posture));
+        let coordinates = coordinates.map(|(k, ends)| coordinate(ends, k, sample));
         let mut q: Vec<Double> = coordinates.map(Double::from).collect();
         for first in chain.spaces().quaternions() {
             normalize(&mut q[first.index()..][..4]);
@@ -240,9 +240,9 @@ fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
 
 /// A coordinate of a configuration, from a sequence that fills the range evenly: multiples of the golden ratio and of
 /// roots.
-fn coordinate([lower, upper]: [f64; 2], k: u16, posture: u32) -> f64 {
+fn coordinate([lower, upper]: [f64; 2], k: u16, sample: u32) -> f64 {
     let step = 0.618_033_988_749_895 * f64::from(k + 1).sqrt();
-    lower + (upper - lower) * (0.5 + f64::from(posture) * step).fract()
+    lower + (upper - lower) * (0.5 + f64::from(sample) * step).fract()
 }
 
 fn refusal(chain: &Chain, lack: &Lack) -> Errors {

@@ -7,7 +7,8 @@ use crate::module::Module;
 use crate::space::{Entry, Space};
 
 /// A list of names.
-pub(super) struct NameList<'m> {
+#[derive(Clone, Debug)]
+pub struct NameList<'m> {
     /// The name of the list, in small letters.
     pub name: &'static str,
     /// Its documentation.
@@ -17,7 +18,8 @@ pub(super) struct NameList<'m> {
 }
 
 /// A list of numbers, one for each coordinate or velocity.
-pub(super) struct NumberList {
+#[derive(Clone, Debug)]
+pub struct NumberList {
     /// The name of the list, in small letters.
     pub name: &'static str,
     /// Its documentation.
@@ -27,7 +29,8 @@ pub(super) struct NumberList {
 }
 
 /// Names of joints, coordinates, velocities and frames.
-pub(super) fn names(module: &Module) -> [NameList<'_>; 4] {
+#[must_use]
+pub fn names(module: &Module) -> [NameList<'_>; 4] {
     let (spaces, data) = (&module.spaces, &module.data);
     let list = |name, about, names| NameList { name, about, names };
     [
@@ -55,7 +58,8 @@ pub(super) fn names(module: &Module) -> [NameList<'_>; 4] {
 }
 
 /// Limits of q, q̇ and τ.
-pub(super) fn limits(module: &Module) -> [NumberList; 4] {
+#[must_use]
+pub fn limits(module: &Module) -> [NumberList; 4] {
     let ends = |entries: &[Entry], end: usize| -> Vec<f64> {
         let unlimited = [f64::NEG_INFINITY, f64::INFINITY];
         let ranges = entries.iter().map(|entry| entry.range.unwrap_or(unlimited));
@@ -92,7 +96,8 @@ pub(super) fn limits(module: &Module) -> [NumberList; 4] {
 }
 
 /// The configuration at which every joint is where it was placed.
-pub(super) fn neutral(module: &Module) -> NumberList {
+#[must_use]
+pub fn neutral(module: &Module) -> NumberList {
     NumberList {
         name: "neutral",
         about: "The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions (x, y, \

@@ -9,10 +9,10 @@ use std::fmt::Write;
 
 use super::steps::Step;
 use crate::function::Function;
-use crate::module::{About, GeneratedFunction, LeftOut, Module};
+use crate::module::{self, About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
 use crate::request::Target;
-use crate::schedule::{Price, sections};
+use crate::schedule::{OperationCount, sections};
 use crate::space::{Entry, Kind, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
@@ -40,29 +40,14 @@ pub(super) fn of_function(
     module: &Module,
     generated: &GeneratedFunction,
     angles: Option<&Angles>,
-    once: Option<&Price>,
+    once: Option<&OperationCount>,
 ) -> Vec<String> {
     let about = &module.about;
-    let base = frame_0(module);
     let frame = generated.frame.as_deref().unwrap_or(&about.tip);
-    let mut lines = Vec::new();
-    match &*generated.functions {
-        [function] => lines.push(function.sentence(&base, &code(frame))),
-        several => {
-            lines.push("Several functions that share their work, in this order:".to_owned());
-            lines.push(String::new());
-            let sentences = several.iter().zip(1..);
-            lines.extend(sentences.map(|(function, number)| {
-                format!("{number}. {}", function.sentence(&base, &code(frame)))
-            }));
-        }
-    }
+    let mut lines = sentences(module, &generated.functions, frame);
     lines.push(String::new());
-    let of = generated.arguments(&module.spaces);
-    lines.push(arguments(&of));
-    lines.extend(quaternions(&module.spaces, &of));
-    lines.extend(residuals(&module.spaces, generated));
-    lines.extend(open_loops(&module.spaces, generated));
+    lines.push(arguments(&generated.arguments(&module.spaces)));
+    lines.extend(remarks(&module.spaces, &generated.functions));
     if let Some(angles) = angles {
         let results = generated.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
@@ -77,7 +62,7 @@ pub(super) fn of_function(
     lines.push(origin(module));
     lines.extend(facts(about));
     let of_bodies = |function: &Function| function.is_of_bodies();
-    if about.driven && generated.functions.iter().any(of_bodies) {
+    if about.actuated && generated.functions.iter().any(of_bodies) {
         lines.push(
             "Momenta and the Coriolis matrix do not include friction and armature.".to_owned(),
         );
@@ -88,7 +73,7 @@ pub(super) fn of_function(
         lines.push("After the parameters of all links, π has armature, damping and friction of each degree of freedom of a joint, zero or not.".to_owned());
     }
     lines.push(String::new());
-    lines.push(format!("{}.", generated.price));
+    lines.push(format!("{}.", generated.operation_count));
     lines.extend(split(module, generated));
     lines
         .extend(once.map(|once| format!("Computed once by `prepare`, for all functions: {once}.")));
@@ -99,6 +84,33 @@ pub(super) fn of_function(
         lines.extend(list.then(String::new));
         lines.extend(bounds);
     }
+    lines
+}
+
+/// Meaning of functions of a frame, a sentence each.
+pub(super) fn sentences(module: &Module, functions: &[Function], frame: &str) -> Vec<String> {
+    let base = frame_0(module);
+    let mut lines = Vec::new();
+    match functions {
+        [function] => lines.push(function.sentence(&base, &code(frame))),
+        several => {
+            lines.push("Several functions that share their work, in this order:".to_owned());
+            lines.push(String::new());
+            let sentences = several.iter().zip(1..);
+            lines.extend(sentences.map(|(function, number)| {
+                format!("{number}. {}", function.sentence(&base, &code(frame)))
+            }));
+        }
+    }
+    lines
+}
+
+/// Lines about quaternions, velocities of bodies and loops in functions.
+pub(super) fn remarks(spaces: &Spaces, functions: &[Function]) -> Vec<String> {
+    let of = module::arguments(functions, spaces.actions() > 0);
+    let mut lines = quaternions(spaces, &of);
+    lines.extend(residuals(spaces, functions));
+    lines.extend(open_loops(spaces, functions));
     lines
 }
 
@@ -137,7 +149,7 @@ fn frame_0(module: &Module) -> String {
 }
 
 /// Comment of the method that computes everything that depends on fields alone.
-pub(super) fn of_prepare(price: &Price) -> Vec<String> {
+pub(super) fn of_prepare(operation_count: &OperationCount) -> Vec<String> {
     vec![
         "The same robot with everything precomputed that depends only on its fields, for loops in which they do not \
          change."
@@ -146,7 +158,7 @@ pub(super) fn of_prepare(price: &Price) -> Vec<String> {
         "Results are the same, bit for bit. The doc comment of each function has its remaining cost."
             .to_owned(),
         String::new(),
-        format!("{price}."),
+        format!("{operation_count}."),
     ]
 }
 
@@ -188,7 +200,7 @@ pub(super) fn of_mechanism(module: &Module) -> Vec<String> {
 }
 
 const fn is_of_actuator(entry: &Entry) -> bool {
-    matches!(entry.kind, Kind::Drive { .. })
+    matches!(entry.kind, Kind::Actuator { .. })
 }
 
 /// Comment of the values of base parameters.
@@ -289,8 +301,8 @@ pub(super) fn head(module: &Module, asked: &str) -> Vec<String> {
 }
 
 /// Cost and error bounds of a function, for the head of a file.
-pub(super) fn price(generated: &GeneratedFunction, name: &str) -> Vec<String> {
-    let mut lines = vec![format!("{name}: {}.", generated.price)];
+pub(super) fn operation_count(generated: &GeneratedFunction, name: &str) -> Vec<String> {
+    let mut lines = vec![format!("{name}: {}.", generated.operation_count)];
     let bounds = generated.accuracy.iter().flat_map(error::lines);
     lines.extend(bounds.map(|line| match line.strip_prefix("Error") {
         Some(rest) => format!("    error{rest}"),
@@ -316,7 +328,8 @@ fn range(angles: &Angles) -> String {
 /// Arguments with their units.
 fn arguments(arguments: &[Variable]) -> String {
     let units = |argument: &Variable| {
-        let [rotation, translation] = [Kind::Turn, Kind::Slide].map(|kind| argument.unit(kind));
+        let [rotation, translation] =
+            [Kind::Rotation, Kind::Translation].map(|kind| argument.unit(kind));
         match argument {
             Variable::Actions => {
                 format!("{} (c, f) in {rotation}, {translation}", argument.letter())
@@ -350,8 +363,8 @@ fn quaternions(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
 }
 
 /// The residuals of loops in their order, if a result ranges over them.
-fn residuals(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
-    let results = generated.functions.iter().map(|function| function.result());
+fn residuals(spaces: &Spaces, functions: &[Function]) -> Option<String> {
+    let results = functions.iter().map(|function| function.result());
     let mut parts = results.flat_map(Outcome::parts);
     let over = parts.any(|(_, part)| part.over.contains(&Space::Constraints));
     let names: Vec<String> = spaces.names(Space::Constraints).map(code).collect();
@@ -359,13 +372,13 @@ fn residuals(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
 }
 
 /// Line about functions that ignore the loops of the robot.
-fn open_loops(spaces: &Spaces, generated: &GeneratedFunction) -> Option<String> {
-    let open = generated.functions.iter();
+fn open_loops(spaces: &Spaces, functions: &[Function]) -> Option<String> {
+    let open = functions.iter();
     let open: Vec<_> = open.filter(|function| !function.is_of_loops()).collect();
     if spaces.len(Space::Constraints) == 0 || open.is_empty() {
         return None;
     }
-    let by = if generated.functions.len() > 1 {
+    let by = if functions.len() > 1 {
         let names: Vec<String> = open.iter().map(|function| code(function.name())).collect();
         format!(" by {}", list(names.iter().map(String::as_str)))
     } else {

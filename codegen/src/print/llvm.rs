@@ -2,7 +2,8 @@
 //!
 //! In: a [`Module`], a prefix for names, and the number of lanes. Out: a module of LLVM 19 or later as text, without a
 //! target, which is chosen at compilation. `NAME` takes one state, as in the C file; `NAME_batch` takes any number of
-//! states with any stride. Results have the same bits as those of the C file: no operation has fast-math flags.
+//! states with any stride; `NAME_arrays` takes the same behind a pointer, so that all functions have one signature. Results
+//! have the same bits as those of the C file: no operation has fast-math flags.
 
 mod batch;
 mod body;
@@ -19,7 +20,7 @@ use crate::print::documentation::{self, Angles};
 use crate::print::steps::{Step, has_angles};
 use crate::real::Real;
 use crate::wording::visible;
-use batch::{batch, moves};
+use batch::{arrays, batch, moves};
 use function::{Function, Of, define};
 use lanes::Lanes;
 
@@ -28,12 +29,25 @@ use lanes::Lanes;
 pub struct Writing<'a> {
     /// Prefix of all names.
     pub prefix: &'a str,
-    /// The request.
-    pub asked: &'a str,
+    /// Request, quoted at the head; without it there are no comments, and equal programs are equal texts.
+    pub asked: Option<&'a str>,
+    /// The functions of configurations that are written.
+    pub steps: Steps,
     /// Number of lanes of a vector of states.
     pub lanes: usize,
     /// True if products fuse with sums, by `llvm.fma`.
     pub fused: bool,
+}
+
+/// Choice among the functions `neutral`, `integrate`, `difference` and `normalize`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// All of them for a robot with quaternions or other coordinates of several entries, none for another.
+    OfQuaternions,
+    /// All of them.
+    All,
+    /// None.
+    None,
 }
 
 /// The module; [`Real::Generic`] is printed as `double`.
@@ -50,11 +64,15 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         vec![one]
     };
     let symbols = symbols(module, writing.prefix);
-    let mut head = documentation::head(module, writing.asked);
-    for (generated, name) in module.functions.iter().zip(&symbols) {
-        head.extend(documentation::price(generated, name));
+    let mut text = String::new();
+    if let Some(asked) = writing.asked {
+        let mut head = documentation::head(module, asked);
+        for (generated, name) in module.functions.iter().zip(&symbols) {
+            head.extend(documentation::operation_count(generated, name));
+        }
+        text.push_str(&comment(&head));
+        text.push('\n');
     }
-    let mut text = comment(&head) + "\n";
     let own_sines = module.sines == Sines::Own && has_angles(module);
     for &lanes in widths.iter().filter(|_| own_sines) {
         text.push_str(&sines::define(lanes, writing.fused));
@@ -70,21 +88,29 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         .functions
         .iter()
         .zip(symbols)
-        .map(|(generated, symbol)| {
-            let about = documentation::of_function(module, generated, Some(&angles), None);
-            (about, Of::State(generated), symbol)
-        });
-    let steps = Step::of(module).iter().map(|&step| {
-        let about = documentation::of_step(module, step, Some(&angles));
-        (about, Of::Step(step), own(writing.prefix, step.name()))
-    });
-    for (about, of, symbol) in functions.chain(steps) {
-        text.push_str(&comment(&about));
+        .map(|(generated, symbol)| (Of::State(generated), symbol));
+    let steps = match writing.steps {
+        Steps::OfQuaternions => Step::of(module),
+        Steps::All => &Step::ALL,
+        Steps::None => &[],
+    };
+    let steps = steps.iter();
+    let steps = steps.map(|&step| (Of::Step(step), own(writing.prefix, step.name())));
+    for (of, symbol) in functions.chain(steps) {
+        if writing.asked.is_some() {
+            text.push_str(&comment(&match of {
+                Of::State(generated) => {
+                    documentation::of_function(module, generated, Some(&angles), None)
+                }
+                Of::Step(step) => documentation::of_step(module, step, Some(&angles)),
+            }));
+        }
         let function = Function::new(module, of, &symbol, writing.fused);
         for &lanes in &widths {
             text.push_str(&define(&function, lanes));
         }
         text.push_str(&batch(&function, &widths));
+        text.push_str(&arrays(&function));
     }
     for lanes in widths {
         text.push_str(&lanes.declarations());

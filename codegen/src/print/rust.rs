@@ -7,6 +7,7 @@ mod base_parameters;
 mod batch;
 mod body;
 mod chain;
+mod closed_loops;
 mod comments;
 mod declaration;
 mod described;
@@ -18,8 +19,8 @@ mod item;
 #[cfg(feature = "files")]
 mod lanes;
 mod lengths;
+mod library;
 mod literals;
-mod mechanism;
 mod method;
 pub(in crate::print) mod names;
 mod prepared;
@@ -35,7 +36,6 @@ mod steps;
 mod stub;
 #[cfg(all(test, feature = "files"))]
 pub(crate) mod tests;
-mod world;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -53,6 +53,7 @@ pub use item::{Declaration, Item};
 pub use lanes::lanes;
 #[cfg(feature = "files")]
 pub(super) use lanes::under;
+pub use library::{CoreFunctions, Library};
 pub use method::Explained;
 #[cfg(feature = "files")]
 pub(crate) use names::in_every_edition;
@@ -61,15 +62,14 @@ pub use pretty::Source;
 #[cfg(feature = "files")]
 pub use review::appendix;
 pub use stub::stub;
-pub use world::{Library, World};
 
 /// The struct, if it has to be declared, its methods, and items beside it: traits of `homogen::robot` with the runtime,
 /// functions for C without it.
 ///
 /// Without the runtime, [`Real::Generic`](crate::real::Real::Generic) is printed as `f64`.
 #[must_use]
-pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
-    let dialect = Dialect::of(module.scalar, module.sines, item, world);
+pub fn print(module: &Module, item: &Item, library: &Library) -> TokenStream {
+    let dialect = Dialect::of(module.scalar, module.sines, item, library);
     let mut methods = TokenStream::new();
     let mut beside = TokenStream::new();
     let mut inlined = Vec::new();
@@ -79,8 +79,8 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
         let own = |code: &_| method(module, item, generated, &name, (code, &dialect));
         let acted = module.spaces.actions() > 0;
         let batched = |function: Function| module.batch && function.has_batches(acted);
-        match (&*generated.functions, &generated.frame, &dialect.world) {
-            ([function], None, World::Runtime(runtime)) if batched(*function) => {
+        match (&*generated.functions, &generated.frame, &dialect.library) {
+            ([function], None, Library::Runtime(runtime)) if batched(*function) => {
                 let batch = batch::Batched::new(module, item, *function, runtime, &dialect);
                 methods.extend(own(&batch.call()));
                 methods.extend(batch.method());
@@ -96,7 +96,7 @@ pub fn print(module: &Module, item: &Item, world: &World) -> TokenStream {
     }
     methods.extend(base_parameters::base_parameters(module, item, &dialect));
     methods.extend(chain::chain(module, item, &dialect));
-    methods.extend(mechanism::mechanism(module, item, &dialect));
+    methods.extend(closed_loops::closed_loops(module, item, &dialect));
     methods.extend(steps::steps(module, item, &dialect));
     let (prepare, prepared) = prepared::prepared(module, item, &dialect);
     methods.extend(prepare);
@@ -142,15 +142,15 @@ fn method(
 
 /// The methods of functions alone, for display.
 #[must_use]
-pub fn methods(module: &Module, item: &Item, world: &World) -> TokenStream {
-    let each = each_method(module, item, world).into_iter();
+pub fn methods(module: &Module, item: &Item, library: &Library) -> TokenStream {
+    let each = each_method(module, item, library).into_iter();
     each.map(|method| method.text).collect()
 }
 
 /// The same one by one, in the order of the module, each with the meanings of its names.
 #[must_use]
-pub fn each_method(module: &Module, item: &Item, world: &World) -> Vec<Explained> {
-    let dialect = Dialect::of(module.scalar, module.sines, item, world);
+pub fn each_method(module: &Module, item: &Item, library: &Library) -> Vec<Explained> {
+    let dialect = Dialect::of(module.scalar, module.sines, item, library);
     let methods = module.functions.iter().zip(names::of_methods(module));
     methods
         .map(|(generated, name)| {

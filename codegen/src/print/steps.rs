@@ -8,7 +8,7 @@ use std::ops::Range;
 
 #[cfg(feature = "files")]
 use crate::expression::{Expr, Graph, Input, Term};
-use crate::joint::Posture;
+use crate::joint::Manifold;
 use crate::module::{DataMotion, Module};
 #[cfg(feature = "files")]
 use crate::real::Real;
@@ -69,11 +69,11 @@ pub(super) fn has_roots(module: &Module) -> bool {
 }
 
 /// Configuration spaces of the joints with planar or quaternion coordinates.
-fn manifolds(module: &Module) -> impl Iterator<Item = Posture> + '_ {
+fn manifolds(module: &Module) -> impl Iterator<Item = Manifold> + '_ {
     let motions = module.data.motions.iter();
     motions.filter_map(|motion| match motion {
-        DataMotion::Posture(posture) => Some(*posture),
-        DataMotion::Along | DataMotion::Follows { .. } => None,
+        DataMotion::Manifold(manifold) => Some(*manifold),
+        DataMotion::Along | DataMotion::Mimic { .. } => None,
     })
 }
 
@@ -81,8 +81,8 @@ impl Own {
     /// Index of its quaternion among its coordinates, if it has one.
     pub const fn quaternion(&self) -> Option<usize> {
         match self.motion {
-            DataMotion::Posture(Posture::Spherical) => Some(0),
-            DataMotion::Posture(Posture::Floating) => Some(3),
+            DataMotion::Manifold(Manifold::Spherical) => Some(0),
+            DataMotion::Manifold(Manifold::Floating) => Some(3),
             _ => None,
         }
     }
@@ -104,7 +104,7 @@ pub(super) fn neutral(module: &Module) -> Vec<f64> {
 
 impl Step {
     /// All functions.
-    const ALL: [Self; 4] = [
+    pub const ALL: [Self; 4] = [
         Self::Neutral,
         Self::Integrate,
         Self::Difference,
@@ -124,7 +124,7 @@ impl Step {
     pub fn turns(self, module: &Module) -> bool {
         match self {
             Self::Integrate => manifolds(module).next().is_some(),
-            Self::Difference => manifolds(module).any(|posture| posture == Posture::Planar),
+            Self::Difference => manifolds(module).any(|manifold| manifold == Manifold::Planar),
             Self::Neutral | Self::Normalize => false,
         }
     }
@@ -206,9 +206,9 @@ impl Step {
             (Self::Neutral, _) => (own.neutral().into_iter())
                 .map(|value| graph.constant(value))
                 .collect(),
-            (Self::Integrate, DataMotion::Posture(posture)) => posture.integrate(first, v, real),
-            (Self::Difference, DataMotion::Posture(posture)) => posture.difference(first, end),
-            (Self::Normalize, DataMotion::Posture(posture)) => posture.normalize(first),
+            (Self::Integrate, DataMotion::Manifold(manifold)) => manifold.integrate(first, v, real),
+            (Self::Difference, DataMotion::Manifold(manifold)) => manifold.difference(first, end),
+            (Self::Normalize, DataMotion::Manifold(manifold)) => manifold.normalize(first),
             (Self::Integrate, _) => vec![first(0) + v(0)],
             (Self::Difference, _) => vec![end(0) - first(0)],
             (Self::Normalize, _) => vec![first(0)],

@@ -6,7 +6,7 @@ pub mod text;
 
 use std::fmt::Write;
 
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::name::Name;
 use crate::number::Number;
 use crate::request::Request;
@@ -53,7 +53,7 @@ pub enum SettingForm {
     /// Joints, each with or without a coordinate.
     Positions(Of<Vec<(Name, Option<Number>)>>),
     /// Joints, each with one number or one for each velocity; or the key alone, if it is a switch as well.
-    Drive(Part, Option<Of<bool>>),
+    Actuator(Part, Option<Of<bool>>),
     /// Links with external wrenches, and their frame.
     External(Of<Vec<Name>>),
     /// Three numbers, or `none`.
@@ -134,17 +134,17 @@ pub const SETTINGS: [Setting; 34] = [
         help: "A link with an external wrench: inverse and forward dynamics and their derivatives take one for each, in the link's frame", ..SETTING },
     Setting { key: "external_in_frame_0", form: SettingForm::Switch(|asked| &mut asked.external_in_frame_0), group: ROBOT, needs: Some("external"),
         help: "These wrenches are in frame 0", ..SETTING },
-    Setting { key: "friction", form: SettingForm::Drive(Part::Friction, Some(|asked| &mut asked.friction)), example: "friction(joint = 0.1)", group: ROBOT, value: "JOINT=f",
+    Setting { key: "friction", form: SettingForm::Actuator(Part::Friction, Some(|asked| &mut asked.friction)), example: "friction(joint = 0.1)", group: ROBOT, value: "JOINT=f",
         help: "Model the friction of the file, and Coulomb friction of a joint if one is named (N m or N)", ..SETTING },
-    Setting { key: "damping", form: SettingForm::Drive(Part::Damping, None), example: "damping(joint = 0.1)", group: ROBOT, value: "JOINT=d",
+    Setting { key: "damping", form: SettingForm::Actuator(Part::Damping, None), example: "damping(joint = 0.1)", group: ROBOT, value: "JOINT=d",
         help: "Viscous friction of a joint (N m s/rad or N s/m), and all friction of the file", ..SETTING },
     Setting { key: "rotors", form: SettingForm::Switch(|asked| &mut asked.rotors), example: "rotors", group: ROBOT,
         help: "Model the rotors of the file, with their gears", ..SETTING },
-    Setting { key: "armature", form: SettingForm::Drive(Part::Armature, None), example: "armature(joint = 0.1)", group: ROBOT, value: "JOINT=a",
+    Setting { key: "armature", form: SettingForm::Actuator(Part::Armature, None), example: "armature(joint = 0.1)", group: ROBOT, value: "JOINT=a",
         help: "Armature: inertia at a joint in addition to the bodies (kg m² or kg), and all rotors of the file", ..SETTING },
-    Setting { key: "rotor", form: SettingForm::Drive(Part::Rotor, None), example: "rotor(joint = 0.1)", group: ROBOT, value: "JOINT=j",
+    Setting { key: "rotor", form: SettingForm::Actuator(Part::Rotor, None), example: "rotor(joint = 0.1)", group: ROBOT, value: "JOINT=j",
         help: "Inertia of a joint's rotor (kg m²), multiplied by the square of the ratio", ..SETTING },
-    Setting { key: "ratio", form: SettingForm::Drive(Part::Ratio, None), example: "ratio(joint = 0.1)", group: ROBOT, value: "JOINT=n",
+    Setting { key: "ratio", form: SettingForm::Actuator(Part::Ratio, None), example: "ratio(joint = 0.1)", group: ROBOT, value: "JOINT=n",
         help: "Turns of a rotor for one of its joint [default: that of the file, or 1]", ..SETTING },
     Setting { key: "exact", form: SettingForm::Switch(|asked| &mut asked.exact), example: "exact", group: ROBOT,
         help: "Keep an angle such as 1.5708 as written instead of taking it as a right angle", ..SETTING },

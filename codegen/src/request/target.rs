@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::name::Name;
 use crate::wording::quoted;
 
@@ -26,6 +26,7 @@ pub struct Parameter {
 
 /// A number that a struct field can replace.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Target {
     /// Mass of a link \[kg\]; one number. The inertia about the centre of mass stays as described; a link without one
     /// is a point mass at its origin.
@@ -295,7 +296,7 @@ impl Target {
 
     /// The joint and the part, for a target of armature, damping or friction.
     #[must_use]
-    pub const fn drives(&self) -> Option<(&Name, Part)> {
+    pub const fn actuators(&self) -> Option<(&Name, Part)> {
         match self {
             Self::ArmatureOf(joint) => Some((joint, Part::Armature)),
             Self::DampingOf(joint) => Some((joint, Part::Damping)),

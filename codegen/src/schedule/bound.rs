@@ -13,10 +13,10 @@ mod length;
 mod norm;
 mod quaternion;
 mod reason;
+mod rotation;
 mod term;
 #[cfg(test)]
 mod tests;
-mod turn;
 mod value;
 
 use self::kind::{Follows, Form, Kind, is_sum};
@@ -26,8 +26,8 @@ use self::length::Lengths;
 pub(crate) use self::norm::root;
 use self::quaternion::Polynomials;
 pub use self::reason::Reason;
+use self::rotation::{PlaneRotation, PlaneRotations};
 use self::term::Term;
-use self::turn::{Turn, Turns};
 use self::value::SLACK;
 pub use self::value::Value;
 use super::{Operand, Operation, Program, Step};
@@ -47,19 +47,19 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
     let mut known = Known {
         program,
         conditions,
-        turns: Turns::default(),
+        turns: PlaneRotations::default(),
         polynomials: Polynomials::default(),
         steps: Vec::with_capacity(program.steps.len()),
     };
     let mut lengths = Lengths::default();
     for (k, step) in program.steps.iter().enumerate() {
         if k == program.before_angles {
-            known.turn();
+            known.rotation();
         }
         known.take(step, &mut lengths);
     }
     if program.before_angles == program.steps.len() {
-        known.turn();
+        known.rotation();
     }
     let results = program.results.iter();
     let found = results.map(|&result| Found {
@@ -83,7 +83,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
 
 impl<'p> Known<'p> {
     /// Adds the sines and cosines.
-    fn turn(&mut self) {
+    fn rotation(&mut self) {
         for &angle in &self.program.angles {
             let value = self.value(angle);
             let reach = value.size() + value.error * SLACK;
@@ -109,7 +109,7 @@ impl<'p> Known<'p> {
         let (range, entry) = polynomial.map_or((None, None), |(range, entry)| (Some(range), entry));
         let (value, form) = self.step(operation, range, lengths);
         let place = match form {
-            Form::Turned(turn) => self.turns.place(step, &turn),
+            Form::ByRotation(rotation) => self.turns.place(step, &rotation),
             _ => None,
         };
         let value = value.unwrap_or(Value::UNKNOWN);
@@ -211,7 +211,7 @@ impl<'p> Known<'p> {
                     sum.within(left.size * right.size, error)
                 });
         let place = |operand| self.place(operand);
-        let turn = Turn::of(place, [x, y], terms[0].minus, [z, w], terms[1].minus);
-        (Some(sum), turn.map_or(form, Form::Turned))
+        let rotation = PlaneRotation::of(place, [x, y], terms[0].minus, [z, w], terms[1].minus);
+        (Some(sum), rotation.map_or(form, Form::ByRotation))
     }
 }

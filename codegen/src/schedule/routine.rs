@@ -3,17 +3,17 @@
 //! In: a [`Program`], its readable inputs, and reserved names. Out: a [`Routine`]. Values that are not read get no
 //! name.
 
-mod apart;
+mod loops;
 mod meaning;
-mod rounds;
+mod section;
 #[cfg(test)]
 mod tests;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-pub use self::apart::{SectionBody, Work};
-pub use self::meaning::{Meaning, Turn};
-pub use self::rounds::Loop;
+pub use self::loops::Loop;
+pub use self::meaning::{Meaning, RotationAngle};
+pub use self::section::{SectionBody, Work};
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
 use super::repeats::repeats;
@@ -373,12 +373,12 @@ impl Naming<'_> {
     }
 
     /// Angle with its name and coordinates.
-    fn turn(&self, angle: Operand, value: &Value) -> Turn {
+    fn turn(&self, angle: Operand, value: &Value) -> RotationAngle {
         let name = match value {
             Value::Name(name) => name.clone(),
             Value::Literal(_) | Value::Work(_) | Value::Entry(..) => "a".to_owned(),
         };
-        Turn {
+        RotationAngle {
             name,
             coordinates: self.coordinates_of(angle).unwrap_or_default(),
         }

@@ -153,7 +153,7 @@ mod tests {
 
     use super::RULES;
     use crate::expression::{Double, Graph, Input, Term};
-    use crate::schedule::{Price, Program, run, schedule};
+    use crate::schedule::{OperationCount, Program, run, schedule};
     use crate::simplify::simplify;
     use crate::space::Variable;
 
@@ -178,8 +178,8 @@ mod tests {
         let (x, y) = (evaluate(&before), evaluate(&after));
         assert!((x - y).is_zero(), "{x:?} became {y:?}");
         let count = |program| {
-            let price = Price::of(program);
-            price.mul + price.add + price.neg
+            let operation_count = OperationCount::of(program);
+            operation_count.mul + operation_count.add + operation_count.neg
         };
         (count(&before), count(&after))
     }

@@ -63,16 +63,18 @@ impl Variable {
     #[must_use]
     pub const fn unit(self, kind: Kind) -> &'static str {
         match (self, kind) {
-            (Self::Q, Kind::Turn) => "rad",
-            (Self::Q, Kind::Slide) => "m",
+            (Self::Q, Kind::Rotation) => "rad",
+            (Self::Q, Kind::Translation) => "m",
             (_, Kind::Quaternion) => "1",
-            (Self::Qd, Kind::Turn) => "rad/s",
-            (Self::Qd, Kind::Slide) => "m/s",
-            (Self::Qdd, Kind::Turn) => "rad/s²",
-            (Self::Qdd, Kind::Slide) => "m/s²",
-            (Self::Tau | Self::Actions, Kind::Turn) => "N m",
-            (Self::Tau | Self::Actions, Kind::Slide) => "N",
-            (_, Kind::Moment(_) | Kind::Drive { .. }) => panic!("no argument is over parameters"),
+            (Self::Qd, Kind::Rotation) => "rad/s",
+            (Self::Qd, Kind::Translation) => "m/s",
+            (Self::Qdd, Kind::Rotation) => "rad/s²",
+            (Self::Qdd, Kind::Translation) => "m/s²",
+            (Self::Tau | Self::Actions, Kind::Rotation) => "N m",
+            (Self::Tau | Self::Actions, Kind::Translation) => "N",
+            (_, Kind::Moment(_) | Kind::Actuator { .. }) => {
+                panic!("no argument is over parameters")
+            }
         }
     }
 
@@ -87,9 +89,11 @@ impl Variable {
     #[must_use]
     pub const fn usual(self, kind: Kind) -> Option<f64> {
         match (self, kind) {
-            (Self::Q, Kind::Turn) => Some(PI),
-            (Self::Q, Kind::Slide | Kind::Quaternion) | (Self::Qd, Kind::Slide) => Some(1.0),
-            (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Drive { .. }) => None,
+            (Self::Q, Kind::Rotation) => Some(PI),
+            (Self::Q, Kind::Translation | Kind::Quaternion) | (Self::Qd, Kind::Translation) => {
+                Some(1.0)
+            }
+            (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Actuator { .. }) => None,
             (Self::Qd | Self::Qdd, _) => Some(10.0),
             (Self::Actions, _) => Some(100.0),
         }

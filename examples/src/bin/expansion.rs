@@ -7,7 +7,7 @@
 use std::error::Error;
 use std::time::{Duration, Instant};
 
-use homogen_codegen::door::derive;
+use homogen_codegen::front_end::derive;
 use homogen_examples::machine;
 use proc_macro2::TokenStream;
 

@@ -94,11 +94,11 @@ fn main() -> io::Result<()> {
     );
     println!(
         "  excitation (condition number of the regressor)  {:.0}",
-        found.fit.excitation()
+        found.fit.condition()
     );
     println!(
         "  what the fit leaves                             {:.3} N m",
-        found.fit.deviation()
+        found.fit.standard_deviation()
     );
     for (k, name) in names.iter().enumerate() {
         let (identified, true_value) = (found.load[k], truth()[k]);
@@ -320,19 +320,15 @@ mod tests {
     #[test]
     fn identified_parameters_are_the_true_ones() {
         let found = identify();
-        assert!(
-            found.fit.excitation() < 2000.0,
-            "{}",
-            found.fit.excitation()
-        );
-        assert!((found.fit.deviation() / NOISE - 1.0).abs() < 0.03);
+        assert!(found.fit.condition() < 2000.0, "{}", found.fit.condition());
+        assert!((found.fit.standard_deviation() / NOISE - 1.0).abs() < 0.03);
         // Within five standard deviations; for the centre, those of its first moment over the mass.
-        let deviations = found.fit.deviations().expect("all are excited");
+        let standard_deviations = found.fit.standard_deviations().expect("all are excited");
         let [mass, x, y, z] = truth();
         let expected = [mass, mass * x, mass * y, mass * z];
         for (k, expected) in expected.into_iter().enumerate() {
             assert!(
-                (found.parameters[k] - expected).abs() < 5.0 * deviations[k],
+                (found.parameters[k] - expected).abs() < 5.0 * standard_deviations[k],
                 "{k}"
             );
         }
@@ -340,10 +336,17 @@ mod tests {
             for (k, expected) in [DAMPING[joint], FRICTION[joint]].into_iter().enumerate() {
                 let place = 10 + 2 * joint + k;
                 let off = (found.parameters[place] - expected).abs();
-                assert!(off < 5.0 * deviations[place], "joint {joint}: {off}");
+                assert!(
+                    off < 5.0 * standard_deviations[place],
+                    "joint {joint}: {off}"
+                );
             }
         }
-        assert!(deviations.iter().all(|deviation| *deviation < 0.1));
+        assert!(
+            standard_deviations
+                .iter()
+                .all(|standard_deviation| *standard_deviation < 0.1)
+        );
     }
 
     #[test]

@@ -12,7 +12,7 @@ use homogen_codegen::Function;
 use homogen_examples::bound::{self, Bound, Complete, Number};
 use homogen_examples::states::{State, random};
 use homogen_examples::timing::{Spread, alternate};
-use homogen_examples::{machine, price};
+use homogen_examples::{machine, operation_count};
 
 const URDF: &str = include_str!("../../../robots/panda_class.urdf");
 
@@ -36,12 +36,13 @@ const NOTES: &str = "  \
   Times: medians of 25 batches of both in turn, independent states; carry over the ratio only.";
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let prices = price::count("panda_class.urdf", URDF, "link8").map_err(|e| e.to_string())?;
-    let about = &prices.about;
+    let operation_counts =
+        operation_count::count("panda_class.urdf", URDF, "link8").map_err(|e| e.to_string())?;
+    let about = &operation_counts.about;
     println!(
         "{}: {} joints, frame 0 is {}, the tip {}\n  {}\n",
         about.robot,
-        prices.spaces.coordinates.len(),
+        operation_counts.spaces.coordinates.len(),
         about.base,
         about.tip,
         about.facts.join(" · ")
@@ -59,16 +60,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let all = Function::ALL.into_iter();
     // A chain does not know its base parameters.
     for function in all.filter(|&function| function != Function::BaseRegressor) {
-        let price = prices.of(function);
+        let operation_count = operation_counts.of(function);
         let [wide, single] = errors(function, &states);
         let (generated, generic) = times(function, &states[..64]);
         println!(
             "  {:<28} {:>4} {:>4} {:>4} {:>5} {wide:>8.0e} {single:>7.0e} {:>10.0} {:>7.0} {:>5.0}",
             function.name(),
-            price.mul,
-            price.add,
-            price.sin + price.cos,
-            price.naive_mul + price.naive_add,
+            operation_count.mul,
+            operation_count.add,
+            operation_count.sin + operation_count.cos,
+            operation_count.naive_mul + operation_count.naive_add,
             generated.median,
             generic.median,
             generic.median / generated.median,

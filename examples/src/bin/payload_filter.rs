@@ -46,7 +46,7 @@ fn main() -> io::Result<()> {
     let end = &run[run.len() - 1];
     println!(
         "  estimate at the end  {:.4} kg, standard deviation {:.4}",
-        end.mass, end.deviation
+        end.mass, end.standard_deviation
     );
     println!(
         "  within a tenth       {:.2} s after it is picked up",
@@ -61,7 +61,7 @@ fn main() -> io::Result<()> {
 struct Sample {
     t: f64,
     mass: f64,
-    deviation: f64,
+    standard_deviation: f64,
     error: Vector,
 }
 
@@ -96,7 +96,7 @@ fn simulate() -> Vec<Sample> {
         samples.push(Sample {
             t,
             mass: estimate.mass,
-            deviation: estimate.mass_deviation(),
+            standard_deviation: estimate.mass_deviation(),
             error: from_fn(|i| desired[0][i] - q[i]),
         });
         estimate.predict(PERIOD, &tau, |payload| Panda { payload });
@@ -136,10 +136,10 @@ fn page(run: &[Sample]) -> Page {
                         "two standard deviations",
                         Color::Sky,
                         Style::Thin,
-                        |sample| sample.mass + 2.0 * sample.deviation,
+                        |sample| sample.mass + 2.0 * sample.standard_deviation,
                     ),
                     curve("", Color::Sky, Style::Thin, |sample| {
-                        sample.mass - 2.0 * sample.deviation
+                        sample.mass - 2.0 * sample.standard_deviation
                     }),
                 ],
             ),
@@ -163,10 +163,10 @@ mod tests {
         assert!(settled(&run) - TAKEN < 1.5, "{}", settled(&run));
         let end = &run[run.len() - 1];
         assert!(
-            (end.mass - PAYLOAD).abs() < 0.1 && end.deviation < 0.1,
+            (end.mass - PAYLOAD).abs() < 0.1 && end.standard_deviation < 0.1,
             "{} {}",
             end.mass,
-            end.deviation
+            end.standard_deviation
         );
         let errors = |from: f64| {
             let samples = run

@@ -9,11 +9,11 @@ pub mod many;
 use std::fmt::Write;
 
 use homogen_codegen::Function;
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 use homogen_examples::{machine, timing};
 use homogen_plot::heat::Map;
 
-use cells::{fastest, find, in_units, price, spread, time, units};
+use cells::{fastest, find, in_units, operation_count, spread, time, units};
 
 use crate::growth::{self, Grown};
 use crate::hard::functions::TYPES;
@@ -40,7 +40,7 @@ pub struct Measured<'a> {
     /// Every program in every scene.
     pub points: &'a [Point],
     /// Scene, variant, function, operation count.
-    pub prices: &'a [(String, &'static str, Function, Price)],
+    pub operation_counts: &'a [(String, &'static str, Function, OperationCount)],
     /// Many states at once.
     pub many: &'a Many<'a>,
     /// Chains.
@@ -103,7 +103,7 @@ fn robots(measured: &Measured<'_>) -> String {
             scene.title, scene.name
         );
         for &function in &scene.functions {
-            let price = price(measured, scene, Variant::DEFAULT.name, function);
+            let operation_count = operation_count(measured, scene, Variant::DEFAULT.name, function);
             let at =
                 |variant, scalar, flags| find(measured, scene, function, variant, scalar, flags);
             let default = |scalar, flags| at(Variant::DEFAULT.name, scalar, flags);
@@ -112,10 +112,10 @@ fn robots(measured: &Measured<'_>) -> String {
                 text,
                 "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
                 function.name(),
-                price.mul,
-                price.add,
-                price.div,
-                price.sin + price.cos,
+                operation_count.mul,
+                operation_count.add,
+                operation_count.div,
+                operation_count.sin + operation_count.cos,
                 time(default(Scalar::F64, Flags::Baseline)),
                 time(default(Scalar::F64, Flags::Native)),
                 time(default(Scalar::F32, Flags::Baseline)),
@@ -143,7 +143,7 @@ fn formulations(measured: &Measured<'_>) -> String {
     for scene in measured.robots {
         for &function in &scene.functions {
             for variant in scene.variants.iter().filter(|v| v.serves(function)) {
-                let price = price(measured, scene, variant.name, function);
+                let operation_count = operation_count(measured, scene, variant.name, function);
                 let at = |flags| find(measured, scene, function, variant.name, Scalar::F64, flags);
                 let _ = writeln!(
                     text,
@@ -151,9 +151,9 @@ fn formulations(measured: &Measured<'_>) -> String {
                     scene.title,
                     function.name(),
                     variant.title,
-                    price.mul,
-                    price.add,
-                    price.div,
+                    operation_count.mul,
+                    operation_count.add,
+                    operation_count.div,
                     time(at(Flags::Baseline)),
                     time(at(Flags::Native)),
                     units(at(Flags::Baseline)),
@@ -206,15 +206,19 @@ fn peers(measured: &Measured<'_>) -> String {
         );
         for scalar in [Scalar::F64, Scalar::F32] {
             for &function in &scene.functions {
-                let counted = |way: &Variant| price(measured, scene, way.name, function);
+                let counted = |algorithm: &Variant| {
+                    operation_count(measured, scene, algorithm.name, function)
+                };
                 let default = counted(&Variant::DEFAULT);
-                let row = |way: &Variant| row_of_peers(measured, scene, function, way, scalar);
+                let row = |algorithm: &Variant| {
+                    row_of_peers(measured, scene, function, algorithm, scalar)
+                };
                 text.push_str(&row(&Variant::DEFAULT));
                 // Formulations that the engine did not choose.
-                let forms = scene.variants.iter().filter(|way| {
-                    way.functions.contains(&function)
-                        && way.functions.iter().all(|function| function.solves())
-                        && way.scalars.contains(&scalar)
+                let forms = scene.variants.iter().filter(|algorithm| {
+                    algorithm.functions.contains(&function)
+                        && algorithm.functions.iter().all(|function| function.solves())
+                        && algorithm.scalars.contains(&scalar)
                 });
                 for form in forms.filter(|form| counted(form) != default) {
                     text.push_str(&row(form));
@@ -230,16 +234,16 @@ fn row_of_peers(
     measured: &Measured<'_>,
     scene: &Scene,
     function: Function,
-    way: &Variant,
+    algorithm: &Variant,
     scalar: Scalar,
 ) -> String {
     let ours = |variant| find(measured, scene, function, variant, scalar, Flags::Native);
-    let (platform, label) = if way.name == Variant::DEFAULT.name {
+    let (platform, label) = if algorithm.name == Variant::DEFAULT.name {
         (ours("platform_sines"), String::new())
     } else {
-        (None, format!(", {}", way.title))
+        (None, format!(", {}", algorithm.title))
     };
-    let ours = ours(way.name);
+    let ours = ours(algorithm.name);
     let best = MAKERS.map(|maker| fastest(measured, scene, function, maker, scalar));
     let times = best.iter().flatten().map(|point| point.time[1]);
     let least = times.fold(f64::INFINITY, f64::min);
@@ -323,7 +327,7 @@ fn models(measured: &Measured<'_>) -> String {
         for variant in &scene.variants {
             for &scalar in variant.scalars {
                 let function = Function::InverseDynamics;
-                let price = price(measured, scene, variant.name, function);
+                let operation_count = operation_count(measured, scene, variant.name, function);
                 let point = find(
                     measured,
                     scene,
@@ -339,8 +343,8 @@ fn models(measured: &Measured<'_>) -> String {
                     scene.title,
                     variant.title,
                     scalar.name(),
-                    price.mul,
-                    price.add,
+                    operation_count.mul,
+                    operation_count.add,
                     time(point),
                 );
             }
@@ -366,7 +370,7 @@ fn grown(grown: &[Grown]) -> String {
             let or_none = |number: Option<f64>, digits: usize| {
                 number.map_or_else(|| "–".to_owned(), |number| format!("{number:.digits$}"))
             };
-            let Price { mul, add, div, .. } = grown.price;
+            let OperationCount { mul, add, div, .. } = grown.operation_count;
             let _ = writeln!(
                 text,
                 "| `{}` | {} | {mul} | {add} | {div} | {:.1} | {} | {} |",

@@ -179,7 +179,7 @@ pub fn growth(grown: &[Grown]) -> Grid {
         columns: 2,
         panels: vec![
             titled("operations", "mul and add", |grown| {
-                Some(count(grown.price.mul + grown.price.add))
+                Some(count(grown.operation_count.mul + grown.operation_count.add))
             }),
             titled("time per call", "time [ns]", |grown| grown.call),
             titled("expansion", "time [s]", |grown| Some(grown.expansion)),

@@ -14,10 +14,10 @@ use homogen_codegen::Function::{
 };
 use homogen_codegen::description::Description;
 use homogen_codegen::expand::expand;
-use homogen_codegen::print::rust::{self, Item, Library, World};
+use homogen_codegen::print::rust::{self, CoreFunctions, Item, Library};
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 
 use crate::chain::chain;
 use crate::progress::Progress;
@@ -40,7 +40,7 @@ pub struct Grown {
     /// The function.
     pub function: Function,
     /// Its operations.
-    pub price: Price,
+    pub operation_count: OperationCount,
     /// From the description to tokens \[s\].
     pub expansion: f64,
     /// From the source to an optimised executable \[s\]; `None` if it was not compiled.
@@ -90,18 +90,18 @@ fn one(
     let module = expand(description, &request).map_err(as_one)?;
     let item = Item::named_after("chain");
     // The file has its own sines.
-    let tokens = rust::print(&module, &item, &World::Core(Library::default())).to_string();
+    let tokens = rust::print(&module, &item, &Library::Core(CoreFunctions::default())).to_string();
     let expansion = start.elapsed().as_secs_f64();
-    let price = module.functions[0].price;
+    let operation_count = module.functions[0].operation_count;
     let mut grown = Grown {
         joints,
         function,
-        price,
+        operation_count,
         expansion,
         compilation: None,
         call: None,
     };
-    if price.mul + price.add <= most {
+    if operation_count.mul + operation_count.add <= most {
         let name = format!("{}_{joints}", function.name());
         let path = folder.join(&name).with_extension("rs");
         fs::write(&path, program(&tokens, joints, function))?;

@@ -157,7 +157,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
             beside: &beside,
             versions: peers.as_ref().map_or("", |peers| &peers.versions),
             points: &points,
-            prices: &source.prices,
+            operation_counts: &source.operation_counts,
             many: &many,
             grown: &grown,
             hard: &hard,

@@ -7,9 +7,9 @@ use std::fmt::{Display, Write};
 
 use homogen_codegen::Function;
 use homogen_codegen::expand::expand;
-use homogen_codegen::print::rust::{self, Item, World};
+use homogen_codegen::print::rust::{self, Item, Library};
 use homogen_codegen::request::Request;
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 use homogen_codegen::space::Space;
 use homogen_plot::Color;
 
@@ -46,25 +46,25 @@ pub const ALONE: &str = "alone";
 
 /// Ours: one state a call, and batches in registers of each length.
 pub const OURS: [Implementation; 6] = [
-    way(ALONE, "one state at a time", Color::Black),
-    way("target", "batch, vectors of the build", Color::Grey),
-    way("avx2", "batch, AVX2", Color::Sky),
-    way("avx2_fused", "batch, AVX2, fused", Color::Blue),
-    way("avx512", "batch, AVX-512", Color::Green),
-    way("avx512_fused", "batch, AVX-512, fused", Color::Purple),
+    algorithm(ALONE, "one state at a time", Color::Black),
+    algorithm("target", "batch, vectors of the build", Color::Grey),
+    algorithm("avx2", "batch, AVX2", Color::Sky),
+    algorithm("avx2_fused", "batch, AVX2, fused", Color::Blue),
+    algorithm("avx512", "batch, AVX-512", Color::Green),
+    algorithm("avx512_fused", "batch, AVX-512, fused", Color::Purple),
 ];
 
 /// Other programs.
 pub const OTHERS: [Implementation; 6] = [
-    way("pinocchio", "Pinocchio", Color::Vermilion),
-    way("plain", "CasADi's C", Color::Black),
-    way("snapped", "the same, snapped", Color::Black),
-    way("restrict", "the same, with `restrict`", Color::Black),
-    way("mujoco", "MuJoCo", Color::Orange),
-    way("frax", "frax", Color::Wine),
+    algorithm("pinocchio", "Pinocchio", Color::Vermilion),
+    algorithm("plain", "CasADi's C", Color::Black),
+    algorithm("snapped", "the same, snapped", Color::Black),
+    algorithm("restrict", "the same, with `restrict`", Color::Black),
+    algorithm("mujoco", "MuJoCo", Color::Orange),
+    algorithm("frax", "frax", Color::Wine),
 ];
 
-const fn way(name: &'static str, title: &'static str, color: Color) -> Implementation {
+const fn algorithm(name: &'static str, title: &'static str, color: Color) -> Implementation {
     Implementation { name, title, color }
 }
 
@@ -73,7 +73,7 @@ pub struct Many<'a> {
     /// The robots.
     pub scenes: Vec<&'a Scene>,
     /// The operation count of each.
-    pub prices: Vec<Price>,
+    pub operation_counts: Vec<OperationCount>,
     /// The versions of other programs, in addition to those for one state.
     pub versions: &'a str,
     /// One measurement for each program.
@@ -113,8 +113,8 @@ pub fn name_of(point: &Point) -> &str {
 ///
 /// # Errors
 /// Errors of a robot's description.
-pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>> {
-    let (mut modules, mut arms, mut prices) = (String::new(), String::new(), Vec::new());
+pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<OperationCount>), Box<dyn Error>> {
+    let (mut modules, mut arms, mut operation_counts) = (String::new(), String::new(), Vec::new());
     for (k, scene) in scenes.iter().enumerate() {
         let request = Request {
             functions: vec![vec![FUNCTION]],
@@ -122,7 +122,7 @@ pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>>
             ..scene.request.clone()
         };
         let module = expand(&scene.description, &request).map_err(as_one)?;
-        let methods = rust::print(&module, &Item::named_after("robot"), &World::default());
+        let methods = rust::print(&module, &Item::named_after("robot"), &Library::default());
         writeln!(
             modules,
             "#[allow(dead_code, reason = \"batches are called as a builder has them\")] mod m_{k} {{ {methods} }}"
@@ -135,7 +135,7 @@ pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>>
             scene.length(Space::Velocities),
             name = FUNCTION.name(),
         )?;
-        prices.push(module.functions[0].price);
+        operation_counts.push(module.functions[0].operation_count);
     }
     let mut text = String::new();
     for scalar in [Scalar::F64, Scalar::F32].map(Scalar::name) {
@@ -145,7 +145,7 @@ pub fn source(scenes: &[&Scene]) -> Result<(String, Vec<Price>), Box<dyn Error>>
              match (scene, function) {{ {arms} _ => Vec::new() }}\n}}"
         )?;
     }
-    Ok((text + &modules, prices))
+    Ok((text + &modules, operation_counts))
 }
 
 /// Runs everything: in each round, each executable and then frax.
@@ -156,7 +156,7 @@ pub fn measure<'a>(
     executables: &[Executables],
     runs: &[Run<'a>],
     effort: Effort,
-    prices: Vec<Price>,
+    operation_counts: Vec<OperationCount>,
     progress: &mut Progress,
 ) -> Result<Many<'a>, Box<dyn Error>> {
     let mut points = Vec::new();
@@ -190,7 +190,7 @@ pub fn measure<'a>(
     missing.dedup();
     Ok(Many {
         scenes: runs.iter().map(|run| run.scene).collect(),
-        prices,
+        operation_counts,
         versions: runs
             .iter()
             .find_map(|run| run.peers)

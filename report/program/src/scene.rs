@@ -130,7 +130,7 @@ impl Variant {
 
 /// The compared formulations.
 pub fn formulations() -> Vec<Variant> {
-    let way = |name, title, color, functions, change| Variant {
+    let algorithm = |name, title, color, functions, change| Variant {
         name,
         title,
         change,
@@ -141,7 +141,7 @@ pub fn formulations() -> Vec<Variant> {
     };
     vec![
         Variant::DEFAULT,
-        way(
+        algorithm(
             "frame_0",
             "frame 0",
             Color::Black,
@@ -150,7 +150,7 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.frame = Frame::Base;
             },
         ),
-        way(
+        algorithm(
             "raw",
             "raw parameters",
             Color::Sky,
@@ -159,10 +159,10 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.parameters = Parameters::Raw;
             },
         ),
-        way("unfused", "unfused", Color::Green, &[], |_, request| {
+        algorithm("unfused", "unfused", Color::Green, &[], |_, request| {
             request.formulation.products = Products::Unfused;
         }),
-        way(
+        algorithm(
             "platform_sines",
             "platform sines",
             Color::Orange,
@@ -173,7 +173,7 @@ pub fn formulations() -> Vec<Variant> {
         ),
         Variant {
             number: Some("Libm"),
-            ..way(
+            ..algorithm(
                 "libm_sines",
                 "sines of libm",
                 Color::Brown,
@@ -183,7 +183,7 @@ pub fn formulations() -> Vec<Variant> {
                 },
             )
         },
-        way(
+        algorithm(
             "refined_1",
             "refined once",
             Color::Purple,
@@ -192,7 +192,7 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.forward = Some(Forward::MassMatrix { refinements: 1 });
             },
         ),
-        way(
+        algorithm(
             "refined_2",
             "refined twice",
             Color::Olive,
@@ -201,7 +201,7 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.forward = Some(Forward::MassMatrix { refinements: 2 });
             },
         ),
-        way(
+        algorithm(
             "articulated",
             "articulated bodies",
             Color::Vermilion,
@@ -261,9 +261,9 @@ pub fn beside_peers(
     let mut scene = Scene::read(name, title, path, request)?;
     scene.states = states(&scene.spaces, Range::WIDE);
     scene.functions = FUNCTIONS.into_iter().chain(FURTHER).collect();
-    let ways = formulations().into_iter();
-    scene.variants = ways
-        .filter(|way| BESIDE_PEERS.contains(&way.name))
+    let algorithms = formulations().into_iter();
+    scene.variants = algorithms
+        .filter(|algorithm| BESIDE_PEERS.contains(&algorithm.name))
         .chain([unrefined()])
         .collect();
     scene.generic = true;

@@ -8,8 +8,8 @@ use std::fmt::Write;
 
 use homogen_codegen::Function;
 use homogen_codegen::expand::expand;
-use homogen_codegen::print::rust::{self, Item, World};
-use homogen_codegen::schedule::Price;
+use homogen_codegen::print::rust::{self, Item, Library};
+use homogen_codegen::schedule::OperationCount;
 use homogen_codegen::space::{Space, Variable};
 
 use crate::scene::{Scalar, Scene, Variant};
@@ -23,7 +23,7 @@ pub struct Source {
     /// The file that `measured` includes.
     pub text: String,
     /// Scene, variant, function, operation count.
-    pub prices: Vec<(String, &'static str, Function, Price)>,
+    pub operation_counts: Vec<(String, &'static str, Function, OperationCount)>,
 }
 
 /// Expands every variant of every scene.
@@ -33,7 +33,7 @@ pub struct Source {
 pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box<dyn Error>> {
     let mut modules = String::new();
     let mut arms = String::new();
-    let mut prices = Vec::new();
+    let mut operation_counts = Vec::new();
     let mut count = 0;
     for scene in scenes {
         let mut cases = vec![String::new(); scene.functions.len()];
@@ -51,7 +51,7 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
             request.functions = functions.collect();
             let expanded = expand(&description, &request).map_err(as_one)?;
             let item = Item::named_after("robot");
-            let methods = rust::print(&expanded, &item, &World::default());
+            let methods = rust::print(&expanded, &item, &Library::default());
             let module = format!("m_{count}");
             count += 1;
             writeln!(
@@ -60,7 +60,12 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
             )?;
             for (generated, k) in expanded.functions.iter().zip(served) {
                 let (function, cases) = (scene.functions[k], &mut cases[k]);
-                prices.push((scene.name.clone(), variant.name, function, generated.price));
+                operation_counts.push((
+                    scene.name.clone(),
+                    variant.name,
+                    function,
+                    generated.operation_count,
+                ));
                 let robot = format!("{module}::Robot");
                 for &scalar in variant.scalars {
                     let function = wanted(function);
@@ -96,7 +101,10 @@ pub fn source<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Result<Source, Box
          fn cases(scene: &str, function: &str, truths: &Truths) -> Vec<Case> {{\n\
          match (scene, function) {{ {arms} _ => Vec::new() }}\n}}\n{modules}"
     );
-    Ok(Source { text, prices })
+    Ok(Source {
+        text,
+        operation_counts,
+    })
 }
 
 /// A call of a function of a robot, as a program of `measured`.

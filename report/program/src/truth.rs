@@ -13,7 +13,7 @@ use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Input, Term};
 use homogen_codegen::layout::{Layout, arrange};
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::space::{FrameId, Space, Variable};
 use homogen_magnitude::{Magnitude, Measure};
 
@@ -86,7 +86,7 @@ pub fn as_one(errors: Errors) -> Box<dyn std::error::Error> {
 pub fn evaluation(chain: &Chain, function: Function) -> Evaluation<Exact> {
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, chain, Layout::DESCRIBED);
-    let results = function.build(&graph, &bodies, FrameId::FIRST, Way::PLAIN);
+    let results = function.build(&graph, &bodies, FrameId::FIRST, Algorithm::PLAIN);
     let results: Vec<Expr> = results.into_iter().map(Term::expr).collect();
     Evaluation::of(&graph, &results)
 }

@@ -148,8 +148,8 @@ macro_rules! register {
             }
 
             #[inline(always)]
-            fn less_sine(self, sine: Self) -> Self {
-                self.as_packs(|angle| angle.less_sine(sine.pack()))
+            fn minus_sine(self, sine: Self) -> Self {
+                self.as_packs(|angle| angle.minus_sine(sine.pack()))
             }
 
             #[inline(always)]

@@ -44,7 +44,7 @@ pub(super) fn check<T: Real, const N: usize>(
         // False for NaN.
         let holds_a_number = least <= most && *least < infinite && *most > -infinite;
         if !holds_a_number {
-            return Err(Error::NoRange {
+            return Err(Error::EmptyRange {
                 coordinate,
                 least: least.to_f64(),
                 most: most.to_f64(),

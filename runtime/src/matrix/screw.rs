@@ -127,7 +127,7 @@ impl<T: Scalar> Screw<T> {
     ///
     /// u must be a unit vector or zero. One formula holds for all pairs and every φ:
     /// R = I + u̲ sin φ + u̲² (1 − cos φ) and t = b φ + u × b (1 − cos φ) + u × (u × b) (φ − sin φ),
-    /// with 1 − cos φ as 2 sin²(φ/2) and φ − sin φ by [`Scalar::less_sine`], so that small angles lose
+    /// with 1 − cos φ as 2 sin²(φ/2) and φ − sin φ by [`Scalar::minus_sine`], so that small angles lose
     /// no digits.
     ///
     /// SPACELIB: `screwtom`, `rotat`, `rotat2`, `rotat24`, `rotat34`, `traslat`.
@@ -157,7 +157,7 @@ impl<T: Scalar> Screw<T> {
         let across = cross(u, b);
         let turn = add(
             scale(versine, across),
-            scale(phi.less_sine(sine), cross(u, across)),
+            scale(phi.minus_sine(sine), cross(u, across)),
         );
         Displacement::new(rotation, add(scale(phi, b), turn))
     }

@@ -13,7 +13,7 @@ mod gap;
 mod linear;
 mod projection;
 
-use super::open_chain::{Motion, motions, poses, rounded_pose, screws};
+use super::open_chain::{BodyMotion, motions, poses, rounded_pose, screws};
 use crate::matrix::Pose;
 use crate::matrix::vector::{largest_magnitude, norm};
 use crate::robot::chain::{Chain, Frame, UNMOVED};
@@ -24,7 +24,7 @@ use linear::{Linear, with_lengths_in_parts_of};
 
 pub use found::{NotClosed, Position, Rates};
 pub use projection::{
-    Outcome, Projection, Regularity, project, project_by, project_rates, regularity,
+    ClosureOutcome, Projection, Regularity, project, project_by, project_rates, regularity,
 };
 
 /// A chain whose frames are joined in `K` closed loops.
@@ -201,7 +201,7 @@ pub fn acceleration<T: Real, const N: usize, const F: usize, const K: usize>(
     let b = closed.closures.map(|closure| {
         let motion_of = |frame: &Frame| {
             let motion = frame.body.and_then(|i| motions.get(i));
-            motion.copied().unwrap_or_else(Motion::identity)
+            motion.copied().unwrap_or_else(BodyMotion::identity)
         };
         let (left, right) = (motion_of(&closure.left), motion_of(&closure.right));
         let m_right_0 = pose_of(&closure.right, &poses).inverse();

@@ -15,9 +15,9 @@ use core::array::from_fn;
 /// Position, velocity and acceleration of body j relative to body i.
 ///
 /// The two kinematic matrices are in frame (i), so that W = Ṁ M⁻¹ and H = M̈ M⁻¹;
-/// [`Motion::in_frame`] gives them in any other frame.
+/// [`BodyMotion::in_frame`] gives them in any other frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion<T> {
+pub struct BodyMotion<T> {
     /// Mᵢⱼ.
     pub pose: Pose<T>,
     /// Wᵢⱼ₍ᵢ₎ [rad/s, m/s].
@@ -26,7 +26,7 @@ pub struct Motion<T> {
     pub acceleration: Acceleration<T>,
 }
 
-impl<T: Scalar> Motion<T> {
+impl<T: Scalar> BodyMotion<T> {
     /// The motion of a body relative to itself.
     #[must_use]
     pub fn identity() -> Self {
@@ -99,13 +99,13 @@ pub fn motions<T: Scalar, const N: usize, const F: usize>(
     q: &[T; N],
     qd: &[T; N],
     qdd: &[T; N],
-) -> [Motion<T>; N] {
-    let mut motions = [Motion::identity(); N];
+) -> [BodyMotion<T>; N] {
+    let mut motions = [BodyMotion::identity(); N];
     for (i, joint) in chain.joints.iter().enumerate() {
         let m_0_parent = chain
             .parent(i)
-            .map_or_else(Motion::identity, |p| motions[p]);
-        motions[i] = m_0_parent.then(&Motion::of_joint(joint, q[i], qd[i], qdd[i]));
+            .map_or_else(BodyMotion::identity, |p| motions[p]);
+        motions[i] = m_0_parent.then(&BodyMotion::of_joint(joint, q[i], qd[i], qdd[i]));
     }
     motions
 }

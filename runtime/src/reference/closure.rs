@@ -1,6 +1,6 @@
 //! Every function of closed loops, at run time (feature `nalgebra`).
 //!
-//! In: a [`Mechanism`] and a state. Out: the results of generated code, by independent code. With A and B the
+//! In: a [`ClosedLoopRobot`] and a state. Out: the results of generated code, by independent code. With A and B the
 //! poses of the two frames of a loop in frame 0, the residuals are entries of M = A⁻¹ B. Then
 //! Ṁ = A⁻¹ (W_B − W_A) B, and M̈ = A⁻¹ (H_B − H_A − 2 W_A (W_B − W_A)) B, because H = Ẇ + W² of each.
 
@@ -9,8 +9,8 @@ use super::generic::{bias, inverse_dynamics, mass_matrix};
 use super::motion::{Motion, Positions};
 use crate::robot;
 use crate::robot::chain::Frame;
+use crate::robot::closed_loops::{ClosedLoopRobot, Residual, ResidualKind};
 use crate::robot::constrained::ConstrainedAccelerations;
-use crate::robot::mechanism::{Mechanism, Residual, Row};
 use core::array::from_fn;
 use nalgebra::{Cholesky, Matrix4, RealField, SMatrix, SVector};
 
@@ -24,7 +24,7 @@ pub fn constraint<
     const Q: usize,
     const B: usize,
 >(
-    robot: &Mechanism<N, F, C, Q, B>,
+    robot: &ClosedLoopRobot<N, F, C, Q, B>,
     q: &[T; Q],
 ) -> [T; C] {
     let positions = Positions::at(&robot.chain, q);
@@ -32,10 +32,10 @@ pub fn constraint<
         let [a, b] = residual.frames.map(|frame| positions.pose_of(&frame));
         let m = inverse(&a) * b;
         match residual.row {
-            Row::Along(k) => entry(&m, k, 3),
-            Row::Product(i, j) => entry(&m, i, j),
-            Row::Inclined(cosine) => m[(2, 2)] - number(cosine),
-            Row::Distance(length) => {
+            ResidualKind::Along(k) => entry(&m, k, 3),
+            ResidualKind::Product(i, j) => entry(&m, i, j),
+            ResidualKind::Inclined(cosine) => m[(2, 2)] - number(cosine),
+            ResidualKind::Distance(length) => {
                 let length: T = number(length);
                 (square(&m) - length * length) / (length + length)
             }
@@ -53,7 +53,7 @@ pub fn constraint_jacobian<
     const Q: usize,
     const B: usize,
 >(
-    robot: &Mechanism<N, F, C, Q, B>,
+    robot: &ClosedLoopRobot<N, F, C, Q, B>,
     q: &[T; Q],
 ) -> [[T; N]; C] {
     let chain = &robot.chain;
@@ -88,7 +88,7 @@ pub fn constraint_bias<
     const Q: usize,
     const B: usize,
 >(
-    robot: &Mechanism<N, F, C, Q, B>,
+    robot: &ClosedLoopRobot<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
 ) -> [T; C] {
@@ -104,7 +104,7 @@ pub fn constraint_bias<
         let [m, first, second] = [Matrix4::identity(), w, h].map(|middle| back * middle * b);
         let second = changed(residual.row, &m, &second);
         match residual.row {
-            Row::Distance(length) => second + square(&first) / number(length),
+            ResidualKind::Distance(length) => second + square(&first) / number(length),
             _ => second,
         }
     })
@@ -123,7 +123,7 @@ pub fn constrained_forward_dynamics<
     const Q: usize,
     const B: usize,
 >(
-    robot: &Mechanism<N, F, C, Q, B>,
+    robot: &ClosedLoopRobot<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
     tau: &[T; N],
@@ -165,14 +165,14 @@ pub fn actuated_inverse_dynamics<
     const Q: usize,
     const B: usize,
 >(
-    robot: &Mechanism<N, F, C, Q, B>,
+    robot: &ClosedLoopRobot<N, F, C, Q, B>,
     q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
 ) -> [T; N] {
     let needed = SVector::from(inverse_dynamics(&robot.chain, q, qd, qdd));
     let jacobian = constraint_jacobian(robot, q);
-    let actuated = &robot.driven;
+    let actuated = &robot.actuated;
     let only = |wanted: bool| -> SMatrix<T, C, N> {
         SMatrix::from_fn(|i, k| {
             if actuated[k] == wanted {
@@ -228,12 +228,12 @@ fn eliminated<T: RealField + Copy, const C: usize>(
 }
 
 /// The change of a residual due to a change `by` of M.
-fn changed<T: RealField + Copy>(row: Row, m: &Matrix4<T>, by: &Matrix4<T>) -> T {
+fn changed<T: RealField + Copy>(row: ResidualKind, m: &Matrix4<T>, by: &Matrix4<T>) -> T {
     match row {
-        Row::Along(k) => entry(by, k, 3),
-        Row::Product(i, j) => entry(by, i, j),
-        Row::Inclined(_) => by[(2, 2)],
-        Row::Distance(length) => {
+        ResidualKind::Along(k) => entry(by, k, 3),
+        ResidualKind::Product(i, j) => entry(by, i, j),
+        ResidualKind::Inclined(_) => by[(2, 2)],
+        ResidualKind::Distance(length) => {
             let along = (0..3).fold(T::zero(), |sum, k| sum + m[(k, 3)] * by[(k, 3)]);
             along / number(length)
         }
@@ -255,7 +255,7 @@ fn number<T: RealField>(value: f64) -> T {
 }
 
 impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
-    robot::Constraint<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+    robot::Constraint<N, C, T, Q> for ClosedLoopRobot<N, F, C, Q, B>
 where
     T: RealField + Copy,
 {
@@ -265,7 +265,7 @@ where
 }
 
 impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
-    robot::ConstraintJacobian<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+    robot::ConstraintJacobian<N, C, T, Q> for ClosedLoopRobot<N, F, C, Q, B>
 where
     T: RealField + Copy,
 {
@@ -275,7 +275,7 @@ where
 }
 
 impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
-    robot::ConstraintBias<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+    robot::ConstraintBias<N, C, T, Q> for ClosedLoopRobot<N, F, C, Q, B>
 where
     T: RealField + Copy,
 {
@@ -285,7 +285,7 @@ where
 }
 
 impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
-    robot::ConstrainedForwardDynamics<N, C, T, Q> for Mechanism<N, F, C, Q, B>
+    robot::ConstrainedForwardDynamics<N, C, T, Q> for ClosedLoopRobot<N, F, C, Q, B>
 where
     T: RealField + Copy,
 {
@@ -300,7 +300,7 @@ where
 }
 
 impl<T, const N: usize, const F: usize, const C: usize, const Q: usize, const B: usize>
-    robot::ActuatedInverseDynamics<N, T, Q> for Mechanism<N, F, C, Q, B>
+    robot::ActuatedInverseDynamics<N, T, Q> for ClosedLoopRobot<N, F, C, Q, B>
 where
     T: RealField + Copy,
 {

@@ -5,8 +5,8 @@
 
 use super::dense::{dense, exponential, inverse, turned};
 use crate::matrix::Screw;
+use crate::robot::actuator::{JointActuator, VELOCITIES};
 use crate::robot::chain::{Chain, Frame};
-use crate::robot::drive::{Drive, VELOCITIES};
 use crate::robot::joint::{Joint, Motion as Allowed};
 use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
@@ -22,7 +22,7 @@ pub(super) struct Positions<T, const B: usize> {
     /// The index of the joint's first velocity, and their number.
     velocities: [(usize, usize); B],
     /// Armature and friction of each velocity, and the multiplier of the joint; 1 if it is no mimic joint.
-    drives: [([Drive; VELOCITIES], T); B],
+    actuators: [([JointActuator; VELOCITIES], T); B],
 }
 
 /// The motion of a body at one velocity of its joint. Mimic joints share a velocity with the mimicked joint.
@@ -34,7 +34,7 @@ pub(super) struct DegreeOfFreedom<T> {
     /// L₍₀₎ of the velocity.
     pub(super) l: Matrix4<T>,
     /// Armature and friction of the joint.
-    pub(super) drive: Drive,
+    pub(super) actuator: JointActuator,
     /// The joint's own rate divided by the velocity.
     pub(super) multiplier: T,
 }
@@ -81,19 +81,19 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
             let velocities = chain.velocities(i);
             (velocities.start, velocities.len().min(VELOCITIES))
         });
-        let drives = from_fn(|i| {
+        let actuators = from_fn(|i| {
             let multiplier = match chain.joints[i].motion {
-                Allowed::Following { multiplier, .. } => nalgebra::convert(multiplier),
+                Allowed::Mimic { multiplier, .. } => nalgebra::convert(multiplier),
                 _ => T::one(),
             };
-            (chain.joints[i].drives, multiplier)
+            (chain.joints[i].actuators, multiplier)
         });
         Self {
             m,
             j,
             l,
             velocities,
-            drives,
+            actuators,
         }
     }
 
@@ -115,8 +115,8 @@ impl<T: RealField + Copy, const B: usize> Positions<T, B> {
             body,
             velocity: start + k,
             l: self.l[body][k],
-            drive: self.drives[body].0[k],
-            multiplier: self.drives[body].1,
+            actuator: self.actuators[body].0[k],
+            multiplier: self.actuators[body].1,
         })
     }
 }
@@ -184,19 +184,23 @@ impl<T: RealField + Copy, const B: usize> Motion<T, B> {
 impl<T: RealField + Copy> DegreeOfFreedom<T> {
     /// The torque of armature and friction at the velocity: armature q̈ + damping q̇ + friction sign q̇ at the
     /// joint's own rate, times the multiplier.
-    pub(super) fn drive_torque<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> T {
-        let Drive {
+    pub(super) fn actuator_torque<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> T {
+        let JointActuator {
             armature,
             damping,
             friction,
-        } = self.drive;
+        } = self.actuator;
         let numbers: [T; 3] = [armature, damping, friction].map(nalgebra::convert);
-        let of_each = self.unit_drive_torques(qd, qdd).into_iter().zip(numbers);
+        let of_each = self.unit_actuator_torques(qd, qdd).into_iter().zip(numbers);
         of_each.fold(T::zero(), |sum, (of_one, number)| sum + of_one * number)
     }
 
     /// The torques of an armature of 1, of a damping of 1 and of a friction of 1.
-    pub(super) fn unit_drive_torques<const N: usize>(&self, qd: &[T; N], qdd: &[T; N]) -> [T; 3] {
+    pub(super) fn unit_actuator_torques<const N: usize>(
+        &self,
+        qd: &[T; N],
+        qdd: &[T; N],
+    ) -> [T; 3] {
         let own = |rates: &[T; N]| {
             let rate = rates.get(self.velocity).copied().unwrap_or(T::zero());
             self.multiplier * rate
@@ -214,13 +218,13 @@ impl<T: RealField + Copy> DegreeOfFreedom<T> {
 
     /// Viscous friction, reflected to the velocity.
     pub(super) fn damping(&self) -> T {
-        let damping: T = nalgebra::convert(self.drive.damping);
+        let damping: T = nalgebra::convert(self.actuator.damping);
         self.multiplier * self.multiplier * damping
     }
 
     /// The armature, reflected to the velocity.
     pub(super) fn armature(&self) -> T {
-        let armature: T = nalgebra::convert(self.drive.armature);
+        let armature: T = nalgebra::convert(self.actuator.armature);
         self.multiplier * self.multiplier * armature
     }
 }
@@ -230,7 +234,7 @@ fn displacement<T: RealField + Copy>(joint: &Joint, q: &[T]) -> Matrix4<T> {
     let l = dense(joint.screw.to_matrix());
     match (joint.motion, q) {
         (Allowed::Along, &[q]) => exponential(&l, q),
-        (Allowed::Following { multiplier, .. }, &[q]) => {
+        (Allowed::Mimic { multiplier, .. }, &[q]) => {
             exponential(&l, q * nalgebra::convert(multiplier))
         }
         (Allowed::Planar, &[x, y, angle]) => {
@@ -255,7 +259,7 @@ fn screws<T: RealField + Copy>(joint: &Joint) -> [Matrix4<T>; VELOCITIES] {
     let none = Matrix4::zeros();
     match joint.motion {
         Allowed::Along => [own, none, none, none, none, none],
-        Allowed::Following { multiplier, .. } => {
+        Allowed::Mimic { multiplier, .. } => {
             let multiple = own * nalgebra::convert::<f64, T>(multiplier);
             [multiple, none, none, none, none, none]
         }

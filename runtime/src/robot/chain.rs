@@ -124,7 +124,7 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
             return 0..0;
         };
         let mover = match *motion {
-            Motion::Following { leader, .. } => leader,
+            Motion::Mimic { mimicked, .. } => mimicked,
             _ => joint,
         };
         let before = self.joints.iter().take(mover);

@@ -18,26 +18,30 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
     ///
     /// # Errors
     ///
-    /// [`Error::NotATree`], [`Error::NotALeader`], [`Error::WrongCount`], or those of [`Pose::checked`],
+    /// [`Error::ParentAfterChild`], [`Error::InvalidMimic`], [`Error::WrongCount`], or those of [`Pose::checked`],
     /// [`Screw::checked`] and [`Inertia::check`](crate::Inertia::check); the first one found.
     pub fn check(&self, tolerance: f64) -> Result<(), Error> {
         finite("a component of gravity", &self.gravity)?;
         for (i, joint) in self.joints.iter().enumerate() {
             if let Some(parent) = joint.parent.filter(|parent| *parent >= i) {
                 let joint = joint.name;
-                return Err(Error::NotATree { joint, parent });
+                return Err(Error::ParentAfterChild { joint, parent });
             }
             let place = &joint.placement;
             Pose::checked(*place.rotation(), place.translation(), tolerance)?;
-            if let Motion::Following { leader, multiplier } = joint.motion {
+            if let Motion::Mimic {
+                mimicked,
+                multiplier,
+            } = joint.motion
+            {
                 finite("a multiplier", &[multiplier])?;
-                let mimicked = self.joints.get(leader);
-                if mimicked.is_none_or(|mimicked| mimicked.motion != Motion::Along) {
+                let other = self.joints.get(mimicked);
+                if other.is_none_or(|other| other.motion != Motion::Along) {
                     let joint = joint.name;
-                    return Err(Error::NotALeader { joint, leader });
+                    return Err(Error::InvalidMimic { joint, mimicked });
                 }
             }
-            if matches!(joint.motion, Motion::Along | Motion::Following { .. }) {
+            if matches!(joint.motion, Motion::Along | Motion::Mimic { .. }) {
                 Screw::checked(joint.screw.u(), joint.screw.b(), tolerance)?;
             }
             joint.inertia.check(tolerance)?;
@@ -45,7 +49,7 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
         for frame in &self.frames {
             if let Some(parent) = frame.body.filter(|body| *body >= B) {
                 let joint = frame.name;
-                return Err(Error::NotATree { joint, parent });
+                return Err(Error::ParentAfterChild { joint, parent });
             }
             let place = &frame.placement;
             Pose::checked(*place.rotation(), place.translation(), tolerance)?;

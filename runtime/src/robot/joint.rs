@@ -2,9 +2,9 @@
 //!
 //! In: a placement, a screw or another type of motion, an inertia. Out: a [`Joint`] of a
 //! [`Chain`](crate::Chain), as a constant, and the numbers of coordinates and velocities of each [`Motion`].
-//! [`crate::generic`] and [`posture`](super::posture) compute the motion itself.
+//! [`crate::generic`] and [`manifold`](super::manifold) compute the motion itself.
 
-use super::drive::{Drive, VELOCITIES};
+use super::actuator::{JointActuator, VELOCITIES};
 use crate::matrix::{Inertia, Pose, Screw};
 
 /// A joint and the body that it carries.
@@ -22,8 +22,8 @@ pub struct Joint {
     pub motion: Motion,
     /// J of body i, in frame (i).
     pub inertia: Inertia<f64>,
-    /// Armature and friction of each of its velocities, in their order; [`Drive::NONE`] behind the last.
-    pub drives: [Drive; VELOCITIES],
+    /// Armature and friction of each of its velocities, in their order; [`JointActuator::NONE`] behind the last.
+    pub actuators: [JointActuator; VELOCITIES],
 }
 
 /// The type of motion of a joint, with its coordinates (entries of q) and velocities (entries of q̇).
@@ -43,9 +43,9 @@ pub enum Motion {
     Along,
     /// Mimic joint: along its screw by `multiplier` times the coordinate of the mimicked joint. It has no
     /// coordinate of its own.
-    Following {
+    Mimic {
         /// The index of the mimicked joint, which moves along a screw.
-        leader: usize,
+        mimicked: usize,
         /// Factor of the coordinate, of its rates, and of the torque on the mimicked joint.
         multiplier: f64,
     },
@@ -78,17 +78,20 @@ impl Joint {
             screw,
             motion: Motion::Along,
             inertia,
-            drives: [Drive::NONE; VELOCITIES],
+            actuators: [JointActuator::NONE; VELOCITIES],
         }
     }
 
-    /// The same joint as a mimic joint: it moves by `multiplier` times the coordinate of joint `leader`, and is
+    /// The same joint as a mimic joint: it moves by `multiplier` times the coordinate of joint `mimicked`, and is
     /// at its placement where that coordinate is zero.
     #[inline]
     #[must_use]
-    pub const fn following(self, leader: usize, multiplier: f64) -> Self {
+    pub const fn mimic(self, mimicked: usize, multiplier: f64) -> Self {
         Self {
-            motion: Motion::Following { leader, multiplier },
+            motion: Motion::Mimic {
+                mimicked,
+                multiplier,
+            },
             ..self
         }
     }
@@ -97,9 +100,9 @@ impl Joint {
     /// own rate. An index that the joint does not have changes nothing.
     #[inline]
     #[must_use]
-    pub const fn with_drive(mut self, velocity: usize, drive: Drive) -> Self {
+    pub const fn with_actuator(mut self, velocity: usize, actuator: JointActuator) -> Self {
         if velocity < VELOCITIES {
-            self.drives[velocity] = drive;
+            self.actuators[velocity] = actuator;
         }
         self
     }
@@ -154,7 +157,7 @@ impl Joint {
             screw: Screw::new([0.0; 3], [0.0; 3]),
             motion,
             inertia,
-            drives: [Drive::NONE; VELOCITIES],
+            actuators: [JointActuator::NONE; VELOCITIES],
         }
     }
 }
@@ -165,7 +168,7 @@ impl Motion {
     pub const fn coordinates(self) -> usize {
         match self {
             Self::Along => 1,
-            Self::Following { .. } => 0,
+            Self::Mimic { .. } => 0,
             Self::Planar => 3,
             Self::Spherical => 4,
             Self::Floating => 7,
@@ -177,7 +180,7 @@ impl Motion {
     pub const fn velocities(self) -> usize {
         match self {
             Self::Along => 1,
-            Self::Following { .. } => 0,
+            Self::Mimic { .. } => 0,
             Self::Planar | Self::Spherical => 3,
             Self::Floating => 6,
         }

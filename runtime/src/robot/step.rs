@@ -1,11 +1,11 @@
 //! Integration and difference of configurations of a whole robot, and normalised quaternions.
 //!
 //! In: a [`Chain`], coordinates, and velocities times a duration. Out: coordinates, or velocities times a
-//! duration. [`posture`] has the same for planar, spherical and floating joints alone.
+//! duration. [`manifold`] has the same for planar, spherical and floating joints alone.
 
 use super::chain::Chain;
 use super::joint::Motion;
-use super::posture;
+use super::manifold;
 use crate::scalar::Scalar;
 
 impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F, Q, B> {
@@ -49,10 +49,10 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
             };
             match joint.motion {
                 Motion::Along => step(q, v, |[q], [v]| [q + v]),
-                Motion::Following { .. } => {}
-                Motion::Planar => step(q, v, posture::integrate_planar),
-                Motion::Spherical => step(q, v, posture::integrate_spherical),
-                Motion::Floating => step(q, v, posture::integrate_floating),
+                Motion::Mimic { .. } => {}
+                Motion::Planar => step(q, v, manifold::integrate_planar),
+                Motion::Spherical => step(q, v, manifold::integrate_spherical),
+                Motion::Floating => step(q, v, manifold::integrate_floating),
             }
         }
         moved
@@ -73,10 +73,10 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
             let Some(v) = v.get_mut(rates) else { continue };
             match joint.motion {
                 Motion::Along => compare(v, from, to, |[from], [to]| [to - from]),
-                Motion::Following { .. } => {}
-                Motion::Planar => compare(v, from, to, posture::difference_planar),
-                Motion::Spherical => compare(v, from, to, posture::difference_spherical),
-                Motion::Floating => compare(v, from, to, posture::difference_floating),
+                Motion::Mimic { .. } => {}
+                Motion::Planar => compare(v, from, to, manifold::difference_planar),
+                Motion::Spherical => compare(v, from, to, manifold::difference_spherical),
+                Motion::Floating => compare(v, from, to, manifold::difference_floating),
             }
         }
         v
@@ -87,7 +87,7 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
     #[must_use]
     pub fn normalize<T: Scalar>(&self, q: &[T; Q]) -> [T; Q] {
         let mut normalized = *q;
-        self.each_quaternion(&mut normalized, posture::normalized);
+        self.each_quaternion(&mut normalized, manifold::normalized);
         normalized
     }
 

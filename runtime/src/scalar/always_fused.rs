@@ -100,8 +100,8 @@ macro_rules! implement {
             }
 
             #[inline(always)]
-            fn less_sine(self, sine: Self) -> Self {
-                Self(self.0.less_sine(sine.0))
+            fn minus_sine(self, sine: Self) -> Self {
+                Self(self.0.minus_sine(sine.0))
             }
 
             #[inline(always)]

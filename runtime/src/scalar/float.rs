@@ -57,7 +57,7 @@ macro_rules! implement {
             }
 
             #[inline]
-            fn less_sine(self, sine: Self) -> Self {
+            fn minus_sine(self, sine: Self) -> Self {
                 let series = arc_less_sine::<Self, $terms>(self);
                 // Both are computed and one is selected, without a branch.
                 if $float::abs(self) < 2.0 {

@@ -177,8 +177,8 @@ impl<T: Lane, const L: usize> Scalar for Pack<T, L> {
     }
 
     #[inline(always)]
-    fn less_sine(self, sine: Self) -> Self {
-        self.both(sine, T::less_sine)
+    fn minus_sine(self, sine: Self) -> Self {
+        self.both(sine, T::minus_sine)
     }
 
     #[inline(always)]
@@ -243,7 +243,7 @@ mod tests {
             first,
             second,
             third,
-            a.less_sine(b),
+            a.minus_sine(b),
             a.sign() + third_of,
         ]
     }

@@ -3,7 +3,7 @@
 use crate::jet::Jet;
 use crate::sample::{Random, agree, largest};
 use homogen::open_chain::{
-    Motion, bias_acceleration_as_sum, bias_accelerations, commutator, joint_actions, motions,
+    BodyMotion, bias_acceleration_as_sum, bias_accelerations, commutator, joint_actions, motions,
     poses, screws,
 };
 use homogen::{Jacobian, Point, Pose, Real, Velocity, open_chain};
@@ -40,8 +40,8 @@ fn composition_in_any_frame<T: Real>() {
         let mut random = Random::new(seed);
         let chain = random.chain();
         let [q, qd, qdd]: [[T; 7]; 3] = from_fn(|_| random.numbers());
-        let relative: [Motion<T>; 7] =
-            from_fn(|i| Motion::of_joint(&chain.joints[i], q[i], qd[i], qdd[i]));
+        let relative: [BodyMotion<T>; 7] =
+            from_fn(|i| BodyMotion::of_joint(&chain.joints[i], q[i], qd[i], qdd[i]));
         let in_base = motions(&chain, &q, &qd, &qdd);
         let k: Pose<f64> = random.pose();
         let m_k_0 = Pose::new(

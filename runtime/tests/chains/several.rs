@@ -7,7 +7,7 @@
 
 use crate::jet::Jet;
 use crate::sample::{Random, agree, largest};
-use homogen::robot::posture::normalized;
+use homogen::robot::manifold::normalized;
 use homogen::{Chain, Frame, Joint, Motion, Pose, Screw, generic, vector};
 use std::array::from_fn;
 
@@ -35,10 +35,10 @@ fn tree(random: &mut Random) -> Tree {
         let along = Joint::new("joint", parent, placement, random.screw(i), inertia);
         match i {
             0 => Joint::floating("root", parent, placement, inertia),
-            1 => along.following(3, -1.5),
+            1 => along.mimic(3, -1.5),
             2 => Joint::spherical("ball", parent, placement, inertia),
             4 => Joint::planar("puck", parent, placement, inertia),
-            6 => along.following(3, 0.25),
+            6 => along.mimic(3, 0.25),
             _ => along,
         }
     });
@@ -72,7 +72,7 @@ fn poses(chain: &Tree, q: &[f64; Q], rates: &[[f64; V]; 2]) -> [Pose<Jet>; JOINT
         let zero = [0.0; 3];
         let moved = match joint.motion {
             Motion::Along => along(1.0),
-            Motion::Following { multiplier, .. } => along(multiplier),
+            Motion::Mimic { multiplier, .. } => along(multiplier),
             Motion::Planar => {
                 let (sine, cosine) = at[2].sin_cos();
                 let turned = [[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]];
@@ -304,17 +304,17 @@ fn wrong_mimicked_joints_and_counts_are_errors() {
     use homogen::Error;
     let chain = tree(&mut Random::new(301));
     assert_eq!(chain.check(1e-9), Ok(()));
-    for (leader, name) in [(99, "joint"), (6, "joint"), (2, "joint"), (1, "joint")] {
+    for (mimicked, name) in [(99, "joint"), (6, "joint"), (2, "joint"), (1, "joint")] {
         let mut wrong = chain;
-        wrong.joints[1] = wrong.joints[1].following(leader, 1.0);
-        let error = Error::NotALeader {
+        wrong.joints[1] = wrong.joints[1].mimic(mimicked, 1.0);
+        let error = Error::InvalidMimic {
             joint: name,
-            leader,
+            mimicked,
         };
         assert_eq!(wrong.check(1e-9), Err(error));
     }
     let mut wrong = chain;
-    wrong.joints[1] = wrong.joints[1].following(3, f64::NAN);
+    wrong.joints[1] = wrong.joints[1].mimic(3, f64::NAN);
     assert!(matches!(wrong.check(1e-9), Err(Error::NotFinite { .. })));
     let short: Chain<14, 1, Q, JOINTS> = Chain::new(chain.joints, chain.frames, [0.0; 3]);
     let counted = |quantity, stated, found| Error::WrongCount {

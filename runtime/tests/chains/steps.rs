@@ -4,9 +4,9 @@
 //! 180°.
 
 use crate::sample::{Random, agree, largest};
-use homogen::robot::posture::{
-    difference_floating, difference_planar, difference_spherical, integrate_floating,
-    integrate_planar, integrate_spherical, log, normalized, turn,
+use homogen::robot::manifold::{
+    difference_floating, difference_planar, difference_spherical, exp, integrate_floating,
+    integrate_planar, integrate_spherical, log, normalized,
 };
 use homogen::{Chain, Inertia, Joint, Pose, Real, Scalar, Screw, Velocity, rotation, vector};
 use std::f64::consts::PI;
@@ -163,10 +163,10 @@ fn logarithms_keep_their_digits<T: Real>() {
     let mut random = Random::new(43);
     for angle in ANGLES {
         let omega: [T; 3] = scaled(angle, random.unit());
-        let found = log(turn(omega));
+        let found = log(exp(omega));
         agree(&found, &omega, 12.0, largest(&omega));
         // A quaternion and its negative are the same rotation, and its length does not matter.
-        let opposite = turn(omega).map(|entry| -(entry + entry));
+        let opposite = exp(omega).map(|entry| -(entry + entry));
         agree(&log(opposite), &found, 4.0, largest(&omega));
     }
     let half = [0.6, 0.0, -0.8, 0.0].map(T::constant);
@@ -312,11 +312,11 @@ fn chain(random: &mut Random) -> Chain<13, 0, 15, 6> {
     Chain::new(
         [
             Joint::floating("root", None, here, inertia),
-            hinge("follower", Some(0)).following(3, -2.0),
+            hinge("follower", Some(0)).mimic(3, -2.0),
             Joint::spherical("ball", Some(1), here, inertia),
             hinge("leader", Some(2)),
             Joint::planar("puck", Some(0), here, inertia),
-            hinge("slow", Some(4)).following(3, 0.5),
+            hinge("slow", Some(4)).mimic(3, 0.5),
         ],
         [],
         [0.0; 3],

@@ -152,7 +152,7 @@ fn parents_behind_their_children() {
     let refused = chain(Some(1), z, 1.0, None).check(1e-9).unwrap_err();
     assert_eq!(
         refused,
-        Error::NotATree {
+        Error::ParentAfterChild {
             joint: "b",
             parent: 1
         }
@@ -164,7 +164,7 @@ fn parents_behind_their_children() {
     let refused = chain(Some(0), z, 1.0, Some(2)).check(1e-9);
     assert_eq!(
         refused,
-        Err(Error::NotATree {
+        Err(Error::ParentAfterChild {
             joint: "tip",
             parent: 2
         })

@@ -74,7 +74,7 @@ fn sources(folders: &[&str]) -> Vec<Source> {
 fn place_of(test: &str) -> (&'static [&'static str], &str) {
     match test.split_once("::") {
         Some(("examples", rest)) => (&["../examples/src/bin", "../examples/tests"], rest),
-        Some(("engine", rest)) => (&["../tests/tests/names"], rest),
+        Some(("engine", rest)) => (&["../tests/tests/output"], rest),
         _ => (&["tests/paper", "tests/chains"], test),
     }
 }
@@ -84,8 +84,10 @@ fn find(test: &str) -> (Source, &str) {
     let (folders, rest) = place_of(test);
     let (module, function) = rest.split_once("::").expect("module::function");
     let sources = sources(folders);
-    // A file without `mod` in a `main.rs` is not compiled; programs are files of their own.
-    let mut roots = sources.iter().filter(|source| source.module == "main");
+    // A file without `mod` in a `main.rs`, or in the file of its folder, is not compiled; programs are files of their own.
+    let mut roots = sources
+        .iter()
+        .filter(|source| ["main", "names"].contains(&source.module.as_str()));
     let is_compiled = test.starts_with("examples::")
         || roots.any(|root| declares(&root.text, &["mod"], &format!("{module};")));
     let found = sources.into_iter().find(|s| s.module == module);

@@ -13,7 +13,7 @@ use homogen_codegen::print::c::{own, prefix};
 use crate::files::Batch;
 
 /// The output of a compiler or test that failed.
-pub type Complaint = String;
+pub type Diagnostic = String;
 
 /// Headers that are included before those of the robots, for the macros that they define.
 const HEADERS: [&str; 12] = [
@@ -62,7 +62,7 @@ pub fn is_here(program: &str) -> bool {
 ///
 /// # Errors
 /// The output of the compiler, or of the test that failed.
-pub fn rust(batch: &Batch, edition: &str) -> Result<(), Complaint> {
+pub fn rust(batch: &Batch, edition: &str) -> Result<(), Diagnostic> {
     let mut main = "// Users choose the names.\n\
          #![deny(warnings)]\n#![allow(non_camel_case_types, non_snake_case, uncommon_codepoints)]\n\
          #![allow(confusable_idents, mixed_script_confusables, dead_code)]\n"
@@ -95,7 +95,7 @@ pub fn rust(batch: &Batch, edition: &str) -> Result<(), Complaint> {
 ///
 /// # Errors
 /// The output of the compiler, or the robots whose tests fail.
-pub fn c(batch: &Batch, compiler: &str) -> Result<Vec<PathBuf>, Complaint> {
+pub fn c(batch: &Batch, compiler: &str) -> Result<Vec<PathBuf>, Diagnostic> {
     let mut objects = Vec::new();
     for (number, _) in &batch.robots {
         let source = batch.folder.join(format!("c{number}.c"));
@@ -123,7 +123,7 @@ pub fn c(batch: &Batch, compiler: &str) -> Result<Vec<PathBuf>, Complaint> {
 ///
 /// # Errors
 /// The output of the compiler, or the robots whose tests fail.
-pub fn cpp(batch: &Batch, compiler: &str, objects: &[PathBuf]) -> Result<(), Complaint> {
+pub fn cpp(batch: &Batch, compiler: &str, objects: &[PathBuf]) -> Result<(), Diagnostic> {
     let main = batch.folder.join("main.cpp");
     write(&main, &program(batch));
     let mut command = Command::new(compiler);
@@ -164,7 +164,7 @@ fn program(batch: &Batch) -> String {
 ///
 /// # Errors
 /// The output of Python.
-pub fn python_texts(packages: &[PathBuf]) -> Result<(), Complaint> {
+pub fn python_texts(packages: &[PathBuf]) -> Result<(), Diagnostic> {
     const READ: &str = "\
 import ast, keyword, pathlib, sys
 for folder in map(pathlib.Path, sys.stdin.read().splitlines()):
@@ -190,7 +190,7 @@ for folder in map(pathlib.Path, sys.stdin.read().splitlines()):
 ///
 /// # Errors
 /// The output of cargo.
-pub fn python_crates(packages: &[PathBuf]) -> Result<(), Complaint> {
+pub fn python_crates(packages: &[PathBuf]) -> Result<(), Diagnostic> {
     let Some(folder) = packages.first().and_then(|package| package.parent()) else {
         return Ok(());
     };
@@ -230,7 +230,7 @@ fn write(file: &Path, text: &str) {
 }
 
 /// Runs a command; an exit status other than 0 is an error.
-fn succeed(command: &mut Command) -> Result<(), Complaint> {
+fn succeed(command: &mut Command) -> Result<(), Diagnostic> {
     let output = command.output();
     let output = output.map_err(|reason| format!("{command:?}: {reason}"))?;
     if output.status.success() {

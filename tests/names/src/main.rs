@@ -60,7 +60,7 @@ fn main() -> ExitCode {
 }
 
 fn run(wanted: &Wanted) -> ExitCode {
-    let mut complaints = Vec::new();
+    let mut diagnostics = Vec::new();
     let mut packages_left = wanted.python;
     let (mut robots, mut packages) = (0, 0);
     let mut from = wanted.seed;
@@ -71,11 +71,11 @@ fn run(wanted: &Wanted) -> ExitCode {
         robots += count;
         from = batch.end;
         let refused = batch.write().into_iter();
-        complaints.extend(
+        diagnostics.extend(
             refused.map(|(number, message)| format!("robot {number} is refused: {message}")),
         );
         for edition in ["2021", "2024"] {
-            complaints.extend(rust(&batch, edition).err());
+            diagnostics.extend(rust(&batch, edition).err());
         }
         for (compiler, of_cpp) in [("gcc", "g++"), ("clang", "clang++")] {
             if !is_here(compiler) {
@@ -84,32 +84,32 @@ fn run(wanted: &Wanted) -> ExitCode {
             }
             match c(&batch, compiler) {
                 Ok(objects) if is_here(of_cpp) => {
-                    complaints.extend(cpp(&batch, of_cpp, &objects).err());
+                    diagnostics.extend(cpp(&batch, of_cpp, &objects).err());
                 }
                 Ok(_) => eprintln!("not compiled with {of_cpp}, which is missing"),
-                Err(complaint) => complaints.push(complaint),
+                Err(diagnostic) => diagnostics.push(diagnostic),
             }
         }
         let (refused, written) = batch.write_python();
         let refused = refused.into_iter();
-        complaints.extend(
+        diagnostics.extend(
             refused.map(|(number, message)| format!("robot {number} in Python: {message}")),
         );
-        complaints.extend(python_texts(&written).err());
+        diagnostics.extend(python_texts(&written).err());
         let checked = &written[..written.len().min(packages_left)];
         packages_left -= checked.len();
-        complaints.extend(python_crates(checked).err());
+        diagnostics.extend(python_crates(checked).err());
         packages += checked.len();
-        eprintln!("{robots} robots, {} complaints", complaints.len());
+        eprintln!("{robots} robots, {} complaints", diagnostics.len());
     }
-    for complaint in &complaints {
-        println!("{complaint}\n");
+    for diagnostic in &diagnostics {
+        println!("{diagnostic}\n");
     }
     println!(
         "{robots} robots in Rust, C, C++ and Python, {packages} packages checked by cargo, {} complaints",
-        complaints.len()
+        diagnostics.len()
     );
-    if complaints.is_empty() {
+    if diagnostics.is_empty() {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE

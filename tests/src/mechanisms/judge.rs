@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use homogen_codegen::closure::Row;
+use homogen_codegen::closure::ResidualKind;
 use homogen_codegen::description::Description;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::Variable;
@@ -143,7 +143,7 @@ impl Rows {
         request: &Request,
     ) -> Result<Self, String> {
         let all = chain::build(description, request).map_err(|errors| errors.to_string())?;
-        let names = |chain: &chain::Chain| -> Vec<(String, Row)> {
+        let names = |chain: &chain::Chain| -> Vec<(String, ResidualKind)> {
             let loops = chain.loops.iter();
             let rows = loops
                 .flat_map(|closed| closed.rows.iter().map(|row| (row.name(&closed.name), *row)));

@@ -7,7 +7,7 @@ use homogen_codegen::chain::{Chain, Position};
 use homogen_codegen::description::Description;
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::{expand, understand};
-use homogen_codegen::joint::Posture;
+use homogen_codegen::joint::Manifold;
 use homogen_codegen::list::Id;
 use homogen_codegen::module::Module;
 use homogen_codegen::request::Request;
@@ -164,7 +164,7 @@ impl Programs {
             let by = &velocities[joint.velocity.index()..];
             match joint.position {
                 Position::Along { coordinate, .. } => moved[coordinate.index()] += by[0],
-                Position::Posture(Posture::Spherical, first) => {
+                Position::Manifold(Manifold::Spherical, first) => {
                     let entries = &mut moved[first.index()..][..4];
                     let [x, y, z, w] = [0, 1, 2, 3].map(|k| entries[k]);
                     let rates = [
@@ -182,7 +182,7 @@ impl Programs {
                     }
                 }
                 Position::Taken => {}
-                Position::Posture(..) => unreachable!("no other joint is drawn"),
+                Position::Manifold(..) => unreachable!("no other joint is drawn"),
             }
         }
         moved

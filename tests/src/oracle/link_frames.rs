@@ -7,7 +7,7 @@ use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::Evaluation;
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 use homogen_codegen::plan::expressions_by;
 use homogen_codegen::space::FrameId;
 
@@ -23,16 +23,22 @@ pub fn expressions(
     functions: &[Function],
     frame: FrameId,
     layout: Layout,
-    way: Way,
+    algorithm: Algorithm,
 ) -> Evaluation<Big> {
-    let (graph, results) = expressions_by(chain, functions, frame, layout, way);
+    let (graph, results) = expressions_by(chain, functions, frame, layout, algorithm);
     Evaluation::of(&graph, &results)
 }
 
 /// A function in the frames of the description, by the plainest algorithm.
 #[must_use]
 pub fn truth(chain: &Chain, function: Function, frame: FrameId) -> Evaluation<Big> {
-    expressions(chain, &[function], frame, Layout::DESCRIBED, Way::PLAIN)
+    expressions(
+        chain,
+        &[function],
+        frame,
+        Layout::DESCRIBED,
+        Algorithm::PLAIN,
+    )
 }
 
 /// The values of an evaluation for a chain without quaternions.

@@ -13,7 +13,7 @@ use homogen_codegen::closure::Closure;
 use homogen_codegen::description::Description;
 use homogen_codegen::request::Request;
 
-use super::drive::Actuator;
+use super::actuator::Actuator;
 use super::matrix::Matrix;
 use super::motion::Motion;
 use crate::big::Big;
@@ -32,7 +32,7 @@ pub struct Robot {
     /// Armature, damping and friction of each velocity of each joint.
     pub actuators: Vec<Actuator>,
     /// True if the regressor has columns of armature, damping and friction behind those of links.
-    pub identifies_drives: bool,
+    pub identifies_actuators: bool,
     /// The bodies on which external wrenches act, and whether the wrenches are in frame 0.
     pub external: (Vec<usize>, bool),
 }
@@ -84,7 +84,7 @@ impl Robot {
             gravity: reader.gravity(),
             loops: Vec::new(),
             actuators: Vec::new(),
-            identifies_drives: request.models_friction() || request.models_armature(),
+            identifies_actuators: request.models_friction() || request.models_armature(),
             external: (Vec::new(), request.external_in_frame_0),
         };
         let links = reader.add_bodies(base, tip, &mut robot);

@@ -4,7 +4,7 @@
 //! in the range of the bounds. Errors of reading the file are included.
 
 use homogen_codegen::Function;
-use homogen_codegen::accuracy::{self, Accuracy, Means};
+use homogen_codegen::accuracy::{self, Accuracy, RoundingModel};
 use homogen_codegen::formulation::Formulation;
 use homogen_codegen::range::Range;
 use homogen_codegen::schedule::run;
@@ -38,11 +38,11 @@ impl Prepared<'_> {
         }
         let program =
             program_as(Formulation::default(), chain, &[function], frame, T::REAL).ok()?;
-        let means = Means {
+        let rounding = RoundingModel {
             scalar: T::REAL,
-            ..Means::default()
+            ..RoundingModel::default()
         };
-        let Accuracy::Within(bound) = accuracy::of(chain, &[function], &program, means)? else {
+        let Accuracy::Within(bound) = accuracy::of(chain, &[function], &program, rounding)? else {
             return None;
         };
         let bounds = of_results(chain, function, &bound.bounds);

@@ -8,7 +8,7 @@ use homogen_codegen::Function;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::formulation::{Angles, Formulation, Forward, Frame, Parameters, Products};
 use homogen_codegen::layout::Layout;
-use homogen_codegen::model::Way;
+use homogen_codegen::model::Algorithm;
 
 use crate::oracle::frame_0;
 use crate::states::Random;
@@ -31,7 +31,7 @@ pub enum Choice {
     /// The engine, within a formulation.
     Within(Formulation),
     /// This layout and this algorithm.
-    By(Layout, Way),
+    By(Layout, Algorithm),
 }
 
 /// A program to run.
@@ -77,13 +77,11 @@ pub fn cases(chain: &Chain, seed: u64, effort: Effort) -> Vec<Case> {
 }
 
 fn formulation(chain: &Chain, function: Function, random: &mut Random) -> Formulation {
-    let mut formulation = Formulation {
-        frame: *random.choose(&[Frame::Link, Frame::Base]),
-        parameters: *random.choose(&[Parameters::Regrouped, Parameters::Raw]),
-        angles: *random.choose(&[Angles::Apart, Angles::Merged]),
-        products: *random.choose(&[Products::Fused, Products::Unfused]),
-        ..Formulation::default()
-    };
+    let mut formulation = Formulation::default()
+        .with_frame(*random.choose(&[Frame::Link, Frame::Base]))
+        .with_parameters(*random.choose(&[Parameters::Regrouped, Parameters::Raw]))
+        .with_angles(*random.choose(&[Angles::Apart, Angles::Merged]))
+        .with_products(*random.choose(&[Products::Fused, Products::Unfused]));
     if function == Function::ForwardDynamics {
         formulation.forward = Some(forward(chain, random));
         if formulation.check().is_err() {
@@ -112,19 +110,19 @@ fn by(chain: &Chain, function: Function, random: &mut Random) -> Choice {
     };
     layouts.push(Layout::DESCRIBED);
     let mut layout = *random.choose(&layouts);
-    let mut way = Way {
+    let mut algorithm = Algorithm {
         frame: *random.choose(&[Frame::Link, Frame::Base]),
         angles: *random.choose(&[Angles::Apart, Angles::Merged]),
-        ..*random.choose(&function.ways())
+        ..*random.choose(&function.algorithms())
     };
     if function == Function::ForwardDynamics {
-        way.forward = forward(chain, random);
+        algorithm.forward = forward(chain, random);
         // Articulated bodies need the inertias of real bodies.
-        if way.forward == Forward::Articulated {
-            (layout.regroup, way.frame) = (false, Frame::Link);
+        if algorithm.forward == Forward::Articulated {
+            (layout.regroup, algorithm.frame) = (false, Frame::Link);
         }
     }
-    Choice::By(layout, way)
+    Choice::By(layout, algorithm)
 }
 
 impl Case {
@@ -134,7 +132,7 @@ impl Case {
         match self.choice {
             Choice::Default => false,
             Choice::Within(formulation) => formulation.frame == Frame::Base,
-            Choice::By(_, way) => way.frame == Frame::Base,
+            Choice::By(_, algorithm) => algorithm.frame == Frame::Base,
         }
     }
 }

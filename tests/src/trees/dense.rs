@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::big::Big;
-use crate::oracle::drive::Actuator;
+use crate::oracle::actuator::Actuator;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::{Manifold, Motion, across, translation_screw};
 use crate::oracle::robot as oracle;
@@ -72,7 +72,7 @@ impl Dense {
                 gravity: Matrix::screw(&big([0.0; 3]), &gravity),
                 loops: Vec::new(),
                 actuators: Vec::new(),
-                identifies_drives: false,
+                identifies_actuators: false,
                 external: (Vec::new(), false),
             },
             coordinates: Vec::new(),

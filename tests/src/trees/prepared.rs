@@ -84,7 +84,7 @@ impl<'r> Prepared<'r> {
         })?;
         let (chain, check) = understood.map_err(|errors| format!("refused: {errors}"))?;
         let mut dense = Dense::of(robot);
-        dense.robot.identifies_drives = chain.identifies_drives;
+        dense.robot.identifies_actuators = chain.identifies_actuators;
         let spaces = chain.spaces();
         for (space, entries) in [
             (Space::Coordinates, &dense.coordinates),
@@ -205,7 +205,7 @@ impl<'r> Prepared<'r> {
         let singular = |state| self.is_singular(case.function, state);
         let refusable = regular(case.function) * EARLIER;
         let program = match case.choice {
-            Choice::By(layout, way) => {
+            Choice::By(layout, algorithm) => {
                 // A layout or algorithm chosen at random may be unsuitable for this robot.
                 if (0..self.states.len()).any(singular) {
                     return Ok(None);
@@ -219,7 +219,7 @@ impl<'r> Prepared<'r> {
                     &functions,
                     frame,
                     layout,
-                    way,
+                    algorithm,
                 )));
             }
             Choice::Default => self.chosen(Formulation::default(), case.function, frame),
@@ -424,7 +424,7 @@ impl<'r> Prepared<'r> {
     /// For each actuator parameter of the dense robot, its index among those of the chain; none if the chain does not
     /// identify them.
     fn actuator_parameters(&self) -> Vec<usize> {
-        if !self.chain.identifies_drives {
+        if !self.chain.identifies_actuators {
             return Vec::new();
         }
         // The last body of a joint has its link.

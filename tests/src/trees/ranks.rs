@@ -105,7 +105,7 @@ fn reproduces_all(
     };
     let mut terms: Vec<Vec<(usize, f64)>> = vec![Vec::new(); places.len()];
     for group in &found.groups {
-        let leading = column(group.leader().index());
+        let leading = column(group.leading().index());
         for (member, factor) in &group.members {
             terms[column(member.index())].push((leading, *factor));
         }
@@ -190,7 +190,7 @@ impl<'p> Regressors<'p> {
         let entries = self.prepared.chain().spaces().entries(space);
         let mut units = vec![1.0; entries.len()];
         for (k, entry) in entries.iter().enumerate() {
-            if entry.kind == Kind::Slide {
+            if entry.kind == Kind::Translation {
                 units[self.prepared.place(space, k)] = self.length;
             }
         }

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use homogen_codegen::description::{self, Description, Number, Step, inline};
 use homogen_codegen::error::Errors;
-use homogen_codegen::joint::drive::Part;
+use homogen_codegen::joint::actuator::Part;
 use homogen_codegen::request::{Parameter, Request, Target};
 use quote::format_ident;
 
@@ -58,7 +58,7 @@ fn computed(mut description: Description) -> Description {
             match step {
                 Step::Translate(offset) => offset.iter_mut().for_each(unwritten),
                 Step::Rotate(_, angle) => unwritten(angle),
-                Step::Turn(entries) => entries.iter_mut().for_each(unwritten),
+                Step::Quaternion(entries) => entries.iter_mut().for_each(unwritten),
             }
         }
     };
@@ -113,7 +113,7 @@ fn with_loads(robot: &Robot, mut request: Request) -> Request {
     for (id, numbers) in robot.actuators() {
         let parts = [Part::Armature, Part::Damping, Part::Friction];
         request
-            .drives
+            .actuators
             .extend(parts.into_iter().zip(numbers).map(|(part, value)| {
                 let number = Number {
                     value,

@@ -118,8 +118,8 @@ pub(super) fn outboard(
         all[k].whole = whole;
         let children = all[k].children;
         if children > 0.0 {
-            let [turns, slides] = mobility.bodies[k].map(f64::sqrt);
-            let speed = whole.dot(Pair::new(turns, slides));
+            let [rotations, translations] = mobility.bodies[k].map(f64::sqrt);
+            let speed = whole.dot(Pair::new(rotations, translations));
             let rounded = scalar.roundoff() * (3.0 + FROBENIUS * children);
             spoilt += (received[k].share(whole) + rounded) * speed * speed;
         }

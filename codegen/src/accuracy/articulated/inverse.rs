@@ -9,16 +9,16 @@ use super::Articulated;
 use super::inertias::{SPOILT, TRUST, errors};
 use super::recursion::Steps;
 use super::sizes::Pair;
-use crate::accuracy::promise::{Accuracy, Means, Worst, beside_diagonal};
+use crate::accuracy::error_bounds::{Accuracy, RoundingModel, Worst, beside_diagonal};
 use crate::accuracy::solved::{UNCERTAIN, underflow};
 use crate::list::List;
 
 impl Articulated<'_> {
     /// Bounds the inverse of the mass matrix, and its product with a column.
     #[must_use]
-    pub fn inverse(&self, means: Means) -> Accuracy {
-        beside_diagonal(self.chain, &self.steps(), means, |scalar| {
-            Steps::of(self, means, scalar)?.shares()
+    pub fn inverse(&self, rounding: RoundingModel) -> Accuracy {
+        beside_diagonal(self.chain, &self.steps(), rounding, |scalar| {
+            Steps::of(self, rounding, scalar)?.shares()
         })
     }
 }
@@ -49,8 +49,8 @@ impl Steps<'_, '_> {
             let pushed = whole.times(6.0 * roundoff).plus(Pair::both(vanishes));
             let found = self.carried(k, whole, pushed)?;
             let own = Pair::new(errors(&found, 0..3), errors(&found, 3..6));
-            let [turns, slides] = mobility.bodies[parent].map(f64::sqrt);
-            shares[k] = own.dot(Pair::new(turns, slides));
+            let [rotations, translations] = mobility.bodies[parent].map(f64::sqrt);
+            shares[k] = own.dot(Pair::new(rotations, translations));
             let arrived = lost[k].at_distance(link.reach).plus(own);
             let most = self.outboard[parent].whole.times(SPOILT);
             if !(is_within(arrived.angular, most.angular) && is_within(arrived.linear, most.linear))
@@ -60,19 +60,19 @@ impl Steps<'_, '_> {
             lost[parent] = lost[parent].most(arrived);
         }
         // The error of each joint's unit force, on its whole path to the base.
-        let mut ways = List::new();
+        let mut losses = List::new();
         for (k, link) in links.numbered() {
-            let before = link.parent.map_or(0.0, |parent| ways[parent]);
-            ways.push(before + shares[k]);
+            let before = link.parent.map_or(0.0, |parent| losses[parent]);
+            losses.push(before + shares[k]);
         }
-        let longest = ways.iter().copied().fold(0.0, f64::max);
+        let longest = losses.iter().copied().fold(0.0, f64::max);
         if !is_within(longest, SPOILT) {
             return Err(UNCERTAIN);
         }
         let count: f64 = links.iter().map(|_| 1.0).sum();
         let products = (2.0 * count + 6.0) * roundoff + vanishes;
         let row = |own| TRUST * (self.spoilt + own + longest + products);
-        underflows.map(|_| ways.into_iter().map(row).collect())
+        underflows.map(|_| losses.into_iter().map(row).collect())
     }
 }
 

@@ -5,14 +5,14 @@
 
 use super::inertias::{Outboard, around_zero, outboard};
 use super::sizes::{Link, Pair};
+use crate::accuracy::error_bounds::{RoundingModel, error, value};
 use crate::accuracy::mobility::{Mobility, mobility};
-use crate::accuracy::promise::{Means, error, value};
 use crate::accuracy::solved::largest;
 use crate::chain::{BodyId, Chain};
 use crate::expression::Input;
 use crate::layout::{Layout, arrange};
 use crate::list::List;
-use crate::model::{ARTICULATED_INERTIA, Way};
+use crate::model::{ARTICULATED_INERTIA, Algorithm};
 use crate::plan::{Programs, Recursion};
 use crate::range::Range;
 use crate::real::Real;
@@ -33,7 +33,11 @@ impl<'c> Articulated<'c> {
     ///
     /// # Errors
     /// The reason why it has no bound.
-    pub fn of(programs: &Programs<'c>, layout: Layout, way: Way) -> Result<Self, &'static str> {
+    pub fn of(
+        programs: &Programs<'c>,
+        layout: Layout,
+        algorithm: Algorithm,
+    ) -> Result<Self, &'static str> {
         let chain = programs.chain();
         if !chain.all_lead() {
             return Err("none is derived of articulated bodies that follow others");
@@ -53,7 +57,7 @@ impl<'c> Articulated<'c> {
             range,
             mobility,
             links,
-            programs: programs.recursion(layout, way, entry),
+            programs: programs.recursion(layout, algorithm, entry),
         })
     }
 
@@ -69,7 +73,7 @@ impl<'c> Articulated<'c> {
 /// The recursion in numbers of a type.
 pub(super) struct Steps<'a, 'c> {
     pub(super) bodies: &'a Articulated<'c>,
-    pub(super) means: Means,
+    pub(super) rounding: RoundingModel,
     pub(super) scalar: Real,
     pub(super) outboard: List<BodyId, Outboard>,
     /// The largest share of a motion's energy that rounding may take.
@@ -83,7 +87,7 @@ impl<'a, 'c> Steps<'a, 'c> {
     /// If rounding may take too much of articulated inertias.
     pub(super) fn of(
         bodies: &'a Articulated<'c>,
-        means: Means,
+        rounding: RoundingModel,
         scalar: Real,
     ) -> Result<Self, &'static str> {
         let Articulated {
@@ -93,11 +97,11 @@ impl<'a, 'c> Steps<'a, 'c> {
             ..
         } = bodies;
         let (outboard, spoilt) = outboard(links, mobility, scalar, |k, given| {
-            follow(&programs.inertias[k], 0, given, bodies, means, scalar)
+            follow(&programs.inertias[k], 0, given, bodies, rounding, scalar)
         })?;
         Ok(Self {
             bodies,
-            means,
+            rounding,
             scalar,
             outboard,
             spoilt,
@@ -117,7 +121,14 @@ impl<'a, 'c> Steps<'a, 'c> {
         });
         let step = &self.bodies.programs.actions[k];
         let first = ARTICULATED_INERTIA;
-        follow(step, first, &action, self.bodies, self.means, self.scalar)
+        follow(
+            step,
+            first,
+            &action,
+            self.bodies,
+            self.rounding,
+            self.scalar,
+        )
     }
 
     /// The largest square root of an inertia, at least 1.
@@ -139,7 +150,7 @@ fn follow(
     first: usize,
     given: &[Value],
     bodies: &Articulated<'_>,
-    means: Means,
+    rounding: RoundingModel,
     scalar: Real,
 ) -> Result<Vec<Value>, &'static str> {
     let input = |input: Input| match input {
@@ -148,7 +159,7 @@ fn follow(
     };
     let conditions = Conditions {
         scalar,
-        angles: means.trigonometry.reach(scalar),
+        angles: rounding.trigonometry.reach(scalar),
         range: &input,
         quaternions: &bodies.range.quaternions,
     };

@@ -15,7 +15,7 @@ use crate::space::VelocityId;
 pub(super) struct Link {
     pub(super) parent: Option<BodyId>,
     pub(super) velocity: VelocityId,
-    slides: bool,
+    translates: bool,
     /// Largest distance of its origin from that of its parent body \[m\].
     pub(super) reach: f64,
     /// ∫r²dm about its origin \[kg m²\].
@@ -33,11 +33,11 @@ impl Link {
         let number = |term: Term<'_>| term.value().map(Double::to_f64);
         let reach = reach(body, range);
         let [xx, yy, zz, ..] = body.inertia.second.0.map(number);
-        let [armature, damping, friction] = body.drive.map(number).entries();
+        let [armature, damping, friction] = body.actuator.map(number).entries();
         Some(Self {
             parent: body.parent,
             velocity: body.velocity,
-            slides: body.motion.slides(),
+            translates: body.motion.translates(),
             reach: reach.is_finite().then_some(reach)?,
             spread: spread([xx?, yy?, zz?])?,
             mass: number(body.inertia.mass)?.max(0.0),
@@ -71,7 +71,7 @@ impl Link {
 
     /// The part of a moment and force, or of γ and s, along the joint's axis.
     pub(super) const fn along(&self, pair: Pair) -> f64 {
-        if self.slides {
+        if self.translates {
             pair.linear
         } else {
             pair.angular

@@ -68,8 +68,8 @@ fn computed_inertias_have_the_sizes_of_exact_ones_but_for_trust() {
         let exact = chain.articulated(|_| [[0.0; 6]; 6]);
         let pairs = chain.bodies.iter().zip(chain.mobility());
         let speeds: Vec<f64> = pairs
-            .map(|(body, [turns, slides])| {
-                body.sizes[0] * turns.sqrt() + body.sizes[1] * slides.sqrt()
+            .map(|(body, [rotations, translations])| {
+                body.sizes[0] * rotations.sqrt() + body.sizes[1] * translations.sqrt()
             })
             .collect();
         assert!(
@@ -138,11 +138,11 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
             .map(|(action, body)| dot(action, &body.screw))
             .collect();
         let share = 1e-4 * random.unit().abs();
-        let mut ways = Vec::new();
+        let mut losses = Vec::new();
         let unbalanced_rows: Vec<Vec<f64>> = (0..chain.bodies.len())
             .map(|column| {
                 let unit = exact[column][column].sqrt();
-                let (mut action, mut way) = ([0.0; 6], 0.0);
+                let (mut action, mut loss) = ([0.0; 6], 0.0);
                 let mut unbalanced_rows = vec![0.0; column + 1];
                 for k in (0..=column).rev() {
                     let body = &chain.bodies[k];
@@ -167,10 +167,10 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
                             };
                         }
                         let speeds = mobility[k - 1].map(f64::sqrt);
-                        way += dot(&speeds, &lost) / unit;
+                        loss += dot(&speeds, &lost) / unit;
                     }
                 }
-                ways.push(way);
+                losses.push(loss);
                 unbalanced_rows
             })
             .collect();
@@ -179,7 +179,7 @@ fn no_unit_force_is_beyond_its_size_and_no_entry_beyond_what_its_way_loses() {
                 let products = of_row.iter().zip(of_column).zip(&d);
                 let entry: f64 = products.map(|((a, b), d)| a * b / d).sum();
                 let unit = (exact[row][row] * exact[column][column]).sqrt();
-                let most = (1.0 + ways[row]) * (1.0 + ways[column]) - 1.0;
+                let most = (1.0 + losses[row]) * (1.0 + losses[column]) - 1.0;
                 let off = (entry - exact[row][column]).abs() / unit;
                 assert!(off <= NEARLY * most + 1e-9, "{off} of {most}");
                 if most > 1e-6 {

@@ -63,14 +63,14 @@ pub(super) fn carried(
 ) -> List<BodyId, [f64; 2]> {
     let mut all: List<BodyId, [f64; 2]> = List::new();
     for ((k, solid), own) in solids.numbered().zip(own) {
-        let [turns, slides] = solid.parent.map_or([0.0; 2], |parent| all[parent]);
+        let [rotations, translations] = solid.parent.map_or([0.0; 2], |parent| all[parent]);
         let rate = joints[k].sqrt();
-        let across = product(reaches[k], turns.sqrt());
-        let shifts = slides.sqrt() + across;
-        let carried = if solid.slides {
-            [turns, (shifts + rate) * (shifts + rate)]
+        let across = product(reaches[k], rotations.sqrt());
+        let shifts = translations.sqrt() + across;
+        let carried = if solid.translates {
+            [rotations, (shifts + rate) * (shifts + rate)]
         } else {
-            let spins = turns.sqrt() + rate;
+            let spins = rotations.sqrt() + rate;
             [spins * spins, shifts * shifts]
         };
         let known = !solid.free && !solid.screws;
@@ -128,15 +128,15 @@ impl<'a> Row<'a> {
         rows.collect()
     }
 
-    fn slides(&self, place: usize) -> bool {
-        self.solids[self.joints[place]].slides
+    fn translates(&self, place: usize) -> bool {
+        self.solids[self.joints[place]].translates
     }
 
     /// The places of the prismatic joints, or of the revolute ones.
     fn places(&self, sliding: bool) -> Vec<usize> {
         let places = 0..self.joints.len();
         places
-            .filter(|&place| self.slides(place) == sliding)
+            .filter(|&place| self.translates(place) == sliding)
             .collect()
     }
 
@@ -155,20 +155,20 @@ impl<'a> Row<'a> {
     /// Bound of q̇² by twice the energy, for a revolute joint.
     fn turning(&self, place: usize) -> Option<f64> {
         let turning = self.places(false);
-        if self.slides(place) {
+        if self.translates(place) {
             return None;
         }
         match *turning {
             [_] => {
                 let inside = self.inner.map_or(0.0, |inner| {
-                    inner.turns(self.axis(place, self.joints.len()))
+                    inner.rotation(self.axis(place, self.joints.len()))
                 });
-                Some(self.outer.turns(self.axis_outside(place)) + inside)
+                Some(self.outer.rotation(self.axis_outside(place)) + inside)
             }
             [outer, inner] => {
                 let apart = of_cross(Z, self.axis(outer, inner));
                 let anyhow =
-                    |solid: &Solid| AXES.iter().map(|&axis| solid.turns(axis)).sum::<f64>();
+                    |solid: &Solid| AXES.iter().map(|&axis| solid.rotation(axis)).sum::<f64>();
                 let both = anyhow(self.outer) + self.inner.map_or(0.0, anyhow);
                 (apart > APART).then(|| both / apart)
             }
@@ -184,7 +184,7 @@ impl<'a> Row<'a> {
         };
         let between = self.places(false);
         let apart = between.iter().all(|turns| !(first..last).contains(turns));
-        if !self.slides(place) || !apart || sliding.len() > 3 {
+        if !self.translates(place) || !apart || sliding.len() > 3 {
             return None;
         }
         let others = sliding.iter().filter(|&&other| other != place);
@@ -208,7 +208,7 @@ impl<'a> Row<'a> {
         let mut distance = dot(self.outer.centre, self.outer.centre).sqrt();
         let mut across = 0.0;
         for (place, &k) in self.joints.iter().enumerate() {
-            if !self.slides(place) {
+            if !self.translates(place) {
                 across += product(distance, joints[k].sqrt());
             }
             distance += self.reaches[k];

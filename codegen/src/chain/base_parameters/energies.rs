@@ -74,8 +74,8 @@ impl Energies {
         // The same seed for all robots: the result must not change with a comment in a file.
         let mut random = Random(0);
         let mut drawn = |kind: Kind, angle: f64| {
-            let slides = matches!(kind, Kind::Slide);
-            let largest = if slides { 3.0 * length } else { angle };
+            let translates = matches!(kind, Kind::Translation);
+            let largest = if translates { 3.0 * length } else { angle };
             Double::from(largest * (2.0 * random.unit() - 1.0))
         };
         let mut energies = Self {
@@ -200,7 +200,7 @@ fn displaced(
         let body = first.plus(place);
         let at = match (together[0].position, joint.position) {
             (_, Position::Along { coordinate, .. }) => numbers.factors[body] * q[coordinate],
-            (Position::Posture(_, first), _) => q[first.plus(place)],
+            (Position::Manifold(_, first), _) => q[first.plus(place)],
             (_, _) => Double::ZERO,
         };
         pose = pose.times(&Matrix::displacement(numbers.screws[body], &at));

@@ -3,7 +3,7 @@
 //! In: a chain. Out: the tree of its links, the numbers of their parameters, and the number of states for each.
 
 use super::blocks::{Hung, LinkId, blocks};
-use super::numbers::{DRIVE, MOMENTS, Numbers, PLACES};
+use super::numbers::{ACTUATOR, MOMENTS, Numbers, PLACES};
 use crate::chain::{BodyId, Chain, Position};
 use crate::dense::Matrix;
 use crate::expression::Double;
@@ -96,14 +96,14 @@ impl<'c> Links<'c> {
         let in_own_frame = own.iter().copied().filter(|&body| {
             matches!(
                 joints[body].position,
-                Position::Posture(..) | Position::Taken
+                Position::Manifold(..) | Position::Taken
             )
         });
-        let (slides, turns): (Vec<BodyId>, Vec<BodyId>) =
-            in_own_frame.partition(|&body| joints[body].motion.slides());
+        let (translates, turns): (Vec<BodyId>, Vec<BodyId>) =
+            in_own_frame.partition(|&body| joints[body].motion.translates());
         let pairs = turns.windows(2).map(|pair| (pair[0], Some(pair[1])));
-        let slides = slides.into_iter().map(|slide| (slide, None));
-        slides.chain(pairs).collect()
+        let translates = translates.into_iter().map(|slide| (slide, None));
+        translates.chain(pairs).collect()
     }
 
     /// Number of states for each body: the largest of any link that its joint moves.
@@ -133,9 +133,9 @@ impl<'c> Links<'c> {
 
     /// The numbers of a joint's armature, damping and friction, which follow those of all links; `None` if they are not
     /// identified.
-    pub(super) fn drive(&self, joint: BodyId) -> Option<[ParameterId; DRIVE]> {
-        let first = ParameterId::new(MOMENTS * self.bodies.len() + DRIVE * joint.index());
-        let identified = self.chain.identifies_drives;
+    pub(super) fn actuator(&self, joint: BodyId) -> Option<[ParameterId; ACTUATOR]> {
+        let first = ParameterId::new(MOMENTS * self.bodies.len() + ACTUATOR * joint.index());
+        let identified = self.chain.identifies_actuators;
         identified.then(|| [0, 1, 2].map(|part| first.plus(part)))
     }
 
@@ -143,9 +143,9 @@ impl<'c> Links<'c> {
     pub(super) fn described(&self, numbers: &Numbers) -> List<ParameterId, Double> {
         let moments = numbers.inertias.iter();
         let moments = moments.flat_map(|Matrix(j)| PLACES.map(|(row, column)| j[row][column]));
-        let drives = numbers.drives.iter().flatten().copied();
+        let actuators = numbers.actuators.iter().flatten().copied();
         moments
-            .chain(drives.filter(|_| self.chain.identifies_drives))
+            .chain(actuators.filter(|_| self.chain.identifies_actuators))
             .collect()
     }
 }

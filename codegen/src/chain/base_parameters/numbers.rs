@@ -27,7 +27,7 @@ pub(super) const PLACES: [(usize, usize); MOMENTS] = [
 ];
 
 /// Number of parameters of a joint's actuator: armature, damping and friction.
-pub(super) const DRIVE: usize = 3;
+pub(super) const ACTUATOR: usize = 3;
 
 /// The numbers of a chain.
 pub(super) struct Numbers {
@@ -42,7 +42,7 @@ pub(super) struct Numbers {
     /// J of each link, in its own frame.
     pub(super) inertias: List<LinkId, Matrix<Double>>,
     /// Armature, damping and friction of each joint.
-    pub(super) drives: List<BodyId, [Double; DRIVE]>,
+    pub(super) actuators: List<BodyId, [Double; ACTUATOR]>,
     /// Acceleration of gravity in frame 0 [m/s²].
     pub(super) gravity: [Double; 3],
 }
@@ -67,7 +67,7 @@ impl Numbers {
         };
         let factor = |joint: &Joint| match joint.position {
             Position::Along { factor, .. } => numbers(&[factor])[0],
-            Position::Posture(..) | Position::Taken => Double::from(1.0),
+            Position::Manifold(..) | Position::Taken => Double::from(1.0),
         };
         let bodies = || chain.joints.iter();
         let of_links = || bodies().filter_map(|joint| Some((joint, &joint.link.as_ref()?.1)));
@@ -89,7 +89,9 @@ impl Numbers {
             factors: bodies().map(factor).collect(),
             inertias: inertias.collect(),
             links,
-            drives: bodies().map(|joint| array(joint.drive.entries())).collect(),
+            actuators: bodies()
+                .map(|joint| array(joint.actuator.entries()))
+                .collect(),
             gravity: array(chain.gravity.0),
         }
     }

@@ -6,7 +6,7 @@
 use super::{Attachment, Reader};
 use crate::chain::{Frame, Loop};
 use crate::description::{self, Description};
-use crate::error::Complaint;
+use crate::error::Diagnostic;
 use crate::expression::Term;
 use crate::matrix::{Pose, Rotation, Vector};
 use crate::wording::quoted;
@@ -28,7 +28,7 @@ pub(super) fn closed<'g>(
             });
             if let Some(missing) = (0..2).find(|&k| attachments[k].is_none()) {
                 let [name, link] = [&described.name, links[missing]].map(|name| quoted(&name.text));
-                reader.report.warnings.push(Complaint {
+                reader.report.warnings.push(Diagnostic {
                     place: described.name.place,
                     message: format!("loop {name} is left open: link {link} is not modelled"),
                     hint: None,

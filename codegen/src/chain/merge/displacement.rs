@@ -4,16 +4,16 @@
 //! in the frame before it.
 
 use crate::expression::{Graph, Term};
-use crate::joint::{Along, Freedom, JointKind, Movement};
+use crate::joint::{Along, DegreeOfFreedom, JointKind, Movement};
 use crate::matrix::{Pose, Rotation, Vector};
 
 /// The direction of a degree of freedom, in the frame of the moved body.
 pub(super) fn direction<'g>(
     graph: &'g Graph,
-    freedom: Freedom,
+    degree_of_freedom: DegreeOfFreedom,
     [axis, second]: [Vector<Term<'g>>; 2],
 ) -> Vector<Term<'g>> {
-    match freedom.along {
+    match degree_of_freedom.along {
         Along::Axis => axis,
         Along::Second => second,
         Along::Frame(k) => {
@@ -55,11 +55,11 @@ pub(super) fn held_at<'g>(
             ],
         ]))
     };
-    let displacement = |freedom: &Freedom| {
-        let axis = direction(graph, *freedom, axes);
-        match freedom.movement {
-            Movement::Turn => rotation(axis),
-            Movement::Slide => Pose::translation(axis * q),
+    let displacement = |degree_of_freedom: &DegreeOfFreedom| {
+        let axis = direction(graph, *degree_of_freedom, axes);
+        match degree_of_freedom.movement {
+            Movement::Rotation => rotation(axis),
+            Movement::Translation => Pose::translation(axis * q),
             Movement::Helix => {
                 let pitch = kind.pitch().unwrap_or_default();
                 Pose {
@@ -69,8 +69,8 @@ pub(super) fn held_at<'g>(
             }
         }
     };
-    let freedoms = kind.freedoms().iter();
-    freedoms
+    let degrees_of_freedom = kind.degrees_of_freedom().iter();
+    degrees_of_freedom
         .map(displacement)
         .fold(Pose::identity(graph), |pose, next| pose * next)
 }

@@ -20,7 +20,7 @@ pub(super) fn listed(
 ) -> (List<BodyId, chain::Joint>, Spaces) {
     let mut spaces = Spaces::default();
     // For each joint with one coordinate, its indices among coordinates and velocities.
-    let mut mimicked = HashMap::new();
+    let mut movers = HashMap::new();
     let mut places = Vec::with_capacity(bodies.len());
     for body in &bodies {
         let described = &description[body.joint];
@@ -30,14 +30,14 @@ pub(super) fn listed(
         let one = described.limits.filter(|_| !described.kind.has_several());
         let entry = |name: String, kind, range| Entry { name, kind, range };
         match body.moved {
-            Moved::Follows { .. } => continue,
+            Moved::Mimic { .. } => continue,
             Moved::Own => {
-                mimicked.insert(body.joint, (coordinate, velocity));
+                movers.insert(body.joint, (coordinate, velocity));
                 let (name, kind) = (body.velocity.clone(), body.motion.kind());
                 let range = one.and_then(limits::reach);
                 spaces.coordinates.push(entry(name, kind, range));
             }
-            Moved::Posture(_) => {
+            Moved::Manifold(_) => {
                 let names = described.kind.coordinates(&described.name.text).into_iter();
                 let entries = names.map(|(name, kind)| entry(name, kind, None));
                 spaces.coordinates.extend(entries);
@@ -56,12 +56,12 @@ pub(super) fn listed(
                 let factor = one;
                 (Position::Along { coordinate, factor }, velocity)
             }
-            Moved::Follows { leader, factor } => {
-                let (coordinate, velocity) = mimicked[&leader];
+            Moved::Mimic { mimicked, factor } => {
+                let (coordinate, velocity) = movers[&mimicked];
                 let factor = factor.expr();
                 (Position::Along { coordinate, factor }, velocity)
             }
-            Moved::Posture(posture) => (Position::Posture(posture, coordinate), velocity),
+            Moved::Manifold(manifold) => (Position::Manifold(manifold, coordinate), velocity),
             Moved::Taken => (Position::Taken, velocity),
         };
         chain::Joint {
@@ -79,7 +79,7 @@ pub(super) fn listed(
             inertia: body.inertia.map(Term::expr),
             position,
             velocity,
-            drive: body.drive.map(Term::expr),
+            actuator: body.actuator.map(Term::expr),
         }
     };
     let joints = bodies.into_iter().zip(places).map(joint).collect();

@@ -5,12 +5,12 @@
 //! recorded in the report.
 
 use super::Reader;
-use crate::chain::tree::{Branch, Follow};
-use crate::chain::turn::roll_pitch_yaw;
-use crate::chain::{Mimicked, Plane, Snapped, Turned, angle};
+use crate::chain::axis_rotation::roll_pitch_yaw;
+use crate::chain::tree::{Branch, MimicLaw};
+use crate::chain::{MimicJoint, Plane, Snapped, Turned, angle};
 use crate::description::{Axis, Description, Joint, JointId, Number, Step};
 use crate::expression::{Double, Input, Term};
-use crate::joint::{Freedom, JointKind, Motion};
+use crate::joint::{DegreeOfFreedom, JointKind, Motion};
 use crate::list::Id;
 use crate::matrix::{Pose, Rotation, Vector};
 use crate::request::Target;
@@ -82,8 +82,8 @@ impl<'g> Reader<'g, '_> {
         }
     }
 
-    pub(super) fn motion(&self, kind: JointKind, freedom: Freedom) -> Motion {
-        Motion::of(freedom.movement, || {
+    pub(super) fn motion(&self, kind: JointKind, degree_of_freedom: DegreeOfFreedom) -> Motion {
+        Motion::of(degree_of_freedom.movement, || {
             let pitch = kind.pitch().unwrap_or_default();
             self.number(&pitch).expr()
         })
@@ -115,7 +115,7 @@ impl<'g> Reader<'g, '_> {
                         Axis::Z => Rotation::about_z(angle),
                     })
                 }
-                Step::Turn(entries) => pose * Pose::rotation(self.turned(item, entries)),
+                Step::Quaternion(entries) => pose * Pose::rotation(self.turned(item, entries)),
             })
     }
 
@@ -208,13 +208,13 @@ impl<'g> Reader<'g, '_> {
         }
     }
 
-    pub(super) fn note_mimic(&mut self, description: &Description, joint: JointId, follow: Follow) {
+    pub(super) fn note_mimic(&mut self, description: &Description, joint: JointId, law: MimicLaw) {
         let name = |joint: JointId| description[joint].name.text.clone();
-        self.report.mimicked.push(Mimicked {
+        self.report.mimicked.push(MimicJoint {
             joint: name(joint),
-            leader: name(follow.leader),
-            multiplier: follow.multiplier.to_f64(),
-            offset: follow.offset.to_f64(),
+            mimicked: name(law.mimicked),
+            multiplier: law.multiplier.to_f64(),
+            offset: law.offset.to_f64(),
         });
     }
 

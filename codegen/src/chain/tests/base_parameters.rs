@@ -209,14 +209,17 @@ fn actuator_parameters_are_grouped_with_links_or_alone() {
         chain
             .spaces()
             .names(Space::BaseParameters)
-            .any(|leader| leader == name)
+            .any(|leading| leading == name)
     };
     let parts = ["armature", "damping", "friction"];
     let alone: Vec<[bool; 3]> = (1..=6)
         .map(|joint| parts.map(|part| led(&format!("joint_{joint}.{part}"))))
         .collect();
-    let [told, hidden] = [[true; 3], [false, true, true]];
-    assert_eq!(alone, [hidden, hidden, told, told, told, told]);
+    let [reported, hidden] = [[true; 3], [false, true, true]];
+    assert_eq!(
+        alone,
+        [hidden, hidden, reported, reported, reported, reported]
+    );
 }
 
 #[test]

@@ -129,11 +129,11 @@ fn right_angles_are_exact_and_reported_unless_exact_is_set() {
     let snapped = arm("");
     let rotation = snapped.joints[BodyId(0)].placement.rotation.0;
     assert_eq!(number(&snapped, rotation[2][2]), 0.0);
-    let told = snapped.report.snapped.iter();
-    let told: Vec<_> = told
+    let reported = snapped.report.snapped.iter();
+    let reported: Vec<_> = reported
         .map(|angle| (angle.item.as_str(), angle.written, angle.quarters))
         .collect();
-    assert_eq!(told, [("hinge", -4.7124, -3), ("hinge", 10.99557, 7)]);
+    assert_eq!(reported, [("hinge", -4.7124, -3), ("hinge", 10.99557, 7)]);
 
     let written = arm("exact");
     let rotation = written.joints[BodyId(0)].placement.rotation.0;
@@ -307,11 +307,11 @@ fn links_without_inertia_give_one_warning() {
         "struct Arm; link base; joint one: revolute(z); link upper; joint two: revolute(y);
         link fore; joint three: revolute(y); link hand;",
     );
-    let told = chain.report.warnings.iter();
-    let told: Vec<_> = told.map(|warning| warning.message.as_str()).collect();
+    let reported = chain.report.warnings.iter();
+    let reported: Vec<_> = reported.map(|warning| warning.message.as_str()).collect();
     let expected =
         "links \"upper\", \"fore\" and \"hand\" move and have no inertia: taken as massless";
-    assert_eq!(told, [expected]);
+    assert_eq!(reported, [expected]);
 
     // Kinematics needs no inertia.
     let of_frames = "struct Arm { strict, generate(forward_kinematics, velocity) } link base;
@@ -333,14 +333,14 @@ fn non_physical_inertias_are_reported_with_the_amount() {
         )
     };
     let chain = fine(&arm(""));
-    let told = chain.report.warnings.iter();
-    let told: Vec<_> = told.map(|warning| warning.message.as_str()).collect();
+    let reported = chain.report.warnings.iter();
+    let reported: Vec<_> = reported.map(|warning| warning.message.as_str()).collect();
     let expected = [
         "the inertia of link \"rod\" is not physical: a second moment about its centre of mass is \
          -1.000e-1 kg m² (-33.3 % of the largest)",
         "link \"tip\" has no mass but an inertia",
     ];
-    assert_eq!(told, expected);
+    assert_eq!(reported, expected);
     close(&inertia(&chain, 0)[..3], &[0.35, 0.25, -0.05]);
     let refused = expected.map(|warning| format!("error: {warning} (refused: strict)\n"));
     assert_eq!(said(&arm("strict")), refused.concat());

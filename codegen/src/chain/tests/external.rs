@@ -55,23 +55,12 @@ fn listed(settings: &str, formulation: Formulation) -> Module {
 fn every_formulation_agrees_with_dense_matrices() {
     let forms = [
         Formulation::default(),
-        Formulation {
-            angles: Angles::Merged,
-            ..Formulation::default()
-        },
-        Formulation {
-            frame: Frame::Base,
-            parameters: Parameters::Raw,
-            ..Formulation::default()
-        },
-        Formulation {
-            forward: Some(Forward::Articulated),
-            ..Formulation::default()
-        },
-        Formulation {
-            forward: Some(Forward::MassMatrix { refinements: 1 }),
-            ..Formulation::default()
-        },
+        Formulation::default().with_angles(Angles::Merged),
+        Formulation::default()
+            .with_frame(Frame::Base)
+            .with_parameters(Parameters::Raw),
+        Formulation::default().with_forward(Forward::Articulated),
+        Formulation::default().with_forward(Forward::MassMatrix { refinements: 1 }),
     ];
     for frame in ["", ", frame = 0"] {
         for formulation in forms {
@@ -97,8 +86,8 @@ fn generated_code_documents_links_and_frame() {
             .join("; ")
     };
     let own = facts("tip: tool, external(finger, h)");
-    let told = "; what the surroundings exert on `finger` and `h`, in the link's frame; ";
-    assert!(own.contains(told), "{own}");
+    let reported = "; what the surroundings exert on `finger` and `h`, in the link's frame; ";
+    assert!(own.contains(reported), "{own}");
     let base = facts("tip: tool, external(finger, frame = 0)");
     assert!(
         base.contains("; what the surroundings exert on `finger`, in frame 0; "),

@@ -3,7 +3,7 @@
 
 use super::{BodyId, fine, lines, read, said};
 use crate::builder::Builder;
-use crate::chain::{Chain, Mimicked, Position, build};
+use crate::chain::{Chain, MimicJoint, Position, build};
 use crate::description::read_text;
 use crate::error::Errors;
 use crate::expand::expand;
@@ -97,9 +97,9 @@ fn every_type_has_every_function() {
         "screw(z, pitch: 0.02)",
         "prismatic(y)",
     ] {
-        let follows = "mimic: turn, multiplier: -2.0, offset: 0.3,";
+        let mimics = "mimic: turn, multiplier: -2.0, offset: 0.3,";
         let alone = kind.starts_with("screw") || kind.starts_with("prismatic");
-        let (description, request) = read(&joint_of(kind, if alone { follows } else { "" }));
+        let (description, request) = read(&joint_of(kind, if alone { mimics } else { "" }));
         let module = expand(&description, &request);
         let module = module.unwrap_or_else(|errors| panic!("{kind}: {errors}"));
         assert!(
@@ -147,9 +147,9 @@ fn a_mimic_joint_has_no_entries_and_is_reported_with_its_mimicked_joint() {
     let chain = fine(&hand("", "mimic: one, multiplier: -2.0, offset: 0.1"));
     assert_eq!(entries(&chain, Space::Coordinates), ["wrist", "one"]);
     assert_eq!(entries(&chain, Space::Velocities), ["wrist", "one"]);
-    let mimicked = Mimicked {
+    let mimicked = MimicJoint {
         joint: "other".to_owned(),
-        leader: "one".to_owned(),
+        mimicked: "one".to_owned(),
         multiplier: -2.0,
         offset: 0.1,
     };
@@ -195,7 +195,7 @@ fn a_mimic_joint_is_locked_with_its_mimicked_joint() {
     );
     let through = fine(&through);
     assert_eq!(entries(&through, Space::Coordinates), ["wrist"]);
-    assert_eq!(through.report.mimicked[0].leader, "wrist");
+    assert_eq!(through.report.mimicked[0].mimicked, "wrist");
     // Locked by itself, it mimics nothing, and an unknown name is allowed.
     let alone = fine(&hand("lock(other)", "mimic: nobody"));
     assert_eq!(entries(&alone, Space::Coordinates), ["wrist", "one"]);

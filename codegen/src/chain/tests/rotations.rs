@@ -69,7 +69,7 @@ fn a_quaternion_is_the_rotation_of_its_angles() {
 
 #[test]
 fn a_quaternion_of_right_angles_is_exact_and_reported_unless_exact_is_set() {
-    for (quaternion, entries, told) in [
+    for (quaternion, entries, reported) in [
         (
             "0.7071068 0 0 0.7071068",
             [[1., 0., 0.], [0., 0., -1.], [0., 1., 0.]],
@@ -94,10 +94,10 @@ fn a_quaternion_of_right_angles_is_exact_and_reported_unless_exact_is_set() {
         let description = file(&format!("quat_xyzw=\"{quaternion}\""), "revolute", "0 0 1");
         let chain = build(&description, &Request::default()).expect("a chain");
         assert_eq!(rotation(&chain), entries, "{quaternion}");
-        assert_eq!(!chain.report.turned.is_empty(), told, "{quaternion}");
+        assert_eq!(!chain.report.turned.is_empty(), reported, "{quaternion}");
         assert_eq!(
             chain.report.right_angles_and_residues().0,
-            usize::from(told)
+            usize::from(reported)
         );
         let written = build(&description, &exact()).expect("a chain");
         assert!(written.report.turned.is_empty());
@@ -210,7 +210,7 @@ fn a_plane_across_the_diagonal_is_continuous() {
         let description = file("rpy=\"0.1 0.2 0.3\"", "planar", axis);
         let module = expand(&description, &Request::default());
         assert!(module.is_ok(), "{axis}: {:?}", module.err());
-        let told = module.expect("a module").about.facts.join("; ");
-        assert!(told.contains("`j` has x along ["), "{told}");
+        let reported = module.expect("a module").about.facts.join("; ");
+        assert!(reported.contains("`j` has x along ["), "{reported}");
     }
 }

@@ -35,9 +35,9 @@ type Entry = (Double, f64);
 /// The rows at one state.
 pub(super) fn own_rows(block: &Block, at: &Seen) -> impl Iterator<Item = Vec<Entry>> {
     block.velocities.iter().map(|&row| {
-        let leaders = block.leaders.iter();
+        let leading = block.leading.iter();
         let entry = |&of: &ParameterId| (at.regressor[of][row].value, at.sizes[of][row]);
-        leaders.map(entry).collect()
+        leading.map(entry).collect()
     })
 }
 
@@ -47,9 +47,9 @@ pub(super) fn first_dependent(
     at: &Seen,
     rows: Vec<Rows>,
 ) -> Option<Dependent> {
-    let leaders = base.blocks.iter().flat_map(|block| &block.leaders);
-    let leaders: BTreeSet<ParameterId> = leaders.copied().collect();
-    if let Some(unknown) = base.columns().find(|column| !leaders.contains(column)) {
+    let leading = base.blocks.iter().flat_map(|block| &block.leading);
+    let leading: BTreeSet<ParameterId> = leading.copied().collect();
+    if let Some(unknown) = base.columns().find(|column| !leading.contains(column)) {
         return Some(Dependent(unknown));
     }
     // The leading parameters of the blocks further inwards.
@@ -62,10 +62,10 @@ pub(super) fn first_dependent(
         if let Some(seen) = inner.iter().copied().find(sees) {
             return Some(Dependent(seen));
         }
-        inner.extend(&block.leaders);
+        inner.extend(&block.leading);
     }
     let mut blocks = base.blocks.iter().zip(rows);
-    blocks.find_map(|(block, rows)| Some(Dependent(block.leaders[dependent(rows)?])))
+    blocks.find_map(|(block, rows)| Some(Dependent(block.leading[dependent(rows)?])))
 }
 
 /// The first column without a pivot in some rows, by complete pivoting. A residual is a pivot if it is larger than the

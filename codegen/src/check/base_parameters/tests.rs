@@ -138,11 +138,11 @@ fn base_parameters_of_many_joints_on_a_path_are_as_many_as_the_rank() {
 
 #[test]
 fn base_parameters_do_not_depend_on_the_unit_of_length() {
-    let driven = Request {
+    let actuated = Request {
         friction: true,
         ..Request::default()
     };
-    for request in [Request::default(), driven] {
+    for request in [Request::default(), actuated] {
         let expected = judged(&snake(5, 1.0, 2), &request);
         assert!(expected.is_ok(), "{expected:?}");
         for length in [1e-6, 1e-3, 1e3] {
@@ -223,11 +223,11 @@ fn wrong_base_parameters_are_a_fault() {
         let of_link = member.index() / 10;
         let block = base.blocks.iter_mut().find(|block| {
             block
-                .leaders
+                .leading
                 .iter()
-                .any(|leader| leader.index() / 10 == of_link)
+                .any(|leading| leading.index() / 10 == of_link)
         });
-        block.expect("its link has others").leaders.push(member);
+        block.expect("its link has others").leading.push(member);
     };
     let (fault, found) = refused(&split).expect("it is wrong");
     assert!(fault, "{found}");

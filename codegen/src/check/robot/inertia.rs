@@ -8,7 +8,7 @@ use super::{Contradiction, Reader, Scalar};
 use crate::dense::Matrix;
 use crate::description::{Inertial, Joint, Link, Name, Number};
 use crate::expression::Arithmetic;
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::request::Target;
 
 impl Reader<'_> {
@@ -49,16 +49,21 @@ impl Reader<'_> {
     }
 
     /// Armature, damping and friction of the velocity with this index among those of a joint.
-    pub(super) fn drive(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
+    pub(super) fn actuator(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
         let number = |part: Part| {
-            let numbers = self.request.drive(&joint.name.text, &joint.drive, part);
+            let numbers = self
+                .request
+                .actuator(&joint.name.text, &joint.actuator, part);
             let number = numbers.get(if numbers.len() == 1 { 0 } else { place });
             number.map(|number| Scalar::written(number.exact()))
         };
         let zero = Scalar::literal(0.0);
         let ratio = number(Part::Ratio).unwrap_or(Scalar::exact(1.0));
         let mut rotor = number(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
-        for motor in self.request.further_motors(&joint.name.text, &joint.drive) {
+        for motor in self
+            .request
+            .further_motors(&joint.name.text, &joint.actuator)
+        {
             let ratio = motor
                 .ratio
                 .map_or(Scalar::exact(1.0), |ratio| Scalar::written(ratio.exact()));
@@ -69,7 +74,7 @@ impl Reader<'_> {
         }
         [Part::Armature, Part::Damping, Part::Friction].map(|part| {
             let field = self.field(|target| {
-                let of = target.drives();
+                let of = target.actuators();
                 of.is_some_and(|(name, of)| of == part && name.text == joint.name.text)
             });
             let described = number(part).unwrap_or(zero);

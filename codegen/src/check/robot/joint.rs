@@ -5,10 +5,10 @@
 
 use super::matrices::across;
 use super::{Contradiction, Motion, Places, Reader, Scalar, held, place};
-use crate::dense::{Body, BodyId, Freedom, Matrix, Moved};
+use crate::dense::{Body, BodyId, DegreeOfFreedom, Matrix, Moved};
 use crate::description::Joint;
 use crate::expression::{Arithmetic, Double};
-use crate::joint::{self, Along, Movement, Posture};
+use crate::joint::{self, Along, Manifold, Movement};
 use crate::list::List;
 
 impl Reader<'_> {
@@ -26,8 +26,8 @@ impl Reader<'_> {
             return Ok(bodies.push(held(parent, placement, nothing, Double::ZERO)));
         }
         let velocities = joint.kind.velocities(&joint.name.text);
-        for (k, (own, freedom)) in velocities.enumerate() {
-            let screw = self.screw(joint, freedom)?;
+        for (k, (own, degree_of_freedom)) in velocities.enumerate() {
+            let screw = self.screw(joint, degree_of_freedom)?;
             let one = (Scalar::exact(1.0), Scalar::exact(0.0));
             let body = bodies.push(match motion {
                 Motion::Held(at) => held(parent, placement, screw, at),
@@ -36,14 +36,14 @@ impl Reader<'_> {
                     placement,
                     ..places.along(&own, screw, one)?
                 },
-                Motion::Follows(leader, factor, offset) => Body {
+                Motion::Mimic(mimicked, factor, offset) => Body {
                     parent,
                     placement,
-                    ..places.along(leader, screw, (factor, offset))?
+                    ..places.along(mimicked, screw, (factor, offset))?
                 },
             });
-            for freedom in &mut bodies[body].freedoms {
-                freedom.drive = self.drive(joint, k);
+            for degree_of_freedom in &mut bodies[body].degrees_of_freedom {
+                degree_of_freedom.actuator = self.actuator(joint, k);
             }
             (parent, placement) = (Some(body), Matrix::identity());
         }
@@ -55,34 +55,34 @@ impl Reader<'_> {
     pub(super) fn placed(
         &self,
         joint: &Joint,
-        posture: Posture,
+        manifold: Manifold,
         (parent, mut placement): (Option<BodyId>, Matrix<Scalar>),
         places: &Places<'_>,
         bodies: &mut List<BodyId, Body>,
     ) -> Result<BodyId, Contradiction> {
         let name = &joint.name.text;
-        let rotation = match posture {
-            Posture::Planar => Some(across(self.direction(joint, &joint.axis)?)),
-            Posture::Spherical | Posture::Floating => None,
+        let rotation = match manifold {
+            Manifold::Planar => Some(across(self.direction(joint, &joint.axis)?)),
+            Manifold::Spherical | Manifold::Floating => None,
         };
         if let Some(rotation) = &rotation {
             placement = placement.times(rotation);
         }
         let coordinates = joint.kind.coordinates(name);
-        let mut freedoms = Vec::new();
-        for (k, (own, freedom)) in joint.kind.velocities(name).enumerate() {
-            freedoms.push(Freedom {
-                screw: self.screw(joint, freedom)?,
+        let mut degrees_of_freedom = Vec::new();
+        for (k, (own, degree_of_freedom)) in joint.kind.velocities(name).enumerate() {
+            degrees_of_freedom.push(DegreeOfFreedom {
+                screw: self.screw(joint, degree_of_freedom)?,
                 velocity: place(places.velocities, &own)?,
                 factor: Scalar::exact(1.0),
-                drive: self.drive(joint, k),
+                actuator: self.actuator(joint, k),
             });
         }
         let body = bodies.push(Body {
             parent,
             placement,
-            moved: Moved::Posture(posture, place(places.coordinates, &coordinates[0].0)?),
-            freedoms,
+            moved: Moved::Manifold(manifold, place(places.coordinates, &coordinates[0].0)?),
+            degrees_of_freedom,
             inertia: Matrix::zero(),
         });
         Ok(match rotation {
@@ -97,10 +97,10 @@ impl Reader<'_> {
     pub(super) fn screw(
         &self,
         joint: &Joint,
-        freedom: joint::Freedom,
+        degree_of_freedom: joint::DegreeOfFreedom,
     ) -> Result<[[Scalar; 3]; 2], Contradiction> {
         let nothing = [Scalar::literal(0.0); 3];
-        let axis = match freedom.along {
+        let axis = match degree_of_freedom.along {
             Along::Axis => self.direction(joint, &joint.axis)?,
             Along::Second => self.direction(joint, &joint.second_axis)?,
             Along::Frame(k) => {
@@ -109,9 +109,9 @@ impl Reader<'_> {
                 axis
             }
         };
-        Ok(match freedom.movement {
-            Movement::Turn => [axis, nothing],
-            Movement::Slide => [nothing, axis],
+        Ok(match degree_of_freedom.movement {
+            Movement::Rotation => [axis, nothing],
+            Movement::Translation => [nothing, axis],
             Movement::Helix => {
                 let pitch = Scalar::written(joint.kind.pitch().unwrap_or_default().exact());
                 [axis, axis.map(|entry| entry * pitch)]

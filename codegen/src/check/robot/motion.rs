@@ -53,7 +53,7 @@ impl<'d> Reader<'d> {
         if let Some(at) = self.locked(joint) {
             return Motion::Held(at);
         }
-        if self.leader(joint).is_none() {
+        if self.mimicked(joint).is_none() {
             let leads = |other: &&'d Joint| {
                 let on_path = path.contains(&other.name.text.as_str());
                 on_path && self.leads(joint, other)
@@ -69,18 +69,18 @@ impl<'d> Reader<'d> {
         // The coordinate of a held joint, in 106 bits.
         let [mut value, mut along] = [0.0, 1.0].map(Double::from);
         let mut at = joint;
-        while let Some((mimic, leader)) = self.leader(at) {
+        while let Some((mimic, mimicked)) = self.mimicked(at) {
             let (times, plus) = (mimic.multiplier.exact(), mimic.offset.exact());
             offset = offset + factor * Scalar::written(plus);
             factor = factor * Scalar::written(times);
             value = value + along * plus;
             along = along * times;
-            at = leader;
+            at = mimicked;
         }
         let there = kept.iter().any(|other| other.name.text == at.name.text);
         match self.motion(at, kept, path) {
             Motion::Own if there && !along.is_zero() => {
-                Motion::Follows(&at.name.text, factor, offset)
+                Motion::Mimic(&at.name.text, factor, offset)
             }
             // A joint that is left out has the coordinate of its lock.
             Motion::Held(held) => Motion::Held(along * held + value),
@@ -89,19 +89,19 @@ impl<'d> Reader<'d> {
     }
 
     /// The mimic data and the mimicked joint of a mimic joint.
-    fn leader(&self, joint: &'d Joint) -> Option<(&'d Mimic, &'d Joint)> {
+    fn mimicked(&self, joint: &'d Joint) -> Option<(&'d Mimic, &'d Joint)> {
         let mimic = joint
             .mimic
             .as_ref()
             .filter(|_| self.locked(joint).is_none())?;
         let mut others = self.description.joints.iter();
-        let leader = others.find(|other| other.name.text == mimic.leader.text)?;
-        Some((mimic, leader))
+        let mimicked = others.find(|other| other.name.text == mimic.mimicked.text)?;
+        Some((mimic, mimicked))
     }
 
     /// True if a joint is another one, or is mimicked by it.
     fn leads(&self, joint: &Joint, other: &'d Joint) -> bool {
-        let next = |joint: &&'d Joint| self.leader(joint).map(|(_, leader)| leader);
+        let next = |joint: &&'d Joint| self.mimicked(joint).map(|(_, mimicked)| mimicked);
         let mut chain = std::iter::successors(Some(other), next);
         chain.any(|other| other.name.text == joint.name.text)
     }

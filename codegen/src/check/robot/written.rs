@@ -91,7 +91,7 @@ impl Reader<'_> {
                     };
                     Matrix::rotation(axis, sine_and_cosine)
                 }
-                Step::Turn(entries) => self.turned(item, entries)?,
+                Step::Quaternion(entries) => self.turned(item, entries)?,
             };
             placement = placement.times(&step);
         }

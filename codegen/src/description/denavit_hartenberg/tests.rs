@@ -64,7 +64,7 @@ fn placement(steps: &[Step]) -> Matrix {
     steps.iter().fold(IDENTITY, |m, step| match step {
         Step::Translate(t) => product(&m, &translation(t.map(|x| x.value))),
         Step::Rotate(axis, angle) => product(&m, &rotation(*axis, angle.value)),
-        Step::Turn(_) => unreachable!("tables have no quaternions"),
+        Step::Quaternion(_) => unreachable!("tables have no quaternions"),
     })
 }
 

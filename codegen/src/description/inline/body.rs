@@ -5,7 +5,7 @@
 use syn::parse::ParseStream;
 use syn::{Token, token};
 
-use crate::description::tokens::{self, Parsed, complaint};
+use crate::description::tokens::{self, Parsed, diagnostic};
 use crate::description::{Axis, Inertial, Name, Number, Step, number};
 use crate::error::{Errors, Place};
 
@@ -46,7 +46,7 @@ impl Inertia {
                 let mass = tokens::number(input, &subject)?;
                 if mass.value < 0.0 {
                     let message = format!("{subject} is negative: {}", mass.value);
-                    return Err(complaint(span, message));
+                    return Err(diagnostic(span, message));
                 }
                 Ok(mass)
             }),
@@ -100,7 +100,7 @@ fn tensor(input: ParseStream, subject: &str) -> Parsed<[Number; 6]> {
             Ok([xx, zero, zero, yy, zero, zz])
         }
         [xx, xy, xz, yy, yz, zz] => Ok([xx, xy, xz, yy, yz, zz]),
-        _ => Err(complaint(
+        _ => Err(diagnostic(
             span,
             format!(
                 "{subject} has {} numbers instead of 3 (xx, yy, zz) or 6 (xx, xy, xz, yy, yz, zz)",
@@ -126,5 +126,5 @@ pub(super) fn end(input: ParseStream, subject: &str) -> Parsed<()> {
         return Ok(());
     }
     let message = format!("expected `{{` or `;` after {subject}");
-    Err(complaint(input.span(), message))
+    Err(diagnostic(input.span(), message))
 }

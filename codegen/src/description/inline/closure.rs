@@ -9,9 +9,9 @@ use syn::{Token, token};
 
 use super::{body, joint};
 use crate::closure::{ALL, Closure, Definition};
-use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
+use crate::description::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use crate::description::{Loop, Name, Number};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::{known, quoted};
 
 /// The keys.
@@ -21,16 +21,16 @@ pub(in crate::description) const KEYS: [&str; 4] = ["from", "to", "at", "to_at"]
 struct Closing {
     closure: Closure,
     axes: [[Number; 3]; 2],
-    warnings: Vec<Complaint>,
+    warnings: Vec<Diagnostic>,
 }
 
 /// Reads a loop from a text: the part after the word `loop`.
-pub(super) fn read_text(text: &str, errors: &mut Errors) -> Option<(Loop, Vec<Complaint>)> {
+pub(super) fn read_text(text: &str, errors: &mut Errors) -> Option<(Loop, Vec<Diagnostic>)> {
     let mut found = None;
     let parser = |input: ParseStream| {
         match read(input, errors) {
             Ok(read) => found = read,
-            Err(complaint) => tokens::push(errors, complaint),
+            Err(diagnostic) => tokens::push(errors, diagnostic),
         }
         tokens::skip(input, |_| false);
         Ok(())
@@ -48,13 +48,13 @@ pub(super) fn read_text(text: &str, errors: &mut Errors) -> Option<(Loop, Vec<Co
 pub(super) fn read(
     input: ParseStream,
     errors: &mut Errors,
-) -> Parsed<Option<(Loop, Vec<Complaint>)>> {
+) -> Parsed<Option<(Loop, Vec<Diagnostic>)>> {
     let name = tokens::name(input)?;
     let subject = format!("loop {}", quoted(&name.text));
     if !input.peek(Token![:]) {
         let hint = "write loop pin: revolute(z) { from: coupler, to: rocker }";
         let message = format!("expected `:` after {subject}");
-        return Err(complaint_with_hint(input.span(), message, hint));
+        return Err(diagnostic_with_hint(input.span(), message, hint));
     }
     input.parse::<Token![:]>()?;
     let closing = closing(input, &subject, errors)?;
@@ -105,7 +105,7 @@ fn closing(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opt
     let Some(kind) = Definition::named(&text) else {
         let message = format!("{subject} has the unknown type {}", quoted(&text));
         let hint = known(&text, "types", &ALL.map(|kind| kind.word));
-        tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+        tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
         if input.peek(token::Paren) {
             let content = tokens::parentheses(input)?;
             tokens::skip(&content, |_| false);
@@ -123,11 +123,11 @@ fn closing(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opt
             let what = if kind.has_length() { "length" } else { "axis" };
             let message = format!("{subject} has no {what}");
             let hint = format!("write {word}({inside})");
-            tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+            tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
             return Ok(None);
         }
         return Ok(Some(Closing {
-            closure: kind.with_length(|| Ok::<_, Complaint>(Number::default()))?,
+            closure: kind.with_length(|| Ok::<_, Diagnostic>(Number::default()))?,
             axes: [[Number::default(); 3]; 2],
             warnings: Vec::new(),
         }));
@@ -136,14 +136,14 @@ fn closing(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opt
     let closing = in_parentheses(&content, kind, subject);
     tokens::skip(&content, |_| false);
     Ok(closing
-        .map_err(|complaint| tokens::push(errors, complaint))
+        .map_err(|diagnostic| tokens::push(errors, diagnostic))
         .ok())
 }
 
 fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parsed<Closing> {
     if kind.axes == 0 && !kind.has_length() {
         let message = format!("{subject} is {} and has no axis", kind.word);
-        return Err(complaint(input.span(), message));
+        return Err(diagnostic(input.span(), message));
     }
     let mut axes = [[Number::default(); 3]; 2];
     let mut warnings = Vec::new();
@@ -154,7 +154,7 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
             let hint = format!("write {}(x, y)", kind.word);
             input
                 .parse::<Token![,]>()
-                .map_err(|_| complaint_with_hint(span, message, hint))?;
+                .map_err(|_| diagnostic_with_hint(span, message, hint))?;
         }
         let (axis, warning) = joint::direction(input, subject)?;
         // A single axis is that of both frames.
@@ -169,11 +169,11 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         }
         let message = format!("the length of {subject} is not positive: {}", length.value);
         let hint = "write spherical to join two points";
-        Err(complaint_with_hint(span, message, hint))
+        Err(diagnostic_with_hint(span, message, hint))
     })?;
     if !input.is_empty() {
         let message = format!("expected `)` after the axes of {subject}");
-        return Err(complaint(input.span(), message));
+        return Err(diagnostic(input.span(), message));
     }
     Ok(Closing {
         closure,

@@ -10,9 +10,9 @@ use syn::{Token, token};
 use super::body;
 use super::joint::{self, Joint, KEYS};
 use crate::description::Name;
-use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
+use crate::description::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use crate::error::Errors;
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 use crate::joint::entry;
 use crate::wording::quoted;
 
@@ -39,12 +39,12 @@ pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Pars
     if joints.is_empty() && errors.is_empty() {
         let message = format!("{subject} has no motions");
         let hint = "write composite(yaw: revolute(z), roll: revolute(x))";
-        tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+        tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
     }
     body::end(input, &subject)?;
     let (mut from, mut to, mut at) = (None, None, Vec::new());
-    let drive = Part::ALL.map(Part::word);
-    let keys: Vec<&str> = KEYS.into_iter().chain(drive).collect();
+    let actuator = Part::ALL.map(Part::word);
+    let keys: Vec<&str> = KEYS.into_iter().chain(actuator).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
         match key {
             "from" => from = Some(tokens::name(input)?),
@@ -56,7 +56,7 @@ pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Pars
                     quoted(key)
                 );
                 let hint = format!("write it after one of them: yaw: revolute(z) {{ {key}: … }}");
-                return Err(complaint_with_hint(input.span(), message, hint));
+                return Err(diagnostic_with_hint(input.span(), message, hint));
             }
         }
         Ok(())
@@ -83,10 +83,10 @@ fn motions(whole: &Name, input: ParseStream, errors: &mut Errors) -> Vec<Joint> 
                 joints.push(joint);
                 if !input.is_empty() && !input.peek(Token![,]) {
                     let message = "expected `,` between two motions";
-                    tokens::push(errors, complaint(input.span(), message));
+                    tokens::push(errors, diagnostic(input.span(), message));
                 }
             }
-            Err(complaint) => tokens::push(errors, complaint),
+            Err(diagnostic) => tokens::push(errors, diagnostic),
         }
         tokens::skip(input, |token| tokens::is_punctuation(token, ','));
     }

@@ -10,10 +10,10 @@ use syn::{Token, token};
 
 use super::body;
 use crate::description::kind;
-use crate::description::tokens::{self, Parsed, complaint, complaint_with_hint};
+use crate::description::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use crate::description::{Axis, Limits, Mimic, Name, Number, Step, axis, number};
-use crate::error::{Complaint, Errors, Place};
-use crate::joint::drive::{Part, Parts};
+use crate::error::{Diagnostic, Errors, Place};
+use crate::joint::actuator::{Part, Parts};
 use crate::joint::{Definition, JointKind};
 use crate::wording::{known, quoted};
 
@@ -42,18 +42,18 @@ pub(super) struct Joint {
     limits: Option<Limits>,
     mimic: Option<Mimic>,
     /// Armature, rotors, damping and friction.
-    pub(super) drive: Parts,
+    pub(super) actuator: Parts,
     /// True if the child link is a massless one between two motions, which has no entry in the text.
     pub(super) is_between: bool,
     /// Warnings.
-    pub(super) warnings: Vec<Complaint>,
+    pub(super) warnings: Vec<Diagnostic>,
 }
 
 /// The type of a joint, with its axes.
 struct Motion {
     kind: JointKind,
     axes: [[Number; 3]; 2],
-    warnings: Vec<Complaint>,
+    warnings: Vec<Diagnostic>,
 }
 
 /// `NAME:`.
@@ -62,7 +62,7 @@ pub(super) fn named(input: ParseStream) -> Parsed<Name> {
     if !input.peek(Token![:]) {
         let hint = "write joint elbow: revolute(z)";
         let message = format!("expected `:` after joint {}", quoted(&name.text));
-        return Err(complaint_with_hint(input.span(), message, hint));
+        return Err(diagnostic_with_hint(input.span(), message, hint));
     }
     input.parse::<Token![:]>()?;
     Ok(name)
@@ -90,17 +90,19 @@ pub(super) fn of(
         origin: Vec::new(),
         limits: None,
         mimic: None,
-        drive: Parts::default(),
+        actuator: Parts::default(),
         is_between: false,
     };
     let mut range = Range::default();
     let mut mimic_keys = MimicKeys::default();
-    let drive = Part::ALL.map(Part::word);
-    let keys: Vec<&str> = keys.iter().copied().chain(drive).collect();
+    let actuator = Part::ALL.map(Part::word);
+    let keys: Vec<&str> = keys.iter().copied().chain(actuator).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
         if let Some(part) = Part::from_word(key) {
             let subject = format!("the {key} of {subject}");
-            joint.drive.say(part, tokens::one_or_more(input, &subject)?);
+            joint
+                .actuator
+                .say(part, tokens::one_or_more(input, &subject)?);
             return Ok(());
         }
         match key {
@@ -158,7 +160,7 @@ impl Joint {
             second_axis,
             limits: self.limits,
             mimic: self.mimic,
-            drive: self.drive,
+            actuator: self.actuator,
             place,
         })
     }
@@ -170,7 +172,7 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
     let kind = match kind::read(&word.to_string(), subject) {
         Ok(kind) => kind,
         Err((message, hint)) => {
-            tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+            tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
             if input.peek(token::Paren) {
                 let content = tokens::parentheses(input)?;
                 tokens::skip(&content, |_| false);
@@ -181,7 +183,7 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
     if !input.peek(token::Paren) {
         if kind.axes() == 0 {
             return Ok(Some(Motion {
-                kind: kind.with_pitch(|| Ok::<_, Complaint>(Number::default()))?,
+                kind: kind.with_pitch(|| Ok::<_, Diagnostic>(Number::default()))?,
                 axes: [along_x(Place::Token(word.span())); 2],
                 warnings: Vec::new(),
             }));
@@ -189,39 +191,40 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
         let message = format!("{subject} has no axis");
         let axes = ["z", "x, y"][kind.axes() - 1];
         let hint = format!("write {word}({axes})");
-        tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+        tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
         return Ok(None);
     }
     let content = tokens::parentheses(input)?;
     let motion = in_parentheses(&content, kind, subject);
     tokens::skip(&content, |_| false);
     Ok(motion
-        .map_err(|complaint| tokens::push(errors, complaint))
+        .map_err(|diagnostic| tokens::push(errors, diagnostic))
         .ok())
 }
 
 fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parsed<Motion> {
     if kind.axes() == 0 {
         let message = format!("{subject} is {} and has no axis", kind.word);
-        return Err(complaint(input.span(), message));
+        return Err(diagnostic(input.span(), message));
     }
     let (axis, warning) = direction(input, subject)?;
     let mut axes = [axis; 2];
-    let mut warnings: Vec<Complaint> = warning.into_iter().collect();
+    let mut warnings: Vec<Diagnostic> = warning.into_iter().collect();
     if kind.axes() == 2 {
         let hint = format!("write {}(x, y)", kind.word);
         let missing = format!("{subject} has no second axis");
         let span = input.span();
         input
             .parse::<Token![,]>()
-            .map_err(|_| complaint_with_hint(span, missing, hint))?;
+            .map_err(|_| diagnostic_with_hint(span, missing, hint))?;
         let (second, warning) = direction(input, subject)?;
         axes[1] = second;
         warnings.extend(warning);
     }
     let kind = kind.with_pitch(|| -> Parsed<Number> {
         let hint = "write screw(z, pitch: 0.01), in metres per radian";
-        let missing = || complaint_with_hint(input.span(), format!("{subject} has no pitch"), hint);
+        let missing =
+            || diagnostic_with_hint(input.span(), format!("{subject} has no pitch"), hint);
         input.parse::<Token![,]>().map_err(|_| missing())?;
         let key = tokens::word(input).map_err(|_| missing())?;
         if key != "pitch" {
@@ -232,7 +235,7 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
     })?;
     if !input.is_empty() {
         let message = format!("expected `)` after the axis of {subject}");
-        return Err(complaint(input.span(), message));
+        return Err(diagnostic(input.span(), message));
     }
     Ok(Motion {
         kind,
@@ -249,13 +252,13 @@ fn along_x(place: Place) -> [Number; 3] {
 pub(super) fn direction(
     input: ParseStream,
     subject: &str,
-) -> Parsed<([Number; 3], Option<Complaint>)> {
+) -> Parsed<([Number; 3], Option<Diagnostic>)> {
     let span = input.span();
     let subject = format!("the axis of {subject}");
     if input.peek(token::Bracket) {
         let numbers = tokens::vector(input, &subject)?;
         let say = |remark: axis::Remark| {
-            complaint_with_hint(span, format!("{subject} {}", remark.what), remark.hint)
+            diagnostic_with_hint(span, format!("{subject} {}", remark.what), remark.hint)
         };
         return match axis::direction(numbers) {
             Ok((axis, warning)) => Ok((axis, warning.map(say))),
@@ -276,7 +279,7 @@ pub(super) fn direction(
         _ => {
             let message = format!("{subject} must be x, y, z or a vector");
             let hint = "write revolute(z), revolute(-z) or revolute([0.0, 0.6, 0.8])";
-            return Err(complaint_with_hint(span, message, hint));
+            return Err(diagnostic_with_hint(span, message, hint));
         }
     };
     let axis = axis.map(|value| number::computed(value, Place::Token(span)));
@@ -302,7 +305,7 @@ pub(super) fn placement(input: ParseStream, subject: &str) -> Parsed<Vec<Step>> 
                     quoted(&text)
                 );
                 let hint = known(&text, "steps", &STEPS);
-                return Err(complaint_with_hint(word.span(), message, hint));
+                return Err(diagnostic_with_hint(word.span(), message, hint));
             }
         }
     }
@@ -317,7 +320,7 @@ fn rotation(axis: Axis, input: ParseStream, subject: &str) -> Parsed<Step> {
 /// The keys of a mimic joint read so far.
 #[derive(Default)]
 struct MimicKeys {
-    leader: Option<Name>,
+    mimicked: Option<Name>,
     multiplier: Option<Number>,
     offset: Option<Number>,
 }
@@ -327,7 +330,7 @@ impl MimicKeys {
     fn read(&mut self, key: &str, input: ParseStream, subject: &str) -> Parsed<()> {
         let number = || tokens::number(input, &format!("the {key} of {subject}"));
         match key {
-            "mimic" => self.leader = Some(tokens::name(input)?),
+            "mimic" => self.mimicked = Some(tokens::name(input)?),
             "multiplier" => self.multiplier = Some(number()?),
             _ => self.offset = Some(number()?),
         }
@@ -337,7 +340,7 @@ impl MimicKeys {
     /// The mimic joint, if `mimic` was written.
     fn finish(self, joint: &Name, errors: &mut Errors) -> Option<Mimic> {
         let place = joint.place;
-        let Some(leader) = self.leader else {
+        let Some(mimicked) = self.mimicked else {
             if self.multiplier.is_some() || self.offset.is_some() {
                 errors.push_with_hint(
                     place,
@@ -351,8 +354,8 @@ impl MimicKeys {
             return None;
         };
         Some(Mimic {
-            place: leader.place,
-            leader,
+            place: mimicked.place,
+            mimicked,
             multiplier: self.multiplier.unwrap_or(number::computed(1.0, place)),
             offset: self.offset.unwrap_or(number::computed(0.0, place)),
         })
@@ -378,7 +381,7 @@ impl Range {
         let numbers: [Number; 2] = tokens::vector(input, &format!("limits of {subject}"))?;
         let [lower, upper] = numbers.map(|number| number.value);
         if lower > upper {
-            return Err(complaint(
+            return Err(diagnostic(
                 span,
                 format!("the lower limit of {subject}, {lower}, is above the upper one, {upper}"),
             ));

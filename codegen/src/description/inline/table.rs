@@ -10,7 +10,7 @@ use super::body::{self, Inertia};
 use super::joint::Range;
 use crate::description::denavit_hartenberg::{self, Convention, Row};
 use crate::description::kind;
-use crate::description::tokens::{self, Parsed, complaint_with_hint};
+use crate::description::tokens::{self, Parsed, diagnostic_with_hint};
 use crate::description::{Joint, Link, Name, Number, number};
 use crate::error::{Errors, Place};
 use crate::wording::quoted;
@@ -38,12 +38,12 @@ pub(super) fn read(
     errors: &mut Errors,
 ) -> Parsed<(Vec<Link>, Vec<Joint>)> {
     let hint = "write denavit_hartenberg(modified) { … }, or (standard)";
-    let missing = |span| complaint_with_hint(span, "the table names no convention", hint);
+    let missing = |span| diagnostic_with_hint(span, "the table names no convention", hint);
     let content = tokens::parentheses(input).map_err(|_| missing(word))?;
     let name = tokens::word(&content).map_err(|_| missing(content.span()))?;
     tokens::skip(&content, |_| false);
     let convention = Convention::from_name(&name.to_string()).unwrap_or_else(|(message, hint)| {
-        tokens::push(errors, complaint_with_hint(name.span(), message, hint));
+        tokens::push(errors, diagnostic_with_hint(name.span(), message, hint));
         Convention::Modified
     });
     let content = tokens::braces(input)?;
@@ -55,8 +55,8 @@ pub(super) fn read(
         }
         match row(&content, errors) {
             Ok(row) => rows.extend(row),
-            Err(complaint) => {
-                tokens::push(errors, complaint);
+            Err(diagnostic) => {
+                tokens::push(errors, diagnostic);
                 tokens::skip(&content, |token| {
                     tokens::is_braces(token) || tokens::is_punctuation(token, ';')
                 });
@@ -77,13 +77,13 @@ fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
     if !input.peek(Token![:]) {
         let message = format!("expected `:` after {subject}");
         let hint = "write elbow: revolute { a: 0.3 }";
-        return Err(complaint_with_hint(input.span(), message, hint));
+        return Err(diagnostic_with_hint(input.span(), message, hint));
     }
     input.parse::<Token![:]>()?;
     let word = tokens::word(input)?;
     let kind = kind::of_one_axis(&word.to_string(), &subject)
         .map_err(|(message, hint)| {
-            tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+            tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
         })
         .ok();
     body::end(input, &subject)?;
@@ -115,7 +115,7 @@ fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
             pitch.ok_or_else(|| {
                 let hint = "add pitch: 0.01, in metres per radian";
                 let message = format!("{subject} has no pitch");
-                tokens::push(errors, complaint_with_hint(word.span(), message, hint));
+                tokens::push(errors, diagnostic_with_hint(word.span(), message, hint));
             })
         })
         .ok()

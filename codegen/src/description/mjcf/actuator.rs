@@ -6,10 +6,10 @@
 
 use super::class::{ACTUATOR, ACTUATORS};
 use super::element::Element;
-use super::elements::lost::{ACTUATOR_DAMPING, ELSEWHERE};
+use super::elements::unmodelled::{ACTUATOR_DAMPING, ELSEWHERE};
 use super::reading::Mjcf;
 use super::values::Attributes;
-use crate::joint::drive::Motor;
+use crate::joint::actuator::Motor;
 use crate::wording::quoted;
 
 impl<'a> Mjcf<'a> {
@@ -60,7 +60,7 @@ impl<'a> Mjcf<'a> {
             .copied()
             .unwrap_or_default();
         let joint = &mut self.tree.joints[target];
-        joint.drive.mount(Motor {
+        joint.actuator.mount(Motor {
             rotor: Some(armature),
             ratio: gear,
         });

@@ -17,7 +17,7 @@ use crate::description::{Joint, Link, Name, Step, number};
 use crate::error::Place;
 use crate::expression::Double;
 use crate::joint::JointKind;
-use crate::joint::drive::Parts;
+use crate::joint::actuator::Parts;
 use crate::wording::quoted;
 
 /// Maximum nesting depth of frames.
@@ -322,7 +322,7 @@ impl<'a> Mjcf<'a> {
             second_axis: [zero; 3],
             limits: None,
             mimic: None,
-            drive: Parts::default(),
+            actuator: Parts::default(),
             place,
         });
     }

@@ -2,8 +2,8 @@
 
 mod actors;
 mod bodies;
-pub(super) mod lost;
 mod settings;
+pub(super) mod unmodelled;
 
 use super::element::Element;
 use crate::description::xml::elements::{Content, Entry, Format, Others};

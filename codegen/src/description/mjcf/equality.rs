@@ -4,7 +4,7 @@
 //! constraints are reported as warnings.
 
 use super::element::Element;
-use super::elements::lost::{HELD, POLYNOMIAL, SECOND};
+use super::elements::unmodelled::{HELD, POLYNOMIAL, SECOND};
 use super::orientation::of_mujoco;
 use super::reading::Mjcf;
 use super::spatial::{inverse, to_number};
@@ -97,7 +97,7 @@ impl<'a> Mjcf<'a> {
         let offset = reference(self, mimic_joint) + coefficient(0)
             - coefficient(1) * reference(self, mimicked);
         let mimic = Mimic {
-            leader: self.tree.joints[mimicked].name.clone(),
+            mimicked: self.tree.joints[mimicked].name.clone(),
             multiplier: to_number(coefficient(1), place),
             offset: to_number(offset, place),
             place,
@@ -113,7 +113,7 @@ impl<'a> Mjcf<'a> {
                 Some(found) if found == other => return true,
                 Some(found) => {
                     let mimic = self.tree.joints[found].mimic.as_ref();
-                    at = mimic.and_then(|mimic| self.tree.joint(&mimic.leader.text));
+                    at = mimic.and_then(|mimic| self.tree.joint(&mimic.mimicked.text));
                 }
                 None => return false,
             }

@@ -4,7 +4,7 @@
 //! joint carries the body. If its axis does not pass through the body's origin, it carries a massless link, to which
 //! the body is fixed. A reference (`ref`) other than 0 rotates or translates the frame of the joint.
 
-mod drive;
+mod actuator;
 
 use super::orientation::rotation_about;
 use super::reading::Mjcf;
@@ -15,7 +15,7 @@ use crate::description::{Joint, Limits, Link, Name, Number, Step, axis, number};
 use crate::error::Place;
 use crate::expression::Double;
 use crate::joint::JointKind;
-use crate::joint::drive::Parts;
+use crate::joint::actuator::Parts;
 use crate::wording::quoted;
 
 /// A body, as needed to connect it to its parent.
@@ -58,7 +58,7 @@ struct Read {
     /// The motion from the described configuration to coordinate 0.
     reference: Option<Step>,
     limits: Option<Limits>,
-    drive: Parts,
+    actuator: Parts,
     place: Place,
 }
 
@@ -135,7 +135,7 @@ impl<'a> Mjcf<'a> {
                 second_axis: [zero; 3],
                 limits: joint.limits,
                 mimic: None,
-                drive: joint.drive,
+                actuator: joint.actuator,
                 place: joint.place,
             });
             parent = child;
@@ -213,7 +213,7 @@ impl<'a> Mjcf<'a> {
         if form == JointType::Free && !body.has_bodies && body.joints.len() == 1 {
             self.aligned(&attributes, &subject);
         }
-        let drive = self.friction_and_armature(&attributes, form, &subject);
+        let actuator = self.friction_and_armature(&attributes, form, &subject);
         Some(Read {
             name,
             form,
@@ -222,7 +222,7 @@ impl<'a> Mjcf<'a> {
             axis,
             reference,
             limits,
-            drive,
+            actuator,
             place,
         })
     }

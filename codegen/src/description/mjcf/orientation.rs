@@ -147,7 +147,7 @@ fn is_not_zero(offset: &[Number; 3]) -> bool {
 
 /// A rotation by a quaternion in MuJoCo's order w, x, y, z.
 pub(super) fn of_mujoco([w, x, y, z]: [Number; 4]) -> Step {
-    Step::Turn([x, y, z, w])
+    Step::Quaternion([x, y, z, w])
 }
 
 /// A rotation about an axis of any length; `None` if the length is 0.
@@ -176,7 +176,7 @@ pub(super) fn rotation_about(axis: &[Number; 3], angle: Number) -> Option<Step> 
     let (sine, cosine) = (angle.exact() / exactly(2.0)).sin_cos();
     let [x, y, z] = spatial::times(axis, sine);
     let entries = [x, y, z, cosine * length];
-    Some(Step::Turn(
+    Some(Step::Quaternion(
         entries.map(|entry| to_number(entry, angle.place)),
     ))
 }
@@ -197,13 +197,15 @@ pub(super) fn z_along([x, y, z]: Vector, place: Place) -> Option<Step> {
         };
         [-y, x, Double::ZERO, w]
     } else if z.sign().to_f64() > 0.0 {
-        return Some(Step::Turn(
+        return Some(Step::Quaternion(
             [0.0, 0.0, 0.0, 1.0].map(|entry| to_number(exactly(entry), place)),
         ));
     } else {
         [exactly(1.0), Double::ZERO, Double::ZERO, Double::ZERO]
     };
-    Some(Step::Turn(entries.map(|entry| to_number(entry, place))))
+    Some(Step::Quaternion(
+        entries.map(|entry| to_number(entry, place)),
+    ))
 }
 
 /// The rotation to the frame with this x axis and with y in the plane of both vectors. `None` if they are parallel or
@@ -222,5 +224,7 @@ fn of_axes(x: Vector, y: Vector, place: Place) -> Option<Step> {
     }
     let rotation: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]));
     let entries = spatial::quaternion(&rotation);
-    Some(Step::Turn(entries.map(|entry| to_number(entry, place))))
+    Some(Step::Quaternion(
+        entries.map(|entry| to_number(entry, place)),
+    ))
 }

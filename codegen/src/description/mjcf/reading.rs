@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use super::assets::Meshes;
 use super::class::Defaults;
-use super::lost::Noted;
 use super::names::Names;
 use super::settings::Compiler;
 use super::tree::Tree;
+use super::unmodelled::Noted;
 use crate::description::xml::element::Reader;
 
 /// State of the reader.

@@ -141,7 +141,7 @@ impl Pose {
                     ..pose
                 },
                 Step::Rotate(axis, angle) => pose.rotated(&about(*axis, angle.exact())),
-                Step::Turn(entries) => {
+                Step::Quaternion(entries) => {
                     pose.rotated(&of_quaternion(entries.map(|entry| entry.exact())))
                 }
             })
@@ -194,7 +194,9 @@ pub(super) fn inverse(steps: &[Step]) -> Vec<Step> {
     let backwards = steps.map(|step| match step {
         Step::Translate(offset) => Step::Translate(offset.map(negated)),
         Step::Rotate(axis, angle) => Step::Rotate(*axis, negated(*angle)),
-        Step::Turn([x, y, z, w]) => Step::Turn([negated(*x), negated(*y), negated(*z), *w]),
+        Step::Quaternion([x, y, z, w]) => {
+            Step::Quaternion([negated(*x), negated(*y), negated(*z), *w])
+        }
     });
     backwards.collect()
 }

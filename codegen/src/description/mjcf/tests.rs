@@ -170,7 +170,7 @@ fn a_file_is_known_by_its_root() {
         "\u{feff}<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<mujoco model=\"a\">",
         "<!DOCTYPE mujoco>\n<mujocoinclude>",
     ] {
-        assert!(is_meant(text), "{text}");
+        assert!(is_mjcf(text), "{text}");
     }
     for text in [
         "",
@@ -178,7 +178,7 @@ fn a_file_is_known_by_its_root() {
         "<!-- <mujoco/>",
         "shoulder <mujoco>",
     ] {
-        assert!(!is_meant(text), "{text}");
+        assert!(!is_mjcf(text), "{text}");
     }
 }
 

@@ -12,7 +12,7 @@ use crate::description::xml::element::Reader;
 use crate::description::{Joint, Mimic, Name, Number, axis, number};
 use crate::error::Place;
 use crate::joint::JointKind;
-use crate::joint::drive::{Part, Parts};
+use crate::joint::actuator::{Part, Parts};
 use crate::wording::quoted;
 
 /// Reads a joint; `None` without a name, a type or two links.
@@ -49,7 +49,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
     let limits = limit::read(reader, &children, kind, &subject);
     limit::soft(reader, &children, limits, kind, &subject);
     let mimic = mimic(reader, &children, kind, &subject);
-    let drive = dynamics(reader, &children, kind, &subject);
+    let actuator = dynamics(reader, &children, kind, &subject);
     Some(Joint {
         name: name?,
         kind: kind.unwrap_or(JointKind::Fixed),
@@ -60,7 +60,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'_, 't>, node: Node<'_, 't>) -> Optio
         second_axis,
         limits,
         mimic,
-        drive,
+        actuator,
         place: reader.place(node),
     })
 }
@@ -188,7 +188,7 @@ fn mimic<'t>(
         reader.warn(place, message, None);
         return None;
     }
-    let leader = reader.name(node, "joint", &format!("the <mimic> of {subject}"))?;
+    let mimicked = reader.name(node, "joint", &format!("the <mimic> of {subject}"))?;
     let mut number = |name: &str, otherwise: f64| match node.attribute(name) {
         Some(_) => reader.number(
             node,
@@ -198,7 +198,7 @@ fn mimic<'t>(
         None => Some(number::computed(otherwise, place)),
     };
     Some(Mimic {
-        leader,
+        mimicked,
         multiplier: number("multiplier", 1.0)?,
         offset: number("offset", 0.0)?,
         place,

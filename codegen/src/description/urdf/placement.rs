@@ -37,7 +37,7 @@ impl<'t> Reader<'_, 't> {
             }
             (None, Some(quaternion)) => {
                 let subject = format!("quat_xyzw of the origin of {subject}");
-                steps.extend(self.quaternion(&quaternion, &subject).map(Step::Turn));
+                steps.extend(self.quaternion(&quaternion, &subject).map(Step::Quaternion));
             }
             (Some(_), Some(quaternion)) => self.errors.push_with_hint(
                 self.positions.place(quaternion.range().start),

@@ -12,7 +12,7 @@ use roxmltree::Node;
 
 use crate::description::xml::element::Reader;
 use crate::description::{Joint, Number, number};
-use crate::joint::drive::Motor;
+use crate::joint::actuator::Motor;
 use crate::wording::quoted;
 
 /// The motors of a transmission, and their joint.
@@ -157,7 +157,7 @@ pub(super) fn mount(
         match places.get(&joint) {
             Some(&place) => {
                 for motor in motors {
-                    joints[place].drive.mount(motor);
+                    joints[place].actuator.mount(motor);
                 }
             }
             None => reader.unmodelled.dismount(&joint),

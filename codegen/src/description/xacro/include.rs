@@ -79,7 +79,7 @@ impl Expansion {
                 Some((_, line, column)) => format!("{}:{line}:{column}: ", self.files.name(file)),
                 None => format!("{}: ", self.files.name(file)),
             };
-            return Err(match errors.complaints().first() {
+            return Err(match errors.diagnostics().first() {
                 None => Failure::Reported,
                 Some(first) => {
                     let what = format!("{}{}", place(first.place), first.message);

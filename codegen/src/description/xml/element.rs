@@ -12,7 +12,7 @@ use super::plain::unescaped;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
 use crate::description::{Name, Number, Unmodelled};
-use crate::error::{Complaint, Errors, Place};
+use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::quoted;
 
 /// Maximum number of warnings.
@@ -40,7 +40,7 @@ const ENDS_IN_SPACE: &str =
 pub(in crate::description) struct Reader<'r, 't> {
     pub(in crate::description) positions: &'r Positions<'t>,
     pub(in crate::description) errors: Errors,
-    pub(in crate::description) warnings: Vec<Complaint>,
+    pub(in crate::description) warnings: Vec<Diagnostic>,
     pub(in crate::description) unmodelled: Unmodelled,
     /// True if the robot's version is missing or 1.0, until the warning of a newer element is reported.
     pub(in crate::description) is_of_version_1_0: bool,
@@ -85,7 +85,7 @@ impl<'t> Reader<'_, 't> {
         if self.warnings.len() == MOST_WARNINGS {
             return;
         }
-        self.warnings.push(Complaint {
+        self.warnings.push(Diagnostic {
             place,
             message,
             hint,

@@ -5,12 +5,12 @@
 //! linear velocity for a length.
 
 use crate::chain::Chain;
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::expression::{Double, Evaluation, Input};
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::list::{Id, List};
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::plan::expressions_by;
 use crate::quaternion::normalize;
 use crate::random::Random;
@@ -27,19 +27,19 @@ const LEAST_SIZE: f64 = 1e-12;
 const LEAST_MOTION: f64 = 1e-3;
 
 /// The entries of M of frame B in frame A: the origin, and the axes.
-const WHOLE: [Row; 12] = [
-    Row::Along(0),
-    Row::Along(1),
-    Row::Along(2),
-    Row::Product(0, 0),
-    Row::Product(0, 1),
-    Row::Product(0, 2),
-    Row::Product(1, 0),
-    Row::Product(1, 1),
-    Row::Product(1, 2),
-    Row::Product(2, 0),
-    Row::Product(2, 1),
-    Row::Product(2, 2),
+const WHOLE: [ResidualKind; 12] = [
+    ResidualKind::Along(0),
+    ResidualKind::Along(1),
+    ResidualKind::Along(2),
+    ResidualKind::Product(0, 0),
+    ResidualKind::Product(0, 1),
+    ResidualKind::Product(0, 2),
+    ResidualKind::Product(1, 0),
+    ResidualKind::Product(1, 1),
+    ResidualKind::Product(1, 2),
+    ResidualKind::Product(2, 0),
+    ResidualKind::Product(2, 1),
+    ResidualKind::Product(2, 2),
 ];
 
 /// A residual.
@@ -61,8 +61,8 @@ pub(super) fn measured(chain: &Chain) -> Vec<Vec<Measured>> {
         }
     });
     let functions = [Function::Constraint, Function::ConstraintJacobian];
-    let (layout, way) = (Layout::DESCRIBED, Way::PLAIN);
-    let (graph, results) = expressions_by(&whole, &functions, FrameId::FIRST, layout, way);
+    let (layout, algorithm) = (Layout::DESCRIBED, Algorithm::PLAIN);
+    let (graph, results) = expressions_by(&whole, &functions, FrameId::FIRST, layout, algorithm);
     let evaluation = Evaluation::of(&graph, &results);
     let rows: Vec<usize> = whole.loops.iter().map(|closed| closed.rows.len()).collect();
     let mut random = Random(0);
@@ -123,7 +123,7 @@ fn sampled(
 fn configuration(chain: &Chain, random: &mut Random) -> Vec<Double> {
     const FARTHEST: f64 = 1e6;
     let ends = |entry: &Entry| match (entry.kind, entry.range) {
-        (Kind::Turn, _) => [-3.0, 3.0],
+        (Kind::Rotation, _) => [-3.0, 3.0],
         (_, Some(ends)) => ends.map(|end| end.clamp(-FARTHEST, FARTHEST)),
         (_, None) => [-1.0, 1.0],
     };
@@ -137,12 +137,12 @@ fn configuration(chain: &Chain, random: &mut Random) -> Vec<Double> {
     q
 }
 
-fn of_loop(rows: &[Row], samples: &[&Sample]) -> Vec<Measured> {
+fn of_loop(rows: &[ResidualKind], samples: &[&Sample]) -> Vec<Measured> {
     let first = rows.len();
     let distance = |sample: &Sample| length(&sample.values[first..][..3]);
     let distances = samples.iter().map(|sample| distance(sample));
     let extent = distances.fold(LEAST_SIZE, f64::max);
-    let measure = |(k, row): (usize, &Row)| {
+    let measure = |(k, row): (usize, &ResidualKind)| {
         let values = samples.iter().map(|sample| sample.values[k]);
         let value = values.fold(0.0, |most: f64, value| {
             if value.abs() > most.abs() {
@@ -151,7 +151,7 @@ fn of_loop(rows: &[Row], samples: &[&Sample]) -> Vec<Measured> {
                 most
             }
         });
-        let size = if row.kind() == Kind::Slide {
+        let size = if row.kind() == Kind::Translation {
             extent
         } else {
             1.0
@@ -175,7 +175,7 @@ fn share(sample: &Sample, residual: usize, (first, kind): (usize, Kind), size: f
         let (linear, angular) = column.split_at(3);
         // The rates of all nine products have twice the square of the rotation.
         let angular = length(angular) / 2.0_f64.sqrt();
-        let motion = if kind == Kind::Slide {
+        let motion = if kind == Kind::Translation {
             length(linear).max(angular * size)
         } else {
             angular

@@ -20,7 +20,7 @@ use crate::expression::Input;
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::list::Id;
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::plan::program_by;
 use crate::request::Request;
 use crate::schedule::{Program, run};
@@ -82,7 +82,7 @@ fn plain(chain: &Chain, function: Function) -> Program {
         &[function],
         FrameId::FIRST,
         Layout::DESCRIBED,
-        Way::PLAIN,
+        Algorithm::PLAIN,
     )
 }
 

@@ -1,4 +1,4 @@
-//! Tests of the numbers that an enclosure holds; `tests/tests/enclosures.rs` draws random ones.
+//! Tests of the numbers that an enclosure holds; `tests/tests/accuracy/enclosures.rs` draws random ones.
 
 use super::Double;
 

@@ -15,7 +15,7 @@ use crate::expression::{Double, Input};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function::{self, ForwardDynamics, MassMatrixInverse};
 use crate::layout::Layout;
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
@@ -75,7 +75,7 @@ fn choose(chain: &Chain, function: Function, scalar: Real) -> Result<Forward, Er
         FrameId::FIRST,
         scalar,
     )?;
-    Ok(found.way.forward)
+    Ok(found.algorithm.forward)
 }
 
 fn refusal(chain: &Chain, function: Function, scalar: Real) -> String {
@@ -152,10 +152,7 @@ fn a_form_is_given_up_only_if_it_loses_digits_in_every_layout() {
     let chain = chain::build(&description, &Request::default()).expect("a tree");
     let mut measure = Measure::of(&chain, &[ForwardDynamics], 1.0, Real::F64);
     let mut worst = |forward| {
-        let formulation = Formulation {
-            forward,
-            ..Formulation::default()
-        };
+        let formulation = Formulation::default().with_forward(forward);
         let (processor, functions) = (Processor::Portable, &[ForwardDynamics]);
         let found = cheapest(
             processor,
@@ -166,7 +163,7 @@ fn a_form_is_given_up_only_if_it_loses_digits_in_every_layout() {
             Real::F64,
         );
         let found = found.expect("regular");
-        (found.way.forward, measure.error(&found.program).worst)
+        (found.algorithm.forward, measure.error(&found.program).worst)
     };
     let (lightest, chosen) = (worst(Some(Forward::Articulated)), worst(None));
     assert!(lightest.1 > ENOUGH, "{lightest:?}");
@@ -239,10 +236,7 @@ fn the_faster_form_is_a_key_away_and_its_warning_states_the_loss() {
         warnings(&heavy, Formulation::default(), true),
         Ok(Vec::new())
     );
-    let faster = Formulation {
-        forward: Some(Forward::UNREFINED),
-        ..Formulation::default()
-    };
+    let faster = Formulation::default().with_forward(Forward::UNREFINED);
     let reported = warnings(&heavy, faster, false).expect("doubted only");
     let [of_dynamics, of_inverse] = &reported[..] else {
         panic!("{reported:?}");
@@ -266,16 +260,16 @@ fn the_faster_form_is_a_key_away_and_its_warning_states_the_loss() {
 /// The larger relative error of both accelerations in f64, against 106 bits, nearly stretched.
 fn error(chain: &Chain, refinements: usize) -> f64 {
     let forward = Forward::MassMatrix { refinements };
-    let way = Way {
+    let algorithm = Algorithm {
         forward,
-        ..Way::PLAIN
+        ..Algorithm::PLAIN
     };
     let program = program_by(
         chain,
         &[ForwardDynamics],
         FrameId::FIRST,
         Layout::DESCRIBED,
-        way,
+        algorithm,
     );
     let state = |input| match input {
         Input::Variable(Variable::Q, _) => 1e-4,
@@ -305,11 +299,17 @@ fn a_refinement_restores_the_digits_that_the_mass_matrix_lost() {
 fn every_form_of_the_inverse_inverts_the_mass_matrix() {
     let arm = arm(&[(1.3, 0.2), (0.7, 0.1)]);
     let at = |function, forward| {
-        let way = Way {
+        let algorithm = Algorithm {
             forward,
-            ..Way::PLAIN
+            ..Algorithm::PLAIN
         };
-        let program = program_by(&arm, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
+        let program = program_by(
+            &arm,
+            &[function],
+            FrameId::FIRST,
+            Layout::DESCRIBED,
+            algorithm,
+        );
         run::<Double>(&program, |_| Double::from(0.7))
     };
     let mass = at(Function::MassMatrix, Forward::UNREFINED);

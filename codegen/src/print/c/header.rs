@@ -85,13 +85,13 @@ impl Header<'_> {
     /// The function that prepares a robot, and those that read it.
     fn prepared(&self, module: &Module, prepared: &Prepared) -> String {
         let prefix = self.prefix;
-        let mut text = comment(&documentation::of_prepare(&prepared.price));
+        let mut text = comment(&documentation::of_prepare(&prepared.operation_count));
         let filled = of_prepare(prefix);
         let prepare = own(prefix, "prepare");
         let _ = writeln!(text, "HOMOGEN_FN void {prepare}({filled});\n");
         let symbols = prepared_symbols(module, prefix);
         for (generated, name) in prepared.functions.iter().zip(symbols) {
-            let once = Some(&prepared.price);
+            let once = Some(&prepared.operation_count);
             let about = documentation::of_function(module, generated, Some(self.angles), once);
             text.push_str(&comment(&about));
             let parameters = parameters(module, generated, (prefix, "prepared"));

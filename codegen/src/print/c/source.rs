@@ -24,7 +24,7 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     let mut head = documentation::head(module, writing.asked);
     head.push(writing.needs());
     for (generated, name) in module.functions.iter().zip(&symbols) {
-        head.extend(documentation::price(generated, name));
+        head.extend(documentation::operation_count(generated, name));
     }
     let mut text = comment(&head);
     text.push('\n');

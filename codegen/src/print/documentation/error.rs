@@ -3,7 +3,7 @@
 //! In: an [`Accuracy`]. Out: lines of Markdown: one line if one number is enough for all joints, else a list of groups
 //! of joints, the largest bound first. Printed numbers are rounded upwards.
 
-use crate::accuracy::{Accuracy, Bound, Perturbed, Promise};
+use crate::accuracy::{Accuracy, Bound, ErrorBounds, Perturbed};
 use crate::wording::code;
 
 /// Maximum number of groups of joints.
@@ -11,32 +11,34 @@ const GROUPS: usize = 4;
 
 /// Lines about the errors of a function.
 pub fn lines(accuracy: &Accuracy) -> Vec<String> {
-    let (what, promise) = match accuracy {
+    let (what, error_bounds) = match accuracy {
         Accuracy::Unknown(reason) => return vec![format!("Error: no bound: {reason}.")],
-        Accuracy::Within(promise) => ("", promise),
-        Accuracy::BesideDiagonal(promise) => (
+        Accuracy::Within(error_bounds) => ("", error_bounds),
+        Accuracy::BesideDiagonal(error_bounds) => (
             "entry (i, j) of M⁻¹, relative to √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ), ",
-            promise,
+            error_bounds,
         ),
-        Accuracy::Backward(Perturbed::Torques, promise) => ("as if τ were off by ", promise),
-        Accuracy::Backward(Perturbed::MassMatrix, promise) => (
+        Accuracy::Backward(Perturbed::Torques, error_bounds) => {
+            ("as if τ were off by ", error_bounds)
+        }
+        Accuracy::Backward(Perturbed::MassMatrix, error_bounds) => (
             "each column is exact for a mass matrix that differs from M by ",
-            promise,
+            error_bounds,
         ),
-        Accuracy::Backward(Perturbed::UnitForces, promise) => (
+        Accuracy::Backward(Perturbed::UnitForces, error_bounds) => (
             "each column, down to its diagonal entry, as if its unit force were off by ",
-            promise,
+            error_bounds,
         ),
-        Accuracy::Backward(Perturbed::TorqueDerivatives, promise) => (
+        Accuracy::Backward(Perturbed::TorqueDerivatives, error_bounds) => (
             "∂q̈/∂q and ∂q̈/∂q̇ as if the derivatives of τ at the q̈ found were off by ",
-            promise,
+            error_bounds,
         ),
     };
-    let groups = groups(promise);
-    let mut range = promise.range.clone();
-    if let Some(reason) = promise.lacks {
+    let groups = groups(error_bounds);
+    let mut range = error_bounds.range.clone();
+    if let Some(reason) = error_bounds.lacks {
         let between = if range.is_empty() { "" } else { "; " };
-        range = format!("{range}{between}{}: {reason}", unbounded_type(promise));
+        range = format!("{range}{between}{}: {reason}", unbounded_type(error_bounds));
     }
     match &*groups {
         [group] => {
@@ -56,7 +58,7 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
             };
             let mut lines = vec![format!("Error{range}: {what}at most")];
             lines.extend(groups.iter().map(|group| {
-                let names = names(&group.joints, promise);
+                let names = names(&group.joints, error_bounds);
                 format!("- {}: {names}", sizes(&group.worst))
             }));
             lines
@@ -65,9 +67,9 @@ pub fn lines(accuracy: &Accuracy) -> Vec<String> {
 }
 
 /// Type that has no bound.
-fn unbounded_type(promise: &Promise) -> &'static str {
+fn unbounded_type(error_bounds: &ErrorBounds) -> &'static str {
     let infinite = |bound: &Bound| bound.double.is_some_and(f64::is_infinite);
-    if promise.bounds.iter().any(infinite) {
+    if error_bounds.bounds.iter().any(infinite) {
         "no bound in f64"
     } else {
         "no bound in f32"
@@ -83,9 +85,9 @@ struct Group {
 }
 
 /// Joints with bounds, in the order of q.
-fn joints(promise: &Promise) -> Vec<Option<&str>> {
+fn joints(error_bounds: &ErrorBounds) -> Vec<Option<&str>> {
     let mut joints: Vec<Option<&str>> = Vec::new();
-    for bound in &promise.bounds {
+    for bound in &error_bounds.bounds {
         let joint = bound.joint.as_deref();
         if !joints.contains(&joint) {
             joints.push(joint);
@@ -95,10 +97,10 @@ fn joints(promise: &Promise) -> Vec<Option<&str>> {
 }
 
 /// At most [`GROUPS`] groups whose numbers are within a factor of each other: two, doubled until there are few enough.
-fn groups(promise: &Promise) -> Vec<Group> {
-    let all: Vec<Group> = (joints(promise).into_iter().enumerate())
+fn groups(error_bounds: &ErrorBounds) -> Vec<Group> {
+    let all: Vec<Group> = (joints(error_bounds).into_iter().enumerate())
         .map(|(k, joint)| {
-            let own = promise.bounds.iter();
+            let own = error_bounds.bounds.iter();
             let own = own.filter(|bound| bound.joint.as_deref() == joint);
             Group {
                 joints: vec![joint.map(|_| k)],
@@ -164,8 +166,8 @@ fn numbers(bounds: &[Bound]) -> impl Iterator<Item = f64> + Clone {
 }
 
 /// Names of joints; three or more consecutive ones are given by the first and the last.
-fn names(places: &[Option<usize>], promise: &Promise) -> String {
-    let names = joints(promise);
+fn names(places: &[Option<usize>], error_bounds: &ErrorBounds) -> String {
+    let names = joints(error_bounds);
     let name = |k: usize| names[k].map_or_else(String::new, code);
     let mut words: Vec<String> = Vec::new();
     let places: Vec<usize> = places.iter().flatten().copied().collect();
@@ -224,7 +226,7 @@ fn upwards(size: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::{lines, upwards};
-    use crate::accuracy::{Accuracy, Bound, Perturbed, Promise};
+    use crate::accuracy::{Accuracy, Bound, ErrorBounds, Perturbed};
 
     #[test]
     fn two_digits_are_never_less_than_the_number() {
@@ -244,8 +246,8 @@ mod tests {
         }
     }
 
-    fn promise(bounds: Vec<Bound>) -> Promise {
-        Promise {
+    fn error_bounds(bounds: Vec<Bound>) -> ErrorBounds {
+        ErrorBounds {
             bounds,
             range: "q within its limits".to_owned(),
             lacks: None,
@@ -254,7 +256,7 @@ mod tests {
 
     #[test]
     fn one_number_for_all_joints_is_a_line() {
-        let pose = promise(vec![
+        let pose = error_bounds(vec![
             bound("", "1", 1.34e-15, 7.2e-7),
             bound("", "m", 2e-15, 1e-6),
         ]);
@@ -265,7 +267,7 @@ mod tests {
                  its limits."
             ]
         );
-        let single = promise(vec![
+        let single = error_bounds(vec![
             bound("a", "N m", 0.0, 3.1e-5),
             bound("b", "N m", 0.0, 1.6e-5),
         ]);
@@ -273,9 +275,9 @@ mod tests {
             lines(&Accuracy::Within(single)),
             ["Error: at most 3.1e-5 N m in f32; q within its limits."]
         );
-        let nowhere = Promise {
+        let nowhere = ErrorBounds {
             range: String::new(),
-            ..promise(vec![bound("a", "N m", 1e-16, 0.0)])
+            ..error_bounds(vec![bound("a", "N m", 1e-16, 0.0)])
         };
         assert_eq!(
             lines(&Accuracy::Within(nowhere)),
@@ -285,7 +287,7 @@ mod tests {
 
     #[test]
     fn joints_are_grouped_by_their_bounds() {
-        let torques = promise(vec![
+        let torques = error_bounds(vec![
             bound("wrist-1", "N m", 1e-15, 0.0),
             bound("hip`", "N m", 5e-14, 0.0),
             bound("knee", "N m", 3e-14, 0.0),
@@ -307,21 +309,21 @@ mod tests {
     #[test]
     fn long_lists_are_shortened() {
         let many = (0..40_i32).map(|k| bound(&format!("j{k}"), "N m", 0.5_f64.powi(k), 0.0));
-        let found = lines(&Accuracy::Within(promise(many.collect())));
+        let found = lines(&Accuracy::Within(error_bounds(many.collect())));
         assert!(found.len() <= 5, "{found:#?}");
         assert!(found[1].contains("`j0` to `j"), "{found:#?}");
     }
 
     #[test]
     fn sentences_name_the_bounded_quantity() {
-        let torques = promise(vec![bound("a", "N m", 2.1e-12, 0.0)]);
+        let torques = error_bounds(vec![bound("a", "N m", 2.1e-12, 0.0)]);
         assert_eq!(
             lines(&Accuracy::Backward(Perturbed::Torques, torques)),
             ["Error: as if τ were off by at most 2.1e-12 N m in f64; q within its limits."]
         );
-        let moments = Promise {
+        let moments = ErrorBounds {
             lacks: Some("rounding may outweigh it"),
-            ..promise(vec![bound("a", "kg m²", 1e-15, f64::INFINITY)])
+            ..error_bounds(vec![bound("a", "kg m²", 1e-15, f64::INFINITY)])
         };
         assert_eq!(
             lines(&Accuracy::Backward(Perturbed::MassMatrix, moments)),

@@ -3,7 +3,8 @@
 //! In: a function, and the vector types that it is printed for, scalars first. Out: its `NAME_batch`. Its parameters
 //! are the number of states, the fields, and for each argument and result a pointer, the stride between states and the
 //! stride between entries of a state, both in numbers, so that arrays by rows and by columns can be read in place. All
-//! states of a vector are read before any of their results is stored.
+//! states of a vector are read before any of their results is stored. `NAME_arrays` has one signature for all functions:
+//! the number of states, the fields, and a pointer to these triples.
 
 use std::fmt::Write;
 
@@ -43,6 +44,39 @@ pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
         "define void @{}_batch({}) nounwind {{\n{}}}\n\n",
         function.symbol,
         parameters.join(", "),
+        lines.0
+    )
+}
+
+/// Function with the same parameters behind a pointer.
+pub(super) fn arrays(function: &Function<'_>) -> String {
+    let mut lines = Lines::default();
+    let fields = function
+        .has_fields()
+        .then(|| format!("ptr {}", local(ROBOT)));
+    let mut given: Vec<String> = ["i64 %count.of".to_owned()]
+        .into_iter()
+        .chain(fields)
+        .collect();
+    let pointers = function.arguments().into_iter().chain(function.results());
+    for (k, pointer) in pointers.enumerate() {
+        let parts = [("start", "ptr"), ("state", "i64"), ("entry", "i64")];
+        for (part, (of, kind)) in parts.into_iter().enumerate() {
+            let value = pointer.part(of);
+            let place = pointer.part(&format!("{of}.place"));
+            lines.push(&format!(
+                "{place} = getelementptr {{ ptr, i64, i64 }}, ptr %arrays.of, i64 {k}, i32 {part}"
+            ));
+            lines.push(&format!("{value} = load {kind}, ptr {place}, align 8"));
+            given.push(format!("{kind} {value}"));
+        }
+    }
+    let (symbol, given) = (function.symbol, given.join(", "));
+    lines.push(&format!("call void @{symbol}_batch({given})"));
+    lines.push("ret void");
+    format!(
+        "define void @{symbol}_arrays(i64 %count.of, ptr {}, ptr %arrays.of) nounwind {{\n{}}}\n\n",
+        local(ROBOT),
         lines.0
     )
 }

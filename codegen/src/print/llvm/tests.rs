@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Writing, print};
+use super::{Steps, Writing, print};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::rust::tests::{generated, literal, module, step, with_payload};
@@ -12,7 +12,8 @@ use crate::schedule::{Operand, Operation, Program};
 fn written(module: &Module, lanes: usize, fused: bool) -> String {
     let writing = Writing {
         prefix: "pendulum_",
-        asked: "Made by hand.",
+        asked: Some("Made by hand."),
+        steps: Steps::OfQuaternions,
         lanes,
         fused,
     };
@@ -96,4 +97,48 @@ fn a_batch_takes_each_array_with_its_strides() {
         calls[0] < calls[1] && calls[0].is_some(),
         "vectors come first: {batch}"
     );
+}
+
+#[test]
+fn all_functions_have_one_signature_behind_a_pointer() {
+    let module = steps(Real::F64, &[Operation::Neg(literal(1.0))]);
+    let text = written(&module, 2, false);
+    let expected = "define void @pendulum_gravity_arrays(i64 %count.of, ptr %robot, ptr %arrays.of) nounwind {
+  %q.start.place = getelementptr { ptr, i64, i64 }, ptr %arrays.of, i64 0, i32 0
+  %q.start = load ptr, ptr %q.start.place, align 8
+  %q.state.place = getelementptr { ptr, i64, i64 }, ptr %arrays.of, i64 0, i32 1
+  %q.state = load i64, ptr %q.state.place, align 8
+  %q.entry.place = getelementptr { ptr, i64, i64 }, ptr %arrays.of, i64 0, i32 2
+  %q.entry = load i64, ptr %q.entry.place, align 8
+  %gravity.start.place = getelementptr { ptr, i64, i64 }, ptr %arrays.of, i64 1, i32 0
+  %gravity.start = load ptr, ptr %gravity.start.place, align 8
+  %gravity.state.place = getelementptr { ptr, i64, i64 }, ptr %arrays.of, i64 1, i32 1
+  %gravity.state = load i64, ptr %gravity.state.place, align 8
+  %gravity.entry.place = getelementptr { ptr, i64, i64 }, ptr %arrays.of, i64 1, i32 2
+  %gravity.entry = load i64, ptr %gravity.entry.place, align 8
+  call void @pendulum_gravity_batch(i64 %count.of, ptr %q.start, i64 %q.state, i64 %q.entry, ptr %gravity.start, i64 %gravity.state, i64 %gravity.entry)
+  ret void
+}";
+    let found = function(&text, "@pendulum_gravity_arrays");
+    assert_eq!(found, expected);
+    let with_fields = written(&with_payload(module), 1, false);
+    let call = "  call void @pendulum_gravity_batch(i64 %count.of, ptr %robot, ptr %q.start,";
+    let found = function(&with_fields, "@pendulum_gravity_arrays");
+    assert!(found.contains(call), "{found}");
+}
+
+#[test]
+fn without_a_head_nothing_is_said_and_configurations_are_by_choice() {
+    let module = steps(Real::F64, &[Operation::Neg(literal(1.0))]);
+    let writing = |steps| Writing {
+        prefix: "pendulum_",
+        asked: None,
+        steps,
+        lanes: 1,
+        fused: false,
+    };
+    let [all, none] = [Steps::All, Steps::None].map(|steps| print(&module, &writing(steps)));
+    assert!(!all.contains(';') && !none.contains(';'), "{all}");
+    assert!(all.contains("@pendulum_integrate_arrays("));
+    assert!(!none.contains("@pendulum_integrate"));
 }

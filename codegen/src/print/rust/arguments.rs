@@ -7,17 +7,17 @@ use quote::{ToTokens, quote};
 
 use super::dialect::Dialect;
 use super::lengths::{Lengths, array, literal};
+use super::library::Library;
 use super::names::ident;
-use super::world::World;
 use crate::schedule::Entries;
 use crate::space::{ACTION, Variable};
 
 /// Type of an argument behind its reference: `[T; 6]`, `[::homogen::Action<T>; 2]`.
 pub(super) fn type_of(argument: Variable, lengths: Lengths<'_>, dialect: &Dialect) -> TokenStream {
     let number = &dialect.number;
-    let one = match (argument, &dialect.world) {
-        (Variable::Actions, World::Runtime(runtime)) => quote! { #runtime::Action<#number> },
-        (Variable::Actions, World::Core(_) | World::Lanes(_)) => {
+    let one = match (argument, &dialect.library) {
+        (Variable::Actions, Library::Runtime(runtime)) => quote! { #runtime::Action<#number> },
+        (Variable::Actions, Library::Core(_) | Library::Lanes(_)) => {
             array(number, &literal(ACTION.len()))
         }
         _ => number.clone(),
@@ -32,16 +32,16 @@ pub(super) fn unpack((argument, entries): &(Variable, Entries), dialect: &Dialec
         return quote! { let _ = #name; };
     }
     let entries: Vec<TokenStream> = entries.iter().map(Option::as_ref).map(pattern).collect();
-    if *argument != Variable::Actions || matches!(dialect.world, World::Lanes(_)) {
+    if *argument != Variable::Actions || matches!(dialect.library, Library::Lanes(_)) {
         return quote! { let [#(#entries),*] = *#name; };
     }
     let actions = entries.chunks(ACTION.len());
-    match &dialect.world {
-        World::Core(_) | World::Lanes(_) => {
+    match &dialect.library {
+        Library::Core(_) | Library::Lanes(_) => {
             let actions = actions.map(|entries| quote! { [#(#entries),*] });
             quote! { let [#(#actions),*] = *#name; }
         }
-        World::Runtime(_) => {
+        Library::Runtime(_) => {
             let actions = actions.map(|entries| {
                 let (c, f) = entries.split_at(3);
                 quote! { ([#(#c),*], [#(#f),*]) }

@@ -12,16 +12,16 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{Lengths, known};
+use super::library::Library;
 use super::method;
 use super::names::ident;
 use super::results::result_type;
-use super::world::World;
 use crate::function::Function;
 use crate::module::Module;
 
 /// Implementation of the runtime's trait of robots in batches by the inlined functions, if the runtime is available.
 pub(super) fn robot(item: &Item, inlined: &[Function], dialect: &Dialect) -> TokenStream {
-    let World::Runtime(runtime) = &dialect.world else {
+    let Library::Runtime(runtime) = &dialect.library else {
         return TokenStream::new();
     };
     let head = declaration::implementation(item, &quote! { #runtime::robot::Batched }, &[]);

@@ -11,9 +11,9 @@ use quote::{ToTokens, quote, quote_spanned};
 use super::arguments::{pattern, unpack};
 use super::dialect::Dialect;
 use super::early::Filling;
+use super::library::Library;
 use super::literals::Numerals;
 use super::names::ident;
-use super::world::World;
 #[cfg(feature = "files")]
 use crate::module::Module;
 use crate::print::Fields;
@@ -105,7 +105,7 @@ pub(super) fn body(
         work: routine.work.as_ref().map(|work| ident(&work.name)),
         filling: None,
         text: TokenStream::new(),
-        outside: Vec::new(),
+        external: Vec::new(),
     };
     if let (Returns::Matrix(columns), false) = (returns, routine.stored.is_empty()) {
         let matrix = ident(&writer.names.fresh("y"));
@@ -193,7 +193,7 @@ pub(super) fn of_step(
         work: None,
         filling: None,
         text: TokenStream::new(),
-        outside: Vec::new(),
+        external: Vec::new(),
     };
     statements.extend(writer.statements(&routine.statements));
     let results = routine.results.iter().map(|result| writer.read(result));
@@ -250,7 +250,7 @@ pub(super) struct Writer<'d> {
     /// Text of the current scope.
     text: TokenStream,
     /// Text of the scopes around it, the outermost first.
-    outside: Vec<TokenStream>,
+    external: Vec<TokenStream>,
 }
 
 impl Writer<'_> {
@@ -276,8 +276,8 @@ impl Writer<'_> {
 
     /// Ends a scope and returns its text.
     fn inside(&mut self) -> TokenStream {
-        let outside = self.outside.pop().expect("a scope that began");
-        mem::replace(&mut self.text, outside)
+        let external = self.external.pop().expect("a scope that began");
+        mem::replace(&mut self.text, external)
     }
 
     /// Operation, with fused products if there is a function for them.
@@ -304,11 +304,11 @@ impl Writer<'_> {
     fn load(&self, entries: &Entries, Parameter { field, target, .. }: &Parameter) -> TokenStream {
         // An error about a field of another type is shown at the field.
         let span = field.span().resolved_at(Span::call_site());
-        let value = match (&self.dialect.world, target.is_payload()) {
-            (World::Runtime(runtime), true) => {
+        let value = match (&self.dialect.library, target.is_payload()) {
+            (Library::Runtime(runtime), true) => {
                 quote_spanned! {span=> #runtime::Payload::numbers(&self.#field) }
             }
-            (World::Runtime(_) | World::Core(_) | World::Lanes(_), _) => {
+            (Library::Runtime(_) | Library::Core(_) | Library::Lanes(_), _) => {
                 quote_spanned! {span=> self.#field }
             }
         };
@@ -391,7 +391,7 @@ impl Language for Writer<'_> {
     }
 
     fn begin_scope(&mut self) {
-        self.outside.push(mem::take(&mut self.text));
+        self.external.push(mem::take(&mut self.text));
     }
 
     fn end_scope(&mut self, outputs: &[String]) {

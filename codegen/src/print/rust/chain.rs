@@ -11,10 +11,10 @@ use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{Lengths, known, literal};
+use super::library::Library;
 use super::literals::Numerals;
 use super::results::{square_and_column, two_vectors};
-use super::world::World;
-use crate::joint::Posture;
+use crate::joint::Manifold;
 use crate::module::{ChainData, DataMotion, Module};
 use crate::print::{Fields, documentation};
 use crate::schedule::Length;
@@ -27,7 +27,7 @@ const SCREW: usize = 6;
 
 /// `fn chain() -> ::homogen::Chain<N, F>`, a method if fields enter it.
 pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
-    let World::Runtime(runtime) = &dialect.world else {
+    let Library::Runtime(runtime) = &dialect.library else {
         return TokenStream::new();
     };
     let data = &module.data;
@@ -107,11 +107,11 @@ fn value(data: &ChainData, numbers: &[TokenStream], runtime: &TokenStream) -> To
     let joints = (0_u16..).zip(joints);
     let joints = joints.map(|(k, (numbers, ((name, parent), motion)))| {
         let joint = joint((name, index(*parent)), *motion, numbers, runtime);
-        let own = data.driven.iter().zip(actuators.chunks(3));
+        let own = data.actuated.iter().zip(actuators.chunks(3));
         let own = own.filter(|((joint, _), _)| *joint == k);
         let with = own.map(|((_, velocity), actuator)| {
             let velocity = literal((*velocity).into());
-            quote! { .with_drive(#velocity, #runtime::Drive::new(#(#actuator),*)) }
+            quote! { .with_actuator(#velocity, #runtime::JointActuator::new(#(#actuator),*)) }
         });
         quote! { #joint #(#with)* }
     });
@@ -142,18 +142,21 @@ fn joint(
     };
     match motion {
         DataMotion::Along => along,
-        DataMotion::Follows { leader, multiplier } => {
-            let leader = literal(leader.into());
+        DataMotion::Mimic {
+            mimicked,
+            multiplier,
+        } => {
+            let mimicked = literal(mimicked.into());
             let multiplier = Numerals::Bare.write(multiplier);
-            quote! { #along.following(#leader, #multiplier) }
+            quote! { #along.mimic(#mimicked, #multiplier) }
         }
-        DataMotion::Posture(posture) => {
-            let posture = match posture {
-                Posture::Planar => quote! { planar },
-                Posture::Spherical => quote! { spherical },
-                Posture::Floating => quote! { floating },
+        DataMotion::Manifold(manifold) => {
+            let manifold = match manifold {
+                Manifold::Planar => quote! { planar },
+                Manifold::Spherical => quote! { spherical },
+                Manifold::Floating => quote! { floating },
             };
-            quote! { #runtime::Joint::#posture(#name, #parent, #placement, #inertia) }
+            quote! { #runtime::Joint::#manifold(#name, #parent, #placement, #inertia) }
         }
     }
 }

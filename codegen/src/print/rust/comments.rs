@@ -7,8 +7,8 @@ use std::fmt::Write;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::library::{Library, spelled};
 use super::names;
-use super::world::{World, spelled};
 use crate::module::Module;
 use crate::print::documentation;
 use crate::wording::{code, visible};
@@ -24,11 +24,11 @@ pub(super) fn doc(lines: &[impl AsRef<str>]) -> TokenStream {
 
 /// Head of a generated file as line comments: origin, request, requirements, costs.
 #[must_use]
-pub fn header(module: &Module, asked: &str, world: &World) -> String {
+pub fn header(module: &Module, asked: &str, library: &Library) -> String {
     let mut lines = documentation::head(module, asked);
-    lines.push(needs(world));
+    lines.push(needs(library));
     for (generated, name) in module.functions.iter().zip(names::of_methods(module)) {
-        lines.extend(documentation::price(generated, &name.to_string()));
+        lines.extend(documentation::operation_count(generated, &name.to_string()));
     }
     lines.iter().fold(String::new(), |mut text, line| {
         // Writing to a string cannot fail.
@@ -44,19 +44,19 @@ const COMPILERS: [&str; 2] = ["1.63", "1.82"];
 const EDITION: &str = "edition 2018 or later";
 
 /// Requirements of a file for compilation.
-fn needs(world: &World) -> String {
-    match world {
-        World::Runtime(path) => {
+fn needs(library: &Library) -> String {
+    match library {
+        Library::Runtime(path) => {
             let own = env!("CARGO_PKG_RUST_VERSION");
             format!(
                 "Needs: Rust {own} or later, {EDITION}, {}.",
                 code(&spelled(path))
             )
         }
-        World::Lanes(path) => format!("Needs: {}.", code(&spelled(path))),
-        World::Core(library) => {
-            let oldest = COMPILERS[usize::from(library.c_prefix.is_some())];
-            let path = library.sin_cos.as_ref();
+        Library::Lanes(path) => format!("Needs: {}.", code(&spelled(path))),
+        Library::Core(core_functions) => {
+            let oldest = COMPILERS[usize::from(core_functions.c_prefix.is_some())];
+            let path = core_functions.sin_cos.as_ref();
             let path = path.map_or_else(String::new, |path| format!(", {}", code(&spelled(path))));
             format!("Needs: Rust {oldest} or later, {EDITION}, `core`{path}.")
         }

@@ -11,7 +11,7 @@ use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::{Declaration, Item};
 use super::lengths::{array, literal};
-use super::world::World;
+use super::library::Library;
 use crate::module::Module;
 use crate::print::documentation;
 
@@ -29,18 +29,18 @@ fn made(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
         visibility, ident, ..
     } = item;
     let about = doc(&documentation::of_robot(module, ""));
-    let derive = match dialect.world {
-        World::Runtime(_) => quote! {
+    let derive = match dialect.library {
+        Library::Runtime(_) => quote! {
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         },
-        World::Core(_) | World::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
+        Library::Core(_) | Library::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
     };
     let number = dialect.field();
     let fields = module.parameters.iter().map(|parameter| {
         let field = &parameter.field;
         let about = doc(&[documentation::of_field(&parameter.target)]);
-        let kind = match (&dialect.world, parameter.target.entries()) {
-            (World::Runtime(runtime), _) if parameter.target.is_payload() => {
+        let kind = match (&dialect.library, parameter.target.entries()) {
+            (Library::Runtime(runtime), _) if parameter.target.is_payload() => {
                 quote! { #runtime::Payload<#number> }
             }
             (_, 1) => number.clone(),
@@ -67,11 +67,11 @@ pub(super) fn block(item: &Item, methods: &TokenStream, dialect: &Dialect) -> To
 /// Lints that generated code does not follow.
 pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
     // Compilers before 1.81 reject reasons, and code for `core` alone supports these.
-    let reason = match dialect.world {
-        World::Runtime(_) => {
+    let reason = match dialect.library {
+        Library::Runtime(_) => {
             quote! { reason = "generated code has one form for every robot" }
         }
-        World::Core(_) | World::Lanes(_) => TokenStream::new(),
+        Library::Core(_) | Library::Lanes(_) => TokenStream::new(),
     };
     quote! {
         #[allow(

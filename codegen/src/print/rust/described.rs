@@ -11,9 +11,9 @@ use super::declaration::{self, implementation};
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{array, known, literal};
+use super::library::Library;
 use super::literals::Numerals;
 use super::names::ident;
-use super::world::World;
 use crate::module::Module;
 use crate::print::described::{NumberList, limits, names, neutral};
 use crate::real::Real;
@@ -22,14 +22,14 @@ use crate::space::Space;
 /// The constants, and the trait with the runtime.
 pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
     let visibility = &item.visibility;
-    let (text, whole) = match &dialect.world {
-        World::Runtime(_) => (
+    let (text, whole) = match &dialect.library {
+        Library::Runtime(_) => (
             quote! { ::core::primitive::str },
             quote! { ::core::primitive::usize },
         ),
-        World::Core(_) => (quote! { str }, quote! { usize }),
+        Library::Core(_) => (quote! { str }, quote! { usize }),
         // The package's class has them.
-        World::Lanes(_) => return TokenStream::new(),
+        Library::Lanes(_) => return TokenStream::new(),
     };
     let counts = [
         ("NQ", "Number of coordinates.", Space::Coordinates),
@@ -71,7 +71,7 @@ fn numbers(module: &Module) -> [NumberList; 5] {
 
 /// The implementation of the trait, in `f64` whatever the robot's type of number.
 fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
-    let World::Runtime(runtime) = &dialect.world else {
+    let Library::Runtime(runtime) = &dialect.library else {
         return TokenStream::new();
     };
     let text = quote! { &'static ::core::primitive::str };

@@ -7,11 +7,11 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
 use super::item::{Declaration, Item};
+use super::library::Library;
 use super::literals::Numerals;
 use super::names::{SIN_COS, ident};
 use super::roots::{self, SQRT};
 use super::sines;
-use super::world::World;
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::print::documentation::Angles;
@@ -27,7 +27,7 @@ const ON_ONE_LINE: usize = 4;
 #[derive(Clone, Debug)]
 pub(super) struct Dialect {
     /// Available library.
-    pub world: World,
+    pub library: Library,
     /// Scalar type.
     pub number: TokenStream,
     /// Generic parameter for the scalar type, if it is generic.
@@ -52,24 +52,24 @@ pub(super) struct Dialect {
 
 impl Dialect {
     /// Dialect of a struct; without the runtime [`Real::Generic`] is printed as `f64`.
-    pub fn of(scalar: Real, sines: Sines, item: &Item, world: &World) -> Self {
-        let real = match (world, scalar) {
-            (World::Core(_), Real::Generic) => Real::F64,
+    pub fn of(scalar: Real, sines: Sines, item: &Item, library: &Library) -> Self {
+        let real = match (library, scalar) {
+            (Library::Core(_), Real::Generic) => Real::F64,
             (_, real) => real,
         };
         let made = matches!(item.declaration, Declaration::Made);
         let mut names = item.names();
-        let is_generic = real == Real::Generic || matches!(world, World::Lanes(_));
+        let is_generic = real == Real::Generic || matches!(library, Library::Lanes(_));
         let generic = is_generic.then(|| ident(&names.alone("T")));
-        let number = match (&generic, world, real) {
+        let number = match (&generic, library, real) {
             (Some(generic), _, _) => quote! { #generic },
-            (None, World::Runtime(_), Real::F32) => quote! { ::core::primitive::f32 },
-            (None, World::Runtime(_), _) => quote! { ::core::primitive::f64 },
+            (None, Library::Runtime(_), Real::F32) => quote! { ::core::primitive::f32 },
+            (None, Library::Runtime(_), _) => quote! { ::core::primitive::f64 },
             (None, _, Real::F32) => quote! { f32 },
             (None, _, _) => quote! { f64 },
         };
         Self {
-            world: world.clone(),
+            library: library.clone(),
             robot: item.ident.clone(),
             prepared: false,
             number,
@@ -95,10 +95,14 @@ impl Dialect {
 
     /// Generic parameter of a function with its bound.
     pub fn bound(&self) -> Option<TokenStream> {
-        match (&self.generic, &self.world) {
+        match (&self.generic, &self.library) {
             (Some(_), _) if self.prepared => None,
-            (Some(generic), World::Runtime(runtime)) => Some(quote! { #generic: #runtime::Scalar }),
-            (Some(generic), World::Lanes(path)) => Some(quote! { #generic: #path::number::Number }),
+            (Some(generic), Library::Runtime(runtime)) => {
+                Some(quote! { #generic: #runtime::Scalar })
+            }
+            (Some(generic), Library::Lanes(path)) => {
+                Some(quote! { #generic: #path::number::Number })
+            }
             _ => None,
         }
     }
@@ -114,14 +118,14 @@ impl Dialect {
 
     /// True if the struct has C layout.
     pub fn is_for_c(&self) -> bool {
-        matches!(&self.world, World::Core(library) if library.c_prefix.is_some())
+        matches!(&self.library, Library::Core(core_functions) if core_functions.c_prefix.is_some())
     }
 
     /// Angles for which functions are accurate; `None` with the runtime, which documents them.
     pub fn angles(&self) -> Option<Angles> {
-        match &self.world {
-            World::Runtime(_) | World::Lanes(_) => None,
-            World::Core(library) => Some(library.angles(self.real)),
+        match &self.library {
+            Library::Runtime(_) | Library::Lanes(_) => None,
+            Library::Core(core_functions) => Some(core_functions.angles(self.real)),
         }
     }
 
@@ -154,9 +158,9 @@ impl Dialect {
 
     /// Type of a number in a struct field.
     pub fn field(&self) -> TokenStream {
-        match (&self.world, self.real) {
-            (World::Runtime(_), Real::Generic) => quote! { ::core::primitive::f64 },
-            (World::Lanes(_), _) => quote! { f64 },
+        match (&self.library, self.real) {
+            (Library::Runtime(_), Real::Generic) => quote! { ::core::primitive::f64 },
+            (Library::Lanes(_), _) => quote! { f64 },
             _ => self.number.clone(),
         }
     }
@@ -164,14 +168,14 @@ impl Dialect {
     /// Form of literals, and the statement that they need in a function with this first argument.
     pub fn numerals(&self, first: Option<&Ident>, names: &mut Names) -> (Numerals, TokenStream) {
         let value = self.local("number");
-        let made = match (&self.generic, &self.world, first) {
-            (Some(_), World::Runtime(runtime), Some(first)) if self.inlined => {
+        let made = match (&self.generic, &self.library, first) {
+            (Some(_), Library::Runtime(runtime), Some(first)) if self.inlined => {
                 quote! { |#value| #runtime::Scalar::like(#first[0], #value) }
             }
-            (Some(number), World::Runtime(runtime), _) => {
+            (Some(number), Library::Runtime(runtime), _) => {
                 quote! { <#number as #runtime::Scalar>::constant }
             }
-            (Some(_), World::Lanes(path), Some(first)) => {
+            (Some(_), Library::Lanes(path), Some(first)) => {
                 quote! { |#value| #path::number::Number::like(#first[0], #value) }
             }
             (_, _, _) if self.bare => return (Numerals::Bare, TokenStream::new()),
@@ -192,12 +196,12 @@ impl Dialect {
                 <::core::primitive::f64 as ::core::convert::From<_>>::from(#value)
             },
         };
-        match (&self.world, numerals, self.real) {
-            (World::Core(_), _, _) => value.clone(),
-            (World::Lanes(_), Numerals::Through(k), _) => quote! { #k(#value) },
+        match (&self.library, numerals, self.real) {
+            (Library::Core(_), _, _) => value.clone(),
+            (Library::Lanes(_), Numerals::Through(k), _) => quote! { #k(#value) },
             (_, _, Real::F32) if self.fields == Some(Real::F32) => value.clone(),
             // By way of f64, so that a field may have either type; the conversion to f64 and back is exact.
-            (World::Runtime(runtime), _, Real::F32) => {
+            (Library::Runtime(runtime), _, Real::F32) => {
                 quote! { <#number as #runtime::Scalar>::constant(#double) }
             }
             (_, Numerals::Through(k), _) => quote! { #k(#double) },
@@ -208,22 +212,22 @@ impl Dialect {
     /// Name of the fused product in a function that has one, and the statement that binds it.
     pub fn fused(&self, names: &mut Names) -> (Option<Ident>, TokenStream) {
         let number = &self.number;
-        match &self.world {
-            World::Runtime(runtime) => {
+        match &self.library {
+            Library::Runtime(runtime) => {
                 let name = ident(&names.fresh("mul_add"));
                 let statement = quote! { let #name = <#number as #runtime::Scalar>::mul_add; };
                 (Some(name), statement)
             }
-            World::Core(_) | World::Lanes(_) => (None, TokenStream::new()),
+            Library::Core(_) | Library::Lanes(_) => (None, TokenStream::new()),
         }
     }
 
     /// √a.
     pub fn sqrt(&self, a: &TokenStream) -> TokenStream {
-        match &self.world {
-            World::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
-            World::Lanes(path) => quote! { #path::number::Number::sqrt(#a) },
-            World::Core(_) => {
+        match &self.library {
+            Library::Runtime(runtime) => quote! { #runtime::Scalar::sqrt(#a) },
+            Library::Lanes(path) => quote! { #path::number::Number::sqrt(#a) },
+            Library::Core(_) => {
                 let (owner, sqrt) = (self.owner(), ident(SQRT));
                 quote! { #owner::#sqrt(#a) }
             }
@@ -233,10 +237,10 @@ impl Dialect {
     /// −1, 0 or 1 without a branch: `core` has no `signum` before Rust 1.85, and that is never 0.
     pub fn sign(&self, a: &TokenStream) -> TokenStream {
         let number = &self.number;
-        match &self.world {
-            World::Runtime(runtime) => quote! { #runtime::Scalar::sign(#a) },
-            World::Lanes(path) => quote! { #path::number::Number::sign(#a) },
-            World::Core(_) => quote! { #number::from(i8::from(#a > 0.0) - i8::from(#a < 0.0)) },
+        match &self.library {
+            Library::Runtime(runtime) => quote! { #runtime::Scalar::sign(#a) },
+            Library::Lanes(path) => quote! { #path::number::Number::sign(#a) },
+            Library::Core(_) => quote! { #number::from(i8::from(#a > 0.0) - i8::from(#a < 0.0)) },
         }
     }
 
@@ -248,19 +252,19 @@ impl Dialect {
         angles: &[TokenStream],
         names: &mut Names,
     ) -> TokenStream {
-        let number = match &self.world {
-            World::Runtime(runtime) => quote! { #runtime::Scalar },
-            World::Lanes(path) => quote! { #path::number::Number },
-            World::Core(_) => TokenStream::new(),
+        let number = match &self.library {
+            Library::Runtime(runtime) => quote! { #runtime::Scalar },
+            Library::Lanes(path) => quote! { #path::number::Number },
+            Library::Core(_) => TokenStream::new(),
         };
-        match &self.world {
-            World::Runtime(_) | World::Lanes(_) if self.sines == Sines::Platform => {
+        match &self.library {
+            Library::Runtime(_) | Library::Lanes(_) if self.sines == Sines::Platform => {
                 one_by_one(&quote! { #number::sin_cos }, sines, cosines, angles)
             }
-            World::Runtime(_) | World::Lanes(_) if angles.len() <= ON_ONE_LINE => quote! {
+            Library::Runtime(_) | Library::Lanes(_) if angles.len() <= ON_ONE_LINE => quote! {
                 let ([#(#sines),*], [#(#cosines),*]) = #number::sin_cos_all([#(#angles),*]);
             },
-            World::Runtime(_) | World::Lanes(_) => {
+            Library::Runtime(_) | Library::Lanes(_) => {
                 let [a, s, c] =
                     ["angles", "sines", "cosines"].map(|name| ident(&names.fresh(name)));
                 quote! {
@@ -270,9 +274,9 @@ impl Dialect {
                     let [#(#cosines),*] = #c;
                 }
             }
-            World::Core(library) => {
+            Library::Core(core_functions) => {
                 let own = ident(SIN_COS);
-                let sin_cos = library.sin_cos.clone();
+                let sin_cos = core_functions.sin_cos.clone();
                 let owner = self.owner();
                 let sin_cos = sin_cos.unwrap_or_else(|| quote! { #owner::#own });
                 one_by_one(&sin_cos, sines, cosines, angles)
@@ -291,10 +295,10 @@ impl Dialect {
 
     /// Private functions of the struct: sines and cosines if programs have angles, and the square root.
     pub fn own_functions(&self, module: &Module) -> TokenStream {
-        let World::Core(library) = &self.world else {
+        let Library::Core(core_functions) = &self.library else {
             return TokenStream::new();
         };
-        let sines = has_angles(module) && library.sin_cos.is_none();
+        let sines = has_angles(module) && core_functions.sin_cos.is_none();
         let sines = sines.then(|| sines::function(self.real, &self.robot));
         let root = has_roots(module).then(|| roots::function(self.real, &self.robot));
         quote! { #sines #root }

@@ -12,19 +12,19 @@ use super::arguments;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{array, known, literal};
+use super::library::{CoreFunctions, Library};
 use super::names::{ident, of_methods};
 use super::results::type_of;
-use super::world::{Library, World};
 use crate::module::{GeneratedFunction, Module};
 use crate::print::c;
 use crate::print::steps::Step;
 
 /// The functions, one for each method, if the library has a prefix for them.
 pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
-    let World::Core(Library {
+    let Library::Core(CoreFunctions {
         c_prefix: Some(prefix),
         ..
-    }) = &dialect.world
+    }) = &dialect.library
     else {
         return TokenStream::new();
     };
@@ -101,13 +101,18 @@ fn for_c(
 
 /// The header that declares them.
 #[must_use]
-pub fn c_header(module: &Module, item: &Item, asked: &str, library: &Library) -> Option<String> {
-    let prefix = library.c_prefix.as_deref()?;
+pub fn c_header(
+    module: &Module,
+    item: &Item,
+    asked: &str,
+    core_functions: &CoreFunctions,
+) -> Option<String> {
+    let prefix = core_functions.c_prefix.as_deref()?;
     let header = c::Header {
         prefix,
         guard: &format!("{prefix}{}_", item.ident.unraw()),
         asked,
-        angles: &library.angles(module.scalar),
+        angles: &core_functions.angles(module.scalar),
         needs: None,
     };
     Some(header.text(module))

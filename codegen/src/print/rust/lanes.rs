@@ -13,9 +13,9 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::literal;
+use super::library::Library;
 use super::names::of_methods;
 use super::steps;
-use super::world::World;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::{Fields, c, documentation};
 use crate::schedule::Length;
@@ -28,7 +28,7 @@ pub fn lanes(module: &Module, item: &Item, path: &TokenStream) -> TokenStream {
         module.scalar,
         module.sines,
         item,
-        &World::Lanes(path.clone()),
+        &Library::Lanes(path.clone()),
     );
     let methods = module.functions.iter().zip(of_methods(module));
     let methods = methods.map(|(generated, name)| method(module, item, generated, &name, &dialect));
@@ -46,7 +46,7 @@ fn method(
     name: &Ident,
     dialect: &Dialect,
 ) -> TokenStream {
-    let World::Lanes(path) = &dialect.world else {
+    let Library::Lanes(path) = &dialect.library else {
         return TokenStream::new();
     };
     let arguments = generated.arguments(&module.spaces);

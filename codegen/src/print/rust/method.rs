@@ -13,9 +13,9 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{Lengths, known};
+use super::library::Library;
 use super::names::ident;
 use super::results::{result_type, result_value};
-use super::world::World;
 use crate::function::Function;
 use crate::module::{GeneratedFunction, Module, arguments};
 use crate::print::Fields;
@@ -105,9 +105,9 @@ pub(super) fn in_trait(
     let lengths = known(&module.spaces);
     // Controllers for any robot pass no external wrenches.
     let acted = module.spaces.actions() > 0 && function.takes_actions();
-    let actions = match &dialect.world {
-        World::Runtime(runtime) if acted => Some(no_actions(&lengths, runtime)),
-        World::Runtime(_) | World::Core(_) | World::Lanes(_) => None,
+    let actions = match &dialect.library {
+        Library::Runtime(runtime) if acted => Some(no_actions(&lengths, runtime)),
+        Library::Runtime(_) | Library::Core(_) | Library::Lanes(_) => None,
     };
     let arguments = arguments.map(ToTokens::into_token_stream).chain(actions);
     let call = quote! { Self::#name(self, #(#arguments),*) };
@@ -132,7 +132,7 @@ pub(super) fn implementation(
     call: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
-    let World::Runtime(runtime) = &dialect.world else {
+    let Library::Runtime(runtime) = &dialect.library else {
         return TokenStream::new();
     };
     let of = of_runtime(function, lengths, runtime, dialect);

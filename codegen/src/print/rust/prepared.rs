@@ -14,10 +14,10 @@ use super::declaration;
 use super::dialect::Dialect;
 use super::item::{Declaration, Item};
 use super::lengths::{array, literal};
+use super::library::Library;
 use super::method;
 use super::names::{ident, of_methods};
 use super::steps;
-use super::world::World;
 use crate::module::Module;
 use crate::print::{Fields, documentation};
 
@@ -44,7 +44,7 @@ pub(super) fn prepared(
     let results = results.numbers();
     let (values, visibility) = (ident(VALUES), &item.visibility);
     let name = &own.ident;
-    let about = doc(&documentation::of_prepare(&prepared.price));
+    let about = doc(&documentation::of_prepare(&prepared.operation_count));
     let signature = signature(item, dialect);
     let prepare = quote! {
         #about
@@ -62,7 +62,7 @@ pub(super) fn prepared(
             module,
             generated,
             inside.angles().as_ref(),
-            Some(&prepared.price),
+            Some(&prepared.operation_count),
         );
         methods.extend(method::method(
             (&own, &module.spaces),
@@ -105,11 +105,11 @@ fn of(item: &Item, dialect: &Dialect) -> Item {
 /// Its declaration with this number of values.
 fn structure(item: &Item, own: &Item, count: usize, dialect: &Dialect) -> TokenStream {
     let about = doc(&documentation::of_prepared(&item.ident.unraw().to_string()));
-    let derive = match dialect.world {
-        World::Runtime(_) => quote! {
+    let derive = match dialect.library {
+        Library::Runtime(_) => quote! {
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         },
-        World::Core(_) | World::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
+        Library::Core(_) | Library::Lanes(_) => quote! { #[derive(Clone, Copy, Debug)] },
     };
     let (name, visibility, values) = (&own.ident, &own.visibility, ident(VALUES));
     let (_, arguments, _) = own.generics.split_for_impl();

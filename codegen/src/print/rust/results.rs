@@ -11,8 +11,8 @@ use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{Lengths, array, known, literal};
+use super::library::Library;
 use super::names::ident;
-use super::world::World;
 use crate::function::Function;
 use crate::module::Module;
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
@@ -27,13 +27,13 @@ pub(super) fn result_type(
         Outcome::One(quantity) => type_of(&quantity, lengths, dialect),
         outcome @ Outcome::Parts(name, _) => {
             let path = structure(name, dialect);
-            match dialect.world {
-                World::Runtime(_) => {
+            match dialect.library {
+                Library::Runtime(_) => {
                     let lengths = spaces(outcome).into_iter().map(lengths);
                     let number = &dialect.number;
                     quote! { #path<#(#lengths,)* #number> }
                 }
-                World::Core(_) | World::Lanes(_) => path,
+                Library::Core(_) | Library::Lanes(_) => path,
             }
         }
     });
@@ -53,12 +53,12 @@ fn spaces(outcome: Outcome) -> Vec<Space> {
 
 /// Path of the struct for a function with several quantities.
 fn structure(name: &str, dialect: &Dialect) -> TokenStream {
-    match &dialect.world {
-        World::Runtime(runtime) => {
+    match &dialect.library {
+        Library::Runtime(runtime) => {
             let name = format_ident!("{name}");
             quote! { #runtime::#name }
         }
-        World::Core(_) | World::Lanes(_) => {
+        Library::Core(_) | Library::Lanes(_) => {
             let name = own_structure(name, dialect);
             quote! { #name }
         }
@@ -72,7 +72,7 @@ fn own_structure(name: &str, dialect: &Dialect) -> Ident {
 
 /// Structs for results without the runtime.
 pub(super) fn own_structures(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
-    let World::Core(_) = dialect.world else {
+    let Library::Core(_) = dialect.library else {
         return TokenStream::new();
     };
     let mut functions: Vec<Function> = (module.functions.iter())
@@ -123,9 +123,9 @@ pub(super) fn type_of(quantity: &Quantity, lengths: Lengths<'_>, dialect: &Diale
 
 /// Type of an entity in the runtime, if it has one.
 fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
-    match (entity, &dialect.world) {
-        (Entity::Number | Entity::Vector, _) | (_, World::Core(_) | World::Lanes(_)) => None,
-        (entity, World::Runtime(runtime)) => {
+    match (entity, &dialect.library) {
+        (Entity::Number | Entity::Vector, _) | (_, Library::Core(_) | Library::Lanes(_)) => None,
+        (entity, Library::Runtime(runtime)) => {
             // Types have the names of the variants.
             let name = format_ident!("{entity:?}");
             Some(quote! { #runtime::#name })

@@ -8,8 +8,8 @@ use std::fmt::Write;
 use syn::ext::IdentExt;
 
 use super::item::Item;
+use super::library::Library;
 use super::names::of_methods;
-use super::world::World;
 use crate::module::{GeneratedFunction, Module, Vector};
 use crate::print::c;
 use crate::print::review;
@@ -21,9 +21,9 @@ use crate::wording::visible;
 
 /// Text after the items: tests, and the origins of inertial numbers.
 #[must_use]
-pub fn appendix(listing: &Module, item: &Item, world: &World) -> String {
+pub fn appendix(listing: &Module, item: &Item, library: &Library) -> String {
     let mut text = String::new();
-    if let World::Core(_) = world {
+    if let Library::Core(_) = library {
         text.push_str(&tests(listing, item));
     }
     let origins = review::origins(listing);

@@ -14,10 +14,10 @@ use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
 use super::lengths::{array, literal};
+use super::library::Library;
 use super::literals::Numerals;
 use super::names::ident;
-use super::world::World;
-use crate::joint::Posture;
+use crate::joint::Manifold;
 use crate::module::{DataMotion, Module};
 use crate::print::documentation;
 use crate::print::steps::{Step, joints, neutral};
@@ -41,13 +41,13 @@ pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
         let head = quote! { #visibility fn #name #generics(&self #(, #arguments)*) };
         let result = row(step.result());
         let (statements, entries) = computation(step, module, dialect);
-        match &dialect.world {
+        match &dialect.library {
             // The class has an attribute for it.
-            World::Lanes(_) if step == Step::Neutral => TokenStream::new(),
-            World::Lanes(_) => quote! {
+            Library::Lanes(_) if step == Step::Neutral => TokenStream::new(),
+            Library::Lanes(_) => quote! {
                 #about #[inline(always)] #head -> (#result,) { #statements ([#(#entries),*],) }
             },
-            World::Runtime(_) | World::Core(_) => quote! {
+            Library::Runtime(_) | Library::Core(_) => quote! {
                 #about #[must_use] #head -> #result { #statements [#(#entries),*] }
             },
         }
@@ -57,17 +57,17 @@ pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
 
 /// Statements, and the entries of the result.
 fn computation(step: Step, module: &Module, dialect: &Dialect) -> (TokenStream, Vec<TokenStream>) {
-    match &dialect.world {
-        World::Runtime(runtime) => Steps {
+    match &dialect.library {
+        Library::Runtime(runtime) => Steps {
             module,
             runtime,
             dialect,
         }
         .body(step),
         #[cfg(feature = "files")]
-        World::Core(_) | World::Lanes(_) => body::of_step(step, module, dialect),
+        Library::Core(_) | Library::Lanes(_) => body::of_step(step, module, dialect),
         #[cfg(not(feature = "files"))]
-        World::Core(_) | World::Lanes(_) => Default::default(),
+        Library::Core(_) | Library::Lanes(_) => Default::default(),
     }
 }
 
@@ -113,8 +113,8 @@ impl Steps<'_> {
         let mut results = Vec::new();
         for own in joints(self.module) {
             let (q, v) = (&q[own.coordinates.clone()], &v[own.velocities]);
-            if let DataMotion::Posture(posture) = own.motion {
-                let kernel = self.kernel("integrate", posture);
+            if let DataMotion::Manifold(manifold) = own.motion {
+                let kernel = self.kernel("integrate", manifold);
                 let moved = self.names("moved", own.coordinates);
                 statements.extend(quote! { let [#(#moved),*] = #kernel([#(#q),*], [#(#v),*]); });
                 results.extend(moved.iter().map(|entry| quote! { #entry }));
@@ -134,8 +134,8 @@ impl Steps<'_> {
         let mut results = Vec::new();
         for own in joints(self.module) {
             let [q0, q1] = [q0, q1].map(|names| &names[own.coordinates.clone()]);
-            if let DataMotion::Posture(posture) = own.motion {
-                let kernel = self.kernel("difference", posture);
+            if let DataMotion::Manifold(manifold) = own.motion {
+                let kernel = self.kernel("difference", manifold);
                 let v = self.names("v", own.velocities);
                 statements.extend(quote! { let [#(#v),*] = #kernel([#(#q0),*], [#(#q1),*]); });
                 results.extend(v.iter().map(|entry| quote! { #entry }));
@@ -151,7 +151,7 @@ impl Steps<'_> {
         for own in joints(self.module) {
             if let Some(first) = own.quaternion() {
                 let quaternion = &q[own.coordinates][first..];
-                let mended = quote! { #runtime::robot::posture::normalized([#(#quaternion),*]) };
+                let mended = quote! { #runtime::robot::manifold::normalized([#(#quaternion),*]) };
                 statements.extend(quote! { let [#(#quaternion),*] = #mended; });
             }
         }
@@ -165,16 +165,16 @@ impl Steps<'_> {
     }
 
     /// Function of a single joint.
-    fn kernel(&self, verb: &str, posture: Posture) -> TokenStream {
+    fn kernel(&self, verb: &str, manifold: Manifold) -> TokenStream {
         let runtime = self.runtime;
         let kernel = format_ident!(
             "{verb}_{}",
-            match posture {
-                Posture::Planar => "planar",
-                Posture::Spherical => "spherical",
-                Posture::Floating => "floating",
+            match manifold {
+                Manifold::Planar => "planar",
+                Manifold::Spherical => "spherical",
+                Manifold::Floating => "floating",
             }
         );
-        quote! { #runtime::robot::posture::#kernel }
+        quote! { #runtime::robot::manifold::#kernel }
     }
 }

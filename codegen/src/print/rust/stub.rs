@@ -9,9 +9,9 @@ use quote::quote;
 use super::dialect::Dialect;
 use super::item::{Declaration, Item};
 use super::lengths::{Lengths, literal};
+use super::library::Library;
 use super::names::{ident, unscoped};
-use super::world::World;
-use super::{batch, chain, declaration, mechanism, method, prepared};
+use super::{batch, chain, closed_loops, declaration, method, prepared};
 use crate::function::Function;
 use crate::module;
 use crate::real::Real;
@@ -24,8 +24,8 @@ use crate::space::{Space, Spaces};
 /// that calls with arrays of any length type-check.
 #[must_use]
 pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStream {
-    let world = World::runtime(request.runtime.as_ref());
-    let dialect = Dialect::of(request.scalar, request.formulation.sines, item, &world);
+    let library = Library::runtime(request.runtime.as_ref());
+    let dialect = Dialect::of(request.scalar, request.formulation.sines, item, &library);
     let unnamed = || ident(&dialect.names.clone().alone("N"));
     let unknown = spaces.is_none().then(unnamed);
     let lengths = |space: Space| {
@@ -113,8 +113,8 @@ fn functions(
             methods.extend(absent(item, &signature, &unreachable));
             if let ([function], None) = (functions.as_slice(), frame) {
                 let batched = request.batch && function.has_batches(acted);
-                if let (true, Real::Generic, World::Runtime(runtime)) =
-                    (batched, request.scalar, &dialect.world)
+                if let (true, Real::Generic, Library::Runtime(runtime)) =
+                    (batched, request.scalar, &dialect.library)
                 {
                     let lengths: (Lengths<'_>, &[_]) = (lengths, &parameters);
                     let signature = batch::signature(*function, lengths, runtime, dialect);
@@ -148,7 +148,7 @@ fn data(
     dialect: &Dialect,
 ) -> TokenStream {
     let mut data = TokenStream::new();
-    if let World::Runtime(runtime) = &dialect.world {
+    if let Library::Runtime(runtime) = &dialect.library {
         let reads_fields = !request.parameters.is_empty();
         let frames = literal(request.frames.len() + 1 + request.external.len());
         let joints = lengths(Space::Velocities);
@@ -164,7 +164,7 @@ fn data(
         let body = nothing(&joints, &frames, runtime);
         data.extend(absent(item, &signature, &body));
         if wanted.iter().any(|function| function.is_of_loops()) {
-            let signature = mechanism::absent(reads_fields, runtime);
+            let signature = closed_loops::absent(reads_fields, runtime);
             let unreachable = quote! { ::core::unreachable!() };
             data.extend(absent(item, &signature, &unreachable));
         }

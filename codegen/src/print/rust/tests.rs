@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
-use super::{Declaration, Item, Source, World, print, stub};
-use crate::accuracy::{Accuracy, Bound, Promise};
+use super::{Declaration, Item, Library, Source, print, stub};
+use crate::accuracy::{Accuracy, Bound, ErrorBounds};
 use crate::description::Name;
 use crate::expression::{Block, Component, Input, Numeral, Of};
 use crate::formulation::Sines;
@@ -13,7 +13,7 @@ use crate::layout::Layout;
 use crate::module::{About, ChainData, DataMotion, GeneratedFunction, LoopsData, Module};
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
-use crate::schedule::{Length, Operand, Operation, Price, Program, Step};
+use crate::schedule::{Length, Operand, Operation, OperationCount, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
 
 mod batch;
@@ -66,14 +66,14 @@ fn gravity(mass: Operand) -> Program {
 }
 
 pub(crate) fn generated(functions: &[Function], program: Program) -> GeneratedFunction {
-    let price = Price::of(&program).beside_dense(384, 288);
+    let operation_count = OperationCount::of(&program).beside_dense(384, 288);
     GeneratedFunction {
         functions: functions.to_vec(),
         frame: None,
         layout: Layout::DESCRIBED,
         program,
-        price,
-        accuracy: vec![Accuracy::Within(Promise {
+        operation_count,
+        accuracy: vec![Accuracy::Within(ErrorBounds {
             bounds: vec![Bound {
                 joint: None,
                 unit: "N m",
@@ -100,7 +100,7 @@ fn constant(results: &[f64]) -> Program {
 pub(crate) fn revolute(names: impl IntoIterator<Item = String>) -> Spaces {
     let entry = |name| Entry {
         name,
-        kind: Kind::Turn,
+        kind: Kind::Rotation,
         range: None,
     };
     let entries: Vec<Entry> = names.into_iter().map(entry).collect();
@@ -129,7 +129,7 @@ pub(crate) fn module(scalar: Real) -> Module {
     Module {
         spaces: revolute(["shoulder", "elbow"].map(str::to_owned)),
         about: About {
-            driven: false,
+            actuated: false,
             robot: "double pendulum".to_owned(),
             source: crate::description::Source {
                 file: Some("pendulum.urdf".to_owned()),
@@ -153,11 +153,11 @@ pub(crate) fn module(scalar: Real) -> Module {
             motions: vec![DataMotion::Along; 2],
             frames: vec![("rod-2".to_owned(), Some(1))],
             external: (0, false),
-            driven: Vec::new(),
+            actuated: Vec::new(),
             program: constant(&data),
             loops: LoopsData {
                 loops: Vec::new(),
-                driven: Vec::new(),
+                actuated: Vec::new(),
                 program: constant(&[]),
             },
         },
@@ -185,7 +185,7 @@ fn made() -> Item {
 
 /// Output for a crate with the runtime.
 fn with_runtime(module: &Module) -> String {
-    pretty(&print(module, &pendulum(), &World::default()))
+    pretty(&print(module, &pendulum(), &Library::default()))
 }
 
 fn pretty(tokens: &TokenStream) -> String {

@@ -11,7 +11,7 @@ use crate::name::Name;
 use crate::number::Number;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::request::Request;
+use crate::request::{Request, Target, TargetOf};
 use crate::wording::known;
 
 impl Setting {
@@ -23,11 +23,11 @@ impl Setting {
     pub fn take(&self, text: &str, request: &mut Request) -> Result<(), String> {
         match self.form {
             SettingForm::Switch(of) => *of(request) = true,
-            SettingForm::Drive(_, Some(alone)) if text.is_empty() => *alone(request) = true,
-            SettingForm::Drive(part, alone) => {
+            SettingForm::Actuator(_, Some(alone)) if text.is_empty() => *alone(request) = true,
+            SettingForm::Actuator(part, alone) => {
                 let (joint, numbers) = text.rsplit_once('=').ok_or("write JOINT=NUMBER")?;
                 let numbers = numbers.split(',').map(number).collect::<Result<_, _>>()?;
-                request.drives.push((joint.into(), part, numbers));
+                request.actuators.push((joint.into(), part, numbers));
                 if let Some(alone) = alone {
                     *alone(request) = true;
                 }
@@ -69,7 +69,7 @@ impl Setting {
         let texts = |names: &[Name]| names.iter().map(|name| Some(name.text.clone())).collect();
         let one = |value: Option<String>| value.into_iter().map(Some).collect();
         match self.form {
-            SettingForm::Switch(of) | SettingForm::Drive(_, Some(of)) => {
+            SettingForm::Switch(of) | SettingForm::Actuator(_, Some(of)) => {
                 of(request).then_some(None).into_iter().collect()
             }
             SettingForm::Name(of) => texts(of(request).as_slice()),
@@ -117,7 +117,9 @@ impl Setting {
                 pairs.collect()
             }
             // Folders are left out, as that of the file is.
-            SettingForm::File | SettingForm::Packages | SettingForm::Drive(_, None) => Vec::new(),
+            SettingForm::File | SettingForm::Packages | SettingForm::Actuator(_, None) => {
+                Vec::new()
+            }
         }
     }
 }
@@ -171,6 +173,26 @@ pub fn together(text: &str) -> Result<Vec<Function>, String> {
         functions.push(function);
     }
     Ok(functions)
+}
+
+/// The number of the description that a field takes the place of: `mass_of:hand`, `gravity`.
+///
+/// # Errors
+/// An unknown word: a hint that lists the known ones. A word without its name.
+pub fn target(text: &str) -> Result<Target, String> {
+    let (word, name) = match text.split_once(':') {
+        Some((word, name)) => (word, Some(name)),
+        None => (text, None),
+    };
+    match (Target::of(word), name) {
+        (Some(TargetOf::Item(of)), Some(name)) => Ok(of(name.into())),
+        (Some(TargetOf::Robot(of)), None) => Ok(of()),
+        (Some(TargetOf::Item(_)), None) => Err(format!("`{word}` needs a name: {word}:hand")),
+        _ => Err(format!(
+            "a field cannot stand for `{text}`\n  hint: {}",
+            known(word, "words", &Target::keys())
+        )),
+    }
 }
 
 /// The words of attributes, with dashes.

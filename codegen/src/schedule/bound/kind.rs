@@ -3,7 +3,7 @@
 //! In: a step and its label. Out: which values are bounded together as one vector, and which steps are replaced by
 //! their operands.
 
-use super::turn::{Place, Turn};
+use super::rotation::{Place, PlaneRotation};
 use super::value::Value;
 use crate::expression::{Component, Label, Quantity};
 use crate::schedule::{Operand, Operation, Step};
@@ -12,7 +12,7 @@ use crate::schedule::{Operand, Operation, Step};
 #[derive(Clone, Copy, Debug)]
 pub enum Form {
     /// Entry of a vector that is rotated by an angle.
-    Turned(Turn),
+    ByRotation(PlaneRotation),
     /// a ± b.
     Sum(Operand, Operand),
     /// The operand plus or minus an intermediate value with this range and error.
@@ -38,7 +38,7 @@ pub enum Kind {
     /// Second moments of one row.
     Row(Quantity, usize),
     /// Entries of a vector that is rotated by an angle, or its sine and cosine.
-    Turned(u32),
+    ByRotation(u32),
     /// Entries of a vector that a rotation matrix multiplies; with the root sum square of the errors of the matrix.
     Rotated(f64),
     /// Products with this factor.
@@ -68,7 +68,7 @@ impl Follows {
     pub const fn of(step: &Step, form: &Form) -> Self {
         let combines = is_sum(step.operation) || matches!(step.operation, Operation::Mul(..));
         match (combines, form, &step.label) {
-            (false, ..) | (_, Form::Turned(_), _) => Self::Never,
+            (false, ..) | (_, Form::ByRotation(_), _) => Self::Never,
             (_, _, Some(_)) => Self::First,
             (_, _, None) => Self::Always,
         }
@@ -92,9 +92,8 @@ impl Kind {
             };
         }
         match (place, form) {
-            (Some(Place { angle, .. }), _) | (None, &Form::Turned(Turn { angle, .. })) => {
-                Self::Turned(angle)
-            }
+            (Some(Place { angle, .. }), _)
+            | (None, &Form::ByRotation(PlaneRotation { angle, .. })) => Self::ByRotation(angle),
             _ => Self::Alone(operand),
         }
     }

@@ -5,7 +5,7 @@
 use super::kind::{Follows, Form, Kind, Of};
 use super::quaternion::{Entry, Polynomials, beyond};
 use super::reason::Reason;
-use super::turn::{Place, Turns};
+use super::rotation::{Place, PlaneRotations};
 use super::value::Value;
 use crate::expression::Input;
 use crate::real::Real;
@@ -28,7 +28,7 @@ pub struct Known<'p> {
     pub program: &'p Program,
     pub conditions: &'p Conditions<'p>,
     /// Sines and cosines.
-    pub turns: Turns,
+    pub turns: PlaneRotations,
     /// Polynomials in the entries of quaternions.
     pub polynomials: Polynomials,
     pub steps: Vec<Computed>,
@@ -131,7 +131,7 @@ impl Known<'_> {
             Of::Product(_, b @ Operand::Input(_)) => Kind::Times(b),
             Of::Product(a, _) => Kind::Times(a),
             Of::Whole(Operand::Step(k)) => self.steps[k as usize].kind,
-            Of::Whole(Operand::Sin(angle) | Operand::Cos(angle)) => Kind::Turned(angle),
+            Of::Whole(Operand::Sin(angle) | Operand::Cos(angle)) => Kind::ByRotation(angle),
             Of::Whole(operand) => Kind::Alone(operand),
         }
     }

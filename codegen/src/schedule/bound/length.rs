@@ -149,7 +149,8 @@ impl Lengths {
         }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
         if !twice && self.0.len() < MOST * known.steps.len() {
-            let turned = |step: &u32| matches!(known.steps[*step as usize].form, Form::Turned(_));
+            let turned =
+                |step: &u32| matches!(known.steps[*step as usize].form, Form::ByRotation(_));
             let turned = steps.iter().any(turned);
             if count > 1 && (turned || first) {
                 length = length.least(self.unfolded(known, steps, depth - 1));
@@ -192,8 +193,12 @@ impl Lengths {
         // The third entry of a vector that is rotated about an axis has a label of its own.
         let rotated = |group: &Group| matches!(group.kind, Kind::Rotated(_));
         let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]) && !rotated(group);
-        let turned =
-            |group: &Group| matches!((group.kind, &group.members[..]), (Kind::Turned(_), [_, _]));
+        let turned = |group: &Group| {
+            matches!(
+                (group.kind, &group.members[..]),
+                (Kind::ByRotation(_), [_, _])
+            )
+        };
         if let Some(at) = groups.iter().position(turned) {
             for third in 0..groups.len() {
                 if whole(&groups[third]) {
@@ -294,22 +299,22 @@ impl Lengths {
                 let [of_a, of_b] = [a, b].map(|operand| known.value(operand).into());
                 without(a, of_b).least(without(b, of_a))
             }
-            Form::Turned(turn) => {
+            Form::ByRotation(rotation) => {
                 let second = rest.iter().position(|entry| match entry {
                     Operand::Step(k) => matches!(
                         known.steps[*k as usize].form,
-                        Form::Turned(other) if turn.completes(&other)
+                        Form::ByRotation(other) if rotation.completes(&other)
                     ),
                     _ => false,
                 });
                 let both = second.map(|second| rest.remove(second)).is_some();
-                let before = [turn.by_cosine.0, turn.by_sine.0];
+                let before = [rotation.by_cosine.0, rotation.by_sine.0];
                 if before.iter().any(|entry| rest.contains(entry)) {
                     return Length::UNKNOWN;
                 }
                 let length = self.follow(known, &[&rest[..], &before].concat(), true, depth);
                 let turned = self.follow(known, &before, true, depth);
-                let by = of_turn(known, turn.angle);
+                let by = of_turn(known, rotation.angle);
                 let roundings =
                     by.roundings(turned, known.scalar()) * if both { SQRT_2 } else { 1.0 };
                 Length {

@@ -17,20 +17,20 @@ pub enum Meaning {
     /// A sum of coordinates, by their indices.
     Sum(Vec<u16>),
     /// The sine of an angle.
-    Sine(Turn),
+    Sine(RotationAngle),
     /// The cosine of an angle.
-    Cosine(Turn),
+    Cosine(RotationAngle),
     /// A part of a sum or product, by its number from 1 on.
     Part(usize),
     /// The table that a loop reads its columns from.
     Table,
     /// The index of a loop.
-    Round,
+    LoopIndex,
 }
 
 /// The angle of a sine and a cosine.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Turn {
+pub struct RotationAngle {
     /// The name of its value; `a` if it has none.
     pub name: String,
     /// The coordinates that it is the sum of, by their indices; empty for any other angle.
@@ -52,13 +52,13 @@ impl fmt::Display for Meaning {
             Self::Cosine(turn) => write!(out, "c_{turn}"),
             Self::Part(number) => write!(out, "t_{number}"),
             Self::Table => out.write_str("columns"),
-            Self::Round => out.write_str("column"),
+            Self::LoopIndex => out.write_str("column"),
         }
     }
 }
 
 /// `2`, `2_3` for q₂ + q₃, or the name of the value.
-impl fmt::Display for Turn {
+impl fmt::Display for RotationAngle {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &*self.coordinates {
             [] => out.write_str(&self.name),

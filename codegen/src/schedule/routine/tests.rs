@@ -1,6 +1,6 @@
 //! Names and structure of routines.
 
-use super::{Angle, Meaning, Names, Readable, Routine, Statement, Stored, Turn, Value};
+use super::{Angle, Meaning, Names, Readable, RotationAngle, Routine, Statement, Stored, Value};
 use crate::expression::{Block, Component, Input, Numeral, Of};
 use crate::schedule::{Length, Operand, Operation, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
@@ -40,7 +40,7 @@ fn program() -> Program {
 fn routine(names: Names, stored: Stored) -> Routine {
     let entry = |name: &str| Entry {
         name: name.to_owned(),
-        kind: Kind::Turn,
+        kind: Kind::Rotation,
         range: None,
     };
     let spaces = Spaces {
@@ -90,7 +90,7 @@ fn only_values_that_are_read_have_names() {
     assert_eq!(routine.statements, statements);
     assert_eq!(routine.results, [name("d_2_"), Value::Literal(0.0)]);
     assert!(routine.has_literals && routine.is_fused);
-    let turn = |name: &str, coordinates: &[u16]| Turn {
+    let turn = |name: &str, coordinates: &[u16]| RotationAngle {
         name: name.to_owned(),
         coordinates: coordinates.to_vec(),
     };
@@ -132,7 +132,7 @@ fn results_are_stored_early_on_request() {
 pub(super) fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stored) -> Routine {
     let entry = Entry {
         name: "hip".to_owned(),
-        kind: Kind::Turn,
+        kind: Kind::Rotation,
         range: None,
     };
     let spaces = Spaces {

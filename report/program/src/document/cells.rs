@@ -4,7 +4,7 @@
 //! a dash if there is none.
 
 use homogen_codegen::Function;
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 
 use super::Measured;
 use crate::measure::Point;
@@ -12,11 +12,18 @@ use crate::program::Flags;
 use crate::scene::{Scalar, Scene};
 
 /// The operation count of a program.
-pub fn price(measured: &Measured<'_>, scene: &Scene, variant: &str, function: Function) -> Price {
-    let mut prices = measured.prices.iter();
-    let found =
-        prices.find(|(name, v, f, _)| *name == scene.name && *v == variant && *f == function);
-    found.map(|(.., price)| *price).unwrap_or_default()
+pub fn operation_count(
+    measured: &Measured<'_>,
+    scene: &Scene,
+    variant: &str,
+    function: Function,
+) -> OperationCount {
+    let mut operation_counts = measured.operation_counts.iter();
+    let found = operation_counts
+        .find(|(name, v, f, _)| *name == scene.name && *v == variant && *f == function);
+    found
+        .map(|(.., operation_count)| *operation_count)
+        .unwrap_or_default()
 }
 
 /// The measurement of a homogen program.

@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use homogen_codegen::schedule::Price;
+use homogen_codegen::schedule::OperationCount;
 use homogen_examples::machine;
 
 use super::cells::units;
@@ -26,8 +26,8 @@ const OF_A_GPU: f64 = 1e8;
 pub fn write(many: &Many<'_>) -> String {
     let mut text = method(many);
     text.push_str(&in_short(many));
-    for (scene, price) in many.scenes.iter().zip(&many.prices) {
-        text.push_str(&robot(many, scene, price));
+    for (scene, operation_count) in many.scenes.iter().zip(&many.operation_counts) {
+        text.push_str(&robot(many, scene, operation_count));
     }
     text
 }
@@ -94,25 +94,27 @@ fn in_short(many: &Many<'_>) -> String {
         let _ = write!(text, " {} |", scene.title);
     }
     let _ = writeln!(text, "\n|---|{}", "---:|".repeat(many.scenes.len()));
-    let mut row = |title: &str, cell: &dyn Fn(&Scene, &Price) -> Option<f64>, digits: usize| {
-        let _ = write!(text, "| {title} |");
-        for (scene, price) in many.scenes.iter().zip(&many.prices) {
-            let _ = match cell(scene, price) {
-                Some(number) => write!(text, " {number:.digits$} |"),
-                None => write!(text, " – |"),
-            };
-        }
-        text.push('\n');
-    };
+    let mut row =
+        |title: &str, cell: &dyn Fn(&Scene, &OperationCount) -> Option<f64>, digits: usize| {
+            let _ = write!(text, "| {title} |");
+            for (scene, operation_count) in many.scenes.iter().zip(&many.operation_counts) {
+                let _ = match cell(scene, operation_count) {
+                    Some(number) => write!(text, " {number:.digits$} |"),
+                    None => write!(text, " – |"),
+                };
+            }
+            text.push('\n');
+        };
     for scalar in SCALARS {
         let name = scalar.name();
-        let time = |scene: &Scene, way: &str, flags| {
-            let point = many.find(scene, way, false, scalar, flags);
+        let time = |scene: &Scene, algorithm: &str, flags| {
+            let point = many.find(scene, algorithm, false, scalar, flags);
             point.map(|point| point.time[1])
         };
         let avx2 = |scene: &Scene| {
-            let ways = ["avx2", "avx2_fused"].map(|way| time(scene, way, Flags::Native));
-            least(ways.into_iter().flatten())
+            let algorithms =
+                ["avx2", "avx2_fused"].map(|algorithm| time(scene, algorithm, Flags::Native));
+            least(algorithms.into_iter().flatten())
         };
         row(
             &format!("{name}, batch on AVX2 / one state at a time"),
@@ -124,7 +126,7 @@ fn in_short(many: &Many<'_>) -> String {
             &|scene, _| {
                 let others = OTHERS
                     .iter()
-                    .filter_map(|way| time(scene, way.name, Flags::Native));
+                    .filter_map(|algorithm| time(scene, algorithm.name, Flags::Native));
                 Some(avx2(scene)? / least(others)?)
             },
             2,
@@ -159,7 +161,9 @@ fn in_short(many: &Many<'_>) -> String {
         );
         row(
             &format!("{name}, limit, one thread, 10⁶ states a second"),
-            &|scene, price| Some(1e3 / limit(many, scene, price, false, scalar)?),
+            &|scene, operation_count| {
+                Some(1e3 / limit(many, scene, operation_count, false, scalar)?)
+            },
             1,
         );
         row(
@@ -178,7 +182,7 @@ fn in_short(many: &Many<'_>) -> String {
     text
 }
 
-fn robot(many: &Many<'_>, scene: &Scene, price: &Price) -> String {
+fn robot(many: &Many<'_>, scene: &Scene, operation_count: &OperationCount) -> String {
     let mut text = format!(
         "### Many states: {}\n\n\
          `{}`, {} mul, {} add, {} sin and cos; times in ns a state, rates in 10⁶ states a second.\n\n\
@@ -186,21 +190,21 @@ fn robot(many: &Many<'_>, scene: &Scene, price: &Price) -> String {
          |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         scene.title,
         FUNCTION.name(),
-        price.mul,
-        price.add,
-        price.sin + price.cos,
+        operation_count.mul,
+        operation_count.add,
+        operation_count.sin + operation_count.cos,
     );
     for flags in Flags::ALL {
-        for way in &OURS {
-            text.push_str(&row(many, scene, way, flags));
+        for algorithm in &OURS {
+            text.push_str(&row(many, scene, algorithm, flags));
         }
     }
-    for way in &OTHERS {
-        text.push_str(&row(many, scene, way, Flags::Native));
+    for algorithm in &OTHERS {
+        text.push_str(&row(many, scene, algorithm, Flags::Native));
     }
     let _ = write!(text, "| limit | native |");
     for scalar in SCALARS {
-        let [one, all] = [false, true].map(|all| limit(many, scene, price, all, scalar));
+        let [one, all] = [false, true].map(|all| limit(many, scene, operation_count, all, scalar));
         text.push_str(&times(one, None, all));
     }
     text.push_str(" – | – |\n\n");
@@ -208,27 +212,27 @@ fn robot(many: &Many<'_>, scene: &Scene, price: &Price) -> String {
 }
 
 /// The row of a program in both types; empty if it did not run.
-fn row(many: &Many<'_>, scene: &Scene, way: &Implementation, flags: Flags) -> String {
+fn row(many: &Many<'_>, scene: &Scene, algorithm: &Implementation, flags: Flags) -> String {
     let find = |name, all, scalar| many.find(scene, name, all, scalar, flags);
     let ran = |scalar| {
         [false, true]
             .iter()
-            .any(|all| find(way.name, *all, scalar).is_some())
+            .any(|all| find(algorithm.name, *all, scalar).is_some())
     };
     if !SCALARS.into_iter().any(ran) {
         return String::new();
     }
-    let mut text = format!("| {} | {} |", way.title, flags.name());
+    let mut text = format!("| {} | {} |", algorithm.title, flags.name());
     for scalar in SCALARS {
         let time = |name, all| find(name, all, scalar).map(|point| point.time[1]);
         text.push_str(&times(
-            time(way.name, false),
+            time(algorithm.name, false),
             time(ALONE, false),
-            time(way.name, true),
+            time(algorithm.name, true),
         ));
     }
     for scalar in SCALARS {
-        let point = find(way.name, true, scalar).or(find(way.name, false, scalar));
+        let point = find(algorithm.name, true, scalar).or(find(algorithm.name, false, scalar));
         let _ = write!(text, " {} |", units(point));
     }
     text.push('\n');
@@ -260,7 +264,9 @@ fn times(one: Option<f64>, alone: Option<f64>, all: Option<f64>) -> String {
 /// The least time of the batches of homogen.
 fn fastest(many: &Many<'_>, scene: &Scene, all: bool, scalar: Scalar, flags: Flags) -> Option<f64> {
     let is_batch = |point: &&Point| {
-        let ours = OURS.iter().any(|way| way.name == name_of(point));
+        let ours = OURS
+            .iter()
+            .any(|algorithm| algorithm.name == name_of(point));
         ours && name_of(point) != ALONE
     };
     let points = many.points.iter().filter(is_batch).filter(|point| {
@@ -276,12 +282,12 @@ fn fastest(many: &Many<'_>, scene: &Scene, all: bool, scalar: Scalar, flags: Fla
 pub fn limit(
     many: &Many<'_>,
     scene: &Scene,
-    price: &Price,
+    operation_count: &OperationCount,
     all: bool,
     scalar: Scalar,
 ) -> Option<f64> {
     let point = many.find(scene, LIMIT.0, all, scalar, Flags::Native)?;
-    Some(point.time[1] * count(price.mul + price.add) / LIMIT.1)
+    Some(point.time[1] * count(operation_count.mul + operation_count.add) / LIMIT.1)
 }
 
 fn least(times: impl Iterator<Item = f64>) -> Option<f64> {

@@ -20,7 +20,7 @@ const TIME: Axis = Axis {
 /// All robots.
 pub fn many(many: &Many<'_>) -> Grid {
     let mut panels: Vec<(String, Panel)> = Vec::new();
-    for (scene, price) in many.scenes.iter().zip(&many.prices) {
+    for (scene, operation_count) in many.scenes.iter().zip(&many.operation_counts) {
         for (all, threads) in [(false, "one thread"), (true, "all threads")] {
             let points: Vec<&Point> = (many.points.iter())
                 .filter(|point| point.scene == scene.name && name_of(point) != LIMIT.0)
@@ -32,7 +32,7 @@ pub fn many(many: &Many<'_>) -> Grid {
                 errors().fold(0.0, f64::max),
             ];
             let limits = [Scalar::F64, Scalar::F32].into_iter().filter_map(|scalar| {
-                let time = limit(many, scene, price, all, scalar)?;
+                let time = limit(many, scene, operation_count, all, scalar)?;
                 let color = Color::Grey;
                 Some(curve(
                     "",
@@ -59,9 +59,9 @@ pub fn many(many: &Many<'_>) -> Grid {
 }
 
 fn dot(point: &Point) -> Curve {
-    let mut ways = OURS.iter().chain(&OTHERS);
-    let way = ways.find(|way| way.name == name_of(point));
-    let color = way.map_or(Color::Grey, |way| way.color);
+    let mut algorithms = OURS.iter().chain(&OTHERS);
+    let algorithm = algorithms.find(|algorithm| algorithm.name == name_of(point));
+    let color = algorithm.map_or(Color::Grey, |algorithm| algorithm.color);
     curve(
         "",
         color,
@@ -71,20 +71,26 @@ fn dot(point: &Point) -> Curve {
 }
 
 fn legend(many: &Many<'_>) -> Vec<Curve> {
-    let ran = |way: &&Implementation| many.points.iter().any(|point| name_of(point) == way.name);
+    let ran = |algorithm: &&Implementation| {
+        many.points
+            .iter()
+            .any(|point| name_of(point) == algorithm.name)
+    };
     let sample = |label: &str, color, style| curve(label, color, style, Vec::new());
-    let of = |way: &Implementation, shape| sample(way.title, way.color, Style::Points(shape));
+    let of = |algorithm: &Implementation, shape| {
+        sample(algorithm.title, algorithm.color, Style::Points(shape))
+    };
     let circle = |filled| Shape::Circle { filled };
     let square = Shape::Square { filled: true };
     let mut legend: Vec<Curve> = (OURS.iter().filter(ran))
-        .map(|way| of(way, circle(true)))
+        .map(|algorithm| of(algorithm, circle(true)))
         .collect();
     let mut colors = Vec::new();
-    for way in OTHERS.iter().filter(ran) {
+    for algorithm in OTHERS.iter().filter(ran) {
         // The variants of CasADi's C have one colour.
-        if !colors.contains(&way.color) {
-            colors.push(way.color);
-            legend.push(of(way, square));
+        if !colors.contains(&algorithm.color) {
+            colors.push(algorithm.color);
+            legend.push(of(algorithm, square));
         }
     }
     let black = |label, shape| sample(label, Color::Black, Style::Points(shape));

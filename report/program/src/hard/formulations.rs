@@ -44,19 +44,10 @@ fn cases() -> Vec<(Function, Hard)> {
 /// The columns: a title, a formulation, a type.
 fn formulations() -> Vec<(&'static str, Formulation, Real)> {
     let default = Formulation::default();
-    let forward = |forward| Formulation {
-        forward: Some(forward),
-        ..default
-    };
+    let forward = |forward| default.with_forward(forward);
     let refined = |refinements| forward(Forward::MassMatrix { refinements });
-    let frame_0 = Formulation {
-        frame: Frame::Base,
-        ..default
-    };
-    let raw = Formulation {
-        parameters: Parameters::Raw,
-        ..default
-    };
+    let frame_0 = default.with_frame(Frame::Base);
+    let raw = default.with_parameters(Parameters::Raw);
     vec![
         ("default", default, Real::F64),
         ("frame 0", frame_0, Real::F64),

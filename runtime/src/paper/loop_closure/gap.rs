@@ -5,7 +5,7 @@
 
 use crate::matrix::vector::scale;
 use crate::matrix::{Acceleration, Displacement, Pose, Screw};
-use crate::paper::open_chain::{Motion, commutator};
+use crate::paper::open_chain::{BodyMotion, commutator};
 use crate::scalar::Real;
 
 /// (φ u, φ b) of M_right,left = exp(L φ), in the frame `right`.
@@ -17,8 +17,8 @@ pub(super) fn missing_screw<T: Real>(m_right_left: Pose<T>) -> [T; 6] {
 /// H of left relative to right at W = 0, from both relative to the base: Ẇ of the difference, without the part
 /// due to the motion of `right` (13).
 pub(super) fn relative_acceleration<T: Real>(
-    left: &Motion<T>,
-    right: &Motion<T>,
+    left: &BodyMotion<T>,
+    right: &BodyMotion<T>,
 ) -> Acceleration<T> {
     let w = left.velocity - right.velocity;
     let w_dot = left.acceleration.velocity_derivative(&left.velocity)

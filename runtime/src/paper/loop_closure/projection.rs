@@ -2,7 +2,7 @@
 //!
 //! In: a robot with `constraint` and `constraint_jacobian`, and coordinates or rates. Out: coordinates nearby
 //! that close its loops, by Gauss–Newton steps of least norm with Levenberg–Marquardt damping; rates that
-//! keep them closed; singular values of the closure. No allocation; the [`Outcome`] states failure and NaN.
+//! keep them closed; singular values of the closure. No allocation; the [`ClosureOutcome`] states failure and NaN.
 
 use crate::paper::singular_values::values;
 use crate::robot::{Constraint, ConstraintJacobian};
@@ -25,12 +25,12 @@ pub struct Projection<T, const Q: usize> {
     /// Number of steps.
     pub steps: usize,
     /// The end of the projection.
-    pub outcome: Outcome,
+    pub outcome: ClosureOutcome,
 }
 
 /// The end of a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum ClosureOutcome {
     /// All residuals are within the tolerance.
     Closed,
     /// A local minimum of the residuals: no coordinates nearby close the loops.
@@ -89,7 +89,7 @@ where
     let mut residual = robot.constraint(&q);
     let mut square = dot(&residual, &residual);
     let mut damping = T::EPSILON;
-    let mut outcome = Outcome::Stalled;
+    let mut outcome = ClosureOutcome::Stalled;
     let mut steps = 0;
     let mut closed = largest(&residual) <= tolerance;
     while steps < STEPS {
@@ -100,7 +100,7 @@ where
         }
         let step = limited(least(&jacobian, &residual, damping * size));
         if largest(&step) <= T::EPSILON {
-            outcome = Outcome::OutOfReach;
+            outcome = ClosureOutcome::OutOfReach;
             break;
         }
         steps += 1;
@@ -124,7 +124,7 @@ where
         }
     }
     if closed {
-        outcome = Outcome::Closed;
+        outcome = ClosureOutcome::Closed;
     }
     Projection {
         q,

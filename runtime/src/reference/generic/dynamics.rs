@@ -48,7 +48,7 @@ pub fn inverse_dynamics<
     for dof in positions.degrees_of_freedom() {
         if let Some(torque) = torques.get_mut(dof.velocity) {
             *torque += pseudo_scalar_product(&dof.l, &phi[dof.body]);
-            *torque += dof.drive_torque(qd, qdd);
+            *torque += dof.actuator_torque(qd, qdd);
         }
     }
     torques
@@ -59,7 +59,7 @@ pub fn inverse_dynamics<
 ///
 /// With external wrenches Φ, a motion needs the torques of [`inverse_dynamics`] minus the sum of these.
 #[must_use]
-pub fn torques_of_action<
+pub fn torques_of_wrench<
     T: RealField + Copy,
     const N: usize,
     const F: usize,
@@ -113,7 +113,7 @@ pub fn bias<T: RealField + Copy, const N: usize, const F: usize, const Q: usize,
         let carried = (0..B).filter(|h| chain.carries(body, Some(*h)));
         let work = carried.map(|h| (motion.h[h] - h_g) * positions.j[h] * l.transpose());
         if let Some(torque) = torques.get_mut(velocity) {
-            *torque += sum(work.map(|work| work.trace())) + dof.drive_torque(qd, &rest);
+            *torque += sum(work.map(|work| work.trace())) + dof.actuator_torque(qd, &rest);
         }
     }
     torques
@@ -199,7 +199,7 @@ pub fn regressor<
     let mut rows = [[T::zero(); P]; N];
     if P > of_bodies {
         for (k, dof) in positions.degrees_of_freedom().enumerate() {
-            let unit_torques = dof.unit_drive_torques(qd, qdd);
+            let unit_torques = dof.unit_actuator_torques(qd, qdd);
             rows[dof.velocity][of_bodies + 3 * k..][..3].copy_from_slice(&unit_torques);
         }
     }

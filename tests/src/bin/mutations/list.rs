@@ -31,7 +31,7 @@ pub struct Test {
 }
 
 const ENGINE: &[&str] = &["--lib"];
-const GEOMETRY: &[&str] = &["--test", "hard_cases_geometry"];
+const ACCURACY: &[&str] = &["--test", "accuracy"];
 
 /// All mutations.
 pub fn all() -> impl Iterator<Item = &'static Mutation> {
@@ -71,7 +71,7 @@ const MUTATIONS: [Mutation; 46] = [
     },
     Mutation {
         name: "quaternions: the inverse rotation",
-        file: "codegen/src/joint/posture.rs",
+        file: "codegen/src/joint/manifold.rs",
         from: "let (wx, wy, wz) = (twice_x * w, twice_y * w, twice_z * w);",
         to: "let (wx, wy, wz) = (-twice_x * w, -twice_y * w, -twice_z * w);",
         noticed_by: engine(KINDS),
@@ -180,14 +180,14 @@ const MUTATIONS: [Mutation; 46] = [
     },
     Mutation {
         name: "merging: a locked joint without its displacement",
-        file: "codegen/src/chain/merge/seat.rs",
+        file: "codegen/src/chain/merge/links.rs",
         from: "pose: pose * held_at(graph, joint.kind, axes, reader.number(&held)),",
         to: "pose,",
         noticed_by: engine(CHECKED),
     },
     Mutation {
         name: "merging: the inertia of a fixed link not moved to its parent's frame",
-        file: "codegen/src/chain/merge/seat.rs",
+        file: "codegen/src/chain/merge/links.rs",
         from: "bodies[body].inertia + inertia.change_frame(attachment.pose)",
         to: "bodies[body].inertia + inertia",
         noticed_by: engine(CHECKED),
@@ -301,7 +301,7 @@ const MUTATIONS: [Mutation; 46] = [
     },
     Mutation {
         name: "columns: a result read from the row of another",
-        file: "codegen/src/schedule/routine/rounds.rs",
+        file: "codegen/src/schedule/routine/loops.rs",
         from: "let row = row.unwrap_or_default();",
         to: "let row = row.map_or(0, |row| row ^ 1);",
         noticed_by: engine("schedule::routine::rounds::tests::loops_compute_the_same_as_all_steps"),
@@ -313,8 +313,8 @@ const MUTATIONS: [Mutation; 46] = [
         to: "-0.166_666_666_666_664",
         noticed_by: Test {
             package: "homogen-tests",
-            target: &["--test", "trigonometry"],
-            name: "double_precision_is_within_its_limit_at_random_angles",
+            target: ACCURACY,
+            name: "trigonometry::double_precision_is_within_its_limit_at_random_angles",
         },
     },
     Mutation {
@@ -322,21 +322,21 @@ const MUTATIONS: [Mutation; 46] = [
         file: "codegen/src/print/c/body.rs",
         from: r#"None) => format!("{c} - {a} * {b}")"#,
         to: r#"None) => format!("{a} * {b} - {c}")"#,
-        noticed_by: c99("scara"),
+        noticed_by: c99("c99::scara"),
     },
     Mutation {
         name: "C: the last digit of a coefficient of the sine",
         file: "codegen/src/print/sines.rs",
         from: "-0.166_666_666_666_666_3,",
         to: "-0.166_666_666_666_666_2,",
-        noticed_by: c99("two_link"),
+        noticed_by: c99("c99::two_link"),
     },
     Mutation {
         name: "exponential: 1 − cos φ by subtraction",
         file: "runtime/src/matrix/screw.rs",
         from: "let versine = T::constant(2.0) * half_sine * half_sine;",
         to: "let versine = one - phi.sin_cos().1 + (half_sine - half_sine);",
-        noticed_by: geometry("exponential::versine_small"),
+        noticed_by: geometry("hard_cases_geometry::exponential::versine_small"),
     },
     Mutation {
         name: "logarithm: the angle by the arc cosine",
@@ -347,14 +347,14 @@ const MUTATIONS: [Mutation; 46] = [
             let w = self.cosine / norm([self.sine, self.cosine]);
             T::constant(2.0) * (T::constant(1.0) - w * w).abs().sqrt().atan2(w)
         }",
-        noticed_by: geometry("logarithm::log_tiny"),
+        noticed_by: geometry("hard_cases_geometry::logarithm::log_tiny"),
     },
     Mutation {
         name: "logarithm: the formula near 0 used near π",
         file: "runtime/src/matrix/rotation.rs",
         from: "if trace >= xx && trace >= yy && trace >= zz {",
         to: "if trace >= -one {",
-        noticed_by: geometry("logarithm::log_near_pi"),
+        noticed_by: geometry("hard_cases_geometry::logarithm::log_near_pi"),
     },
     Mutation {
         name: "loops: residuals that are rounding errors are kept",
@@ -379,8 +379,8 @@ const MUTATIONS: [Mutation; 46] = [
         to: "-(dot(row, &free) - bias)",
         noticed_by: Test {
             package: "homogen-tests",
-            target: &["--test", "mechanisms"],
-            name: "robots_written_with_all_digits_move_as_drawn",
+            target: &["--test", "values"],
+            name: "mechanisms::robots_written_with_all_digits_move_as_drawn",
         },
     },
 ];
@@ -406,7 +406,7 @@ const fn engine(name: &'static str) -> Test {
 const fn c99(name: &'static str) -> Test {
     Test {
         package: "homogen-tests",
-        target: &["--test", "c99"],
+        target: &["--test", "variants"],
         name,
     }
 }
@@ -414,7 +414,7 @@ const fn c99(name: &'static str) -> Test {
 const fn geometry(name: &'static str) -> Test {
     Test {
         package: "homogen-tests",
-        target: GEOMETRY,
+        target: ACCURACY,
         name,
     }
 }

@@ -55,7 +55,7 @@ pub(super) fn with_columns_of_actuators(
     of_links: Vec<Big>,
     [qd, qdd]: [&[Big]; 2],
 ) -> Vec<Big> {
-    if !robot.identifies_drives {
+    if !robot.identifies_actuators {
         return of_links;
     }
     let columns = robot.actuators.iter().flat_map(|actuator| {

@@ -13,7 +13,7 @@ use super::kept::Moves;
 use super::written::{axis, big};
 use super::{Body, Loop, Reader, Robot};
 use crate::big::Big;
-use crate::oracle::drive::Actuator;
+use crate::oracle::actuator::Actuator;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::{Manifold, Motion, across, translation_screw, with_z};
 

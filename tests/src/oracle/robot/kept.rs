@@ -148,7 +148,7 @@ impl<'d> Reader<'d> {
             return None;
         }
         let mut joints = self.description.joints.iter();
-        let mimicked = joints.find(|other| other.name.text == mimic.leader.text)?;
+        let mimicked = joints.find(|other| other.name.text == mimic.mimicked.text)?;
         Some((mimicked, big(&mimic.multiplier), big(&mimic.offset)))
     }
 

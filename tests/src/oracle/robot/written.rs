@@ -22,7 +22,7 @@ impl Reader<'_> {
                 * &match step {
                     Step::Translate(t) => Matrix::translation(&t.each_ref().map(big)),
                     Step::Rotate(axis, angle) => rotation(*axis, self.sin_cos(angle)),
-                    Step::Turn(entries) => by_quaternion(&self.quaternion(entries)),
+                    Step::Quaternion(entries) => by_quaternion(&self.quaternion(entries)),
                 }
         })
     }

@@ -90,7 +90,7 @@ impl Chain {
         for _ in 0..count {
             let axis = random.direction();
             let origin = random.vector();
-            let slides = random.unit() > 0.5;
+            let translates = random.unit() > 0.5;
             // Some are thin, and some much heavier than others.
             let (along, thin) = (random.direction(), random.unit().abs().powi(4));
             let heavy = 10.0_f64.powf(2.0 * random.unit());
@@ -117,7 +117,7 @@ impl Chain {
                 angular += mass * dot(&arm, &arm);
                 linear += mass;
             }
-            let screw = if slides {
+            let screw = if translates {
                 twist([0.0; 3], axis)
             } else {
                 twist(axis, cross(origin, axis))

@@ -9,7 +9,7 @@ fn joints(text: &str) -> Vec<String> {
         let steps = joint.origin.iter().map(|step| match step {
             Step::Translate(shift) => shift.map(|number| number.value),
             Step::Rotate(_, angle) => [angle.value; 3],
-            Step::Turn(_) => unreachable!("the grammar has no quaternions"),
+            Step::Quaternion(_) => unreachable!("the grammar has no quaternions"),
         });
         format!(
             "{} {} {} {} {:?} {:?}",

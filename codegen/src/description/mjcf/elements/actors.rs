@@ -1,6 +1,6 @@
 //! Elements and attributes of constraints, actuators, tendons and flexible bodies.
 
-use super::lost::{FLEX, MUSCLE, PLUGIN, SOLVED, TENDON_FORCE};
+use super::unmodelled::{FLEX, MUSCLE, PLUGIN, SOLVED, TENDON_FORCE};
 use crate::description::xml::elements::{Content, Entry, Others, When};
 
 pub(in crate::description::mjcf) static EQUALITY: Content = Content {

@@ -1,6 +1,6 @@
 //! Elements and attributes of the tree of bodies.
 
-use super::lost::{GRAVCOMP, MOCAP, PLUGIN};
+use super::unmodelled::{GRAVCOMP, MOCAP, PLUGIN};
 use crate::description::xml::elements::{Content, Entry, Others, When};
 
 /// Elements in a body, whether directly or in a frame or a replicate there.

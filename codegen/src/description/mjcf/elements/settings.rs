@@ -1,6 +1,6 @@
 //! Elements and attributes of settings, defaults and assets.
 
-use super::lost::{FLUID, MUSCLE};
+use super::unmodelled::{FLUID, MUSCLE};
 use super::{actors, bodies};
 use crate::description::xml::elements::{Content, Entry, Others, When};
 

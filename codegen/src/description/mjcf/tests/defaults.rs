@@ -1,7 +1,7 @@
 //! Classes of defaults.
 
 use super::{errors, fine, inertial, joint, near};
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 
 /// The damping of the joint of a body with these defaults and attributes.
 fn damping(defaults: &str, body: &str, joint_attributes: &str) -> Option<f64> {
@@ -10,8 +10,11 @@ fn damping(defaults: &str, body: &str, joint_attributes: &str) -> Option<f64> {
          <joint name=\"j\" {joint_attributes}/></body></body></worldbody></mujoco>"
     );
     let robot = fine(&text);
-    let drive = &joint(&robot, "j").drive;
-    drive.of(Part::Damping).first().map(|number| number.value)
+    let actuator = &joint(&robot, "j").actuator;
+    actuator
+        .of(Part::Damping)
+        .first()
+        .map(|number| number.value)
 }
 
 const NESTED: &str = "<default><joint damping=\"1\"/><default class=\"o\"><joint damping=\"2\"/>\
@@ -51,7 +54,7 @@ fn classes_do_not_apply_to_a_freejoint() {
     };
     let damped = |joint_text: &str| {
         let robot = text(joint_text);
-        !joint(&robot, "j").drive.of(Part::Damping).is_empty()
+        !joint(&robot, "j").actuator.of(Part::Damping).is_empty()
     };
     assert!(damped("<joint name=\"j\" type=\"free\"/>"));
     assert!(!damped("<freejoint name=\"j\"/>"));

@@ -16,7 +16,7 @@ fn arms(constraint: &str) -> String {
 fn mimic(robot: &Description, name: &str) -> Option<(String, f64, f64)> {
     let mimic = joint(robot, name).mimic.as_ref()?;
     Some((
-        mimic.leader.text.clone(),
+        mimic.mimicked.text.clone(),
         mimic.multiplier.value,
         mimic.offset.value,
     ))

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{all_near, errors, fine, in_world, joint, near, pose, values, warnings};
-use crate::joint::drive::Part;
+use crate::joint::actuator::Part;
 
 #[test]
 fn several_joints_of_a_body_are_in_series() {
@@ -141,10 +141,10 @@ fn friction_and_armature_are_kept_and_noted() {
     let robot = fine(&in_world(
         "<body><joint name=\"j\" damping=\"0.5\" frictionloss=\"0.25\" armature=\"0.125\"/></body>",
     ));
-    let drive = &joint(&robot, "j").drive;
+    let actuator = &joint(&robot, "j").actuator;
     let found = [Part::Damping, Part::Friction, Part::Armature];
     let found = found.map(|part| {
-        drive
+        actuator
             .of(part)
             .iter()
             .map(|number| number.value)
@@ -203,8 +203,8 @@ fn armatures_of_actuators_are_motors() {
         "<mujoco><worldbody><body><joint name=\"j\"/></body></worldbody><default><motor gear=\"50\"/></default>\
          <actuator><motor joint=\"j\" armature=\"1e-4\"/><position joint=\"j\" gear=\"3\" kp=\"7\"/></actuator></mujoco>",
     );
-    let drive = &joint(&robot, "j").drive;
-    let found = [Part::Rotor, Part::Ratio].map(|part| drive.of(part)[0].value);
+    let actuator = &joint(&robot, "j").actuator;
+    let found = [Part::Rotor, Part::Ratio].map(|part| actuator.of(part)[0].value);
     assert_eq!(found.map(f64::to_bits), [1e-4_f64, 50.0].map(f64::to_bits));
-    assert!(drive.further().is_empty());
+    assert!(actuator.further().is_empty());
 }

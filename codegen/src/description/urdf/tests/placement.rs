@@ -17,7 +17,7 @@ fn a_quaternion_of_version_1_1_is_read() {
         " version=\"1.1\"",
         "xyz=\"1 2 3\" quat_xyzw=\"0.1 -0.2 0.3 0.927362\"",
     ));
-    let [Step::Translate(_), Step::Turn(entries)] = &robot.joints[0].origin[..] else {
+    let [Step::Translate(_), Step::Quaternion(entries)] = &robot.joints[0].origin[..] else {
         panic!("{:?}", robot.joints[0].origin);
     };
     assert_eq!(

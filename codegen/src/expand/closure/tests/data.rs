@@ -6,7 +6,7 @@ use crate::expand::{expand, understand};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::c;
-use crate::print::rust::{Item, Source, World, print};
+use crate::print::rust::{Item, Library, Source, print};
 use crate::request::Request;
 
 fn module() -> Module {
@@ -35,23 +35,23 @@ fn data_of_another_loop_is_refused() {
 
 #[test]
 fn a_robot_with_loops_has_a_mechanism() {
-    let (item, world) = (Item::named_after("four bar"), World::default());
-    let text = Source::new("", &print(&module(), &item, &world)).to_string();
+    let (item, library) = (Item::named_after("four bar"), Library::default());
+    let text = Source::new("", &print(&module(), &item, &library)).to_string();
     assert!(
-        text.contains("pub const fn mechanism() -> ::homogen::Mechanism<3, 0, 2, 3, 3> {"),
+        text.contains("pub const fn closed_loops() -> ::homogen::ClosedLoopRobot<3, 0, 2, 3, 3> {"),
         "{text}"
     );
     for (name, row) in [("pin.x", 0), ("pin.y", 1)] {
         assert!(text.contains(&format!("\"{name}\"")), "{text}");
         assert!(
-            text.contains(&format!("::homogen::Row::Along({row})")),
+            text.contains(&format!("::homogen::ResidualKind::Along({row})")),
             "{text}"
         );
     }
     let mut open = module();
     open.data.loops.loops.clear();
-    let text = Source::new("", &print(&open, &item, &world)).to_string();
-    assert!(!text.contains("mechanism"), "{text}");
+    let text = Source::new("", &print(&open, &item, &library)).to_string();
+    assert!(!text.contains("closed_loops"), "{text}");
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::formulation::{Angles, Formulation, Frame};
 use crate::function::Function;
 use crate::layout::Layout;
 use crate::list::Id;
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::plan::{Programs, plan, program_by};
 use crate::real::Real;
 use crate::request::Request;
@@ -72,9 +72,9 @@ fn actuated_joints_make_the_required_motion() {
     let text = FOUR_BAR.to_owned() + PIN;
     let (description, request) = described(&text);
     let q = closed_four_bar(0.9);
-    for (driven, place) in [("a", 0), ("b", 1), ("c", 2)] {
+    for (actuated, place) in [("a", 0), ("b", 1), ("c", 2)] {
         let request = Request {
-            actuated: vec![driven.into()],
+            actuated: vec![actuated.into()],
             ..request.clone()
         };
         let chain = understand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
@@ -103,16 +103,10 @@ fn actuated_joints_make_the_required_motion() {
 
 #[test]
 fn every_algorithm_gives_the_same() {
-    let ways = [
+    let algorithms = [
         Formulation::default(),
-        Formulation {
-            angles: Angles::Merged,
-            ..Formulation::default()
-        },
-        Formulation {
-            frame: Frame::Base,
-            ..Formulation::default()
-        },
+        Formulation::default().with_angles(Angles::Merged),
+        Formulation::default().with_frame(Frame::Base),
     ];
     let four_bar = FOUR_BAR.to_owned() + PIN;
     for text in [
@@ -131,9 +125,9 @@ fn every_algorithm_gives_the_same() {
         );
         for function in Function::OF_LOOPS {
             let expected = values(&plain(&chain, function), [&q, &qd, &tau, &tau]);
-            for way in ways {
+            for algorithm in algorithms {
                 let request = Rc::make_mut(&mut chain.request);
-                (request.formulation, request.scalar) = (way, Real::F64);
+                (request.formulation, request.scalar) = (algorithm, Real::F64);
                 let plan = plan(&Programs::of(&chain), vec![function], FrameId::FIRST);
                 let plan = plan.unwrap_or_else(|errors| panic!("{errors}"));
                 let found = values(&plan.program, [&q, &qd, &tau, &tau]);
@@ -158,12 +152,17 @@ fn every_type_agrees_with_the_description_in_both_precisions() {
         let check = check.unwrap_or_else(|errors| panic!("{errors}"));
         for function in Function::OF_LOOPS {
             for scalar in [Real::F32, Real::F64] {
-                let way = Way {
+                let algorithm = Algorithm {
                     scalar,
-                    ..Way::PLAIN
+                    ..Algorithm::PLAIN
                 };
-                let program =
-                    program_by(&chain, &[function], FrameId::FIRST, Layout::DESCRIBED, way);
+                let program = program_by(
+                    &chain,
+                    &[function],
+                    FrameId::FIRST,
+                    Layout::DESCRIBED,
+                    algorithm,
+                );
                 let judged = check.judge_program(&[function], FrameId::FIRST, &program, scalar);
                 judged.unwrap_or_else(|errors| panic!("{kind} {scalar:?}: {errors}"));
             }
@@ -215,9 +214,9 @@ fn bounds_of_residuals_have_their_names() {
     let residuals = module.spaces.names(Space::Constraints).map(str::to_owned);
     let residuals: Vec<String> = residuals.collect();
     assert!(residuals.len() > module.spaces.len(Space::Velocities));
-    let [Accuracy::Within(promise)] = &*module.functions[0].accuracy else {
+    let [Accuracy::Within(error_bounds)] = &*module.functions[0].accuracy else {
         panic!("{:?}", module.functions[0].accuracy);
     };
-    let mut named = promise.bounds.iter().map(|bound| bound.joint.as_ref());
+    let mut named = error_bounds.bounds.iter().map(|bound| bound.joint.as_ref());
     assert!(named.all(|name| name.is_some_and(|name| residuals.contains(name))));
 }

@@ -4,7 +4,7 @@ use super::{FOUR_BAR, PIN, chain, described};
 use crate::expand::{expand, understand};
 use crate::function::Function;
 use crate::module::Module;
-use crate::print::rust::{Item, Source, World, methods};
+use crate::print::rust::{Item, Library, Source, methods};
 use crate::request::Request;
 
 #[test]
@@ -31,14 +31,14 @@ fn every_function_of_a_robot_with_loops_is_listed() {
 fn functions_that_ignore_loops_document_it() {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
     let module = expand(&description, &request).unwrap_or_else(|errors| panic!("{errors}"));
-    let (item, world) = (Item::named_after("four bar"), World::default());
+    let (item, library) = (Item::named_after("four bar"), Library::default());
     let open = "/// Loops are ignored: the robot is computed as the tree of its joints";
     for generated in &module.functions {
         let alone = Module {
             functions: vec![generated.clone()],
             ..module.clone()
         };
-        let text = Source::new("", &methods(&alone, &item, &world)).to_string();
+        let text = Source::new("", &methods(&alone, &item, &library)).to_string();
         let [function] = &*generated.functions else {
             panic!("one at a time");
         };
@@ -149,11 +149,11 @@ fn loops_and_actuators_that_no_function_reads_give_a_warning() {
         warnings.map(|warning| warning.message).collect()
     };
     let open = "loop \"pin\" is left open: no function of loops is generated";
-    let driven = "actuated joints are named, but no function uses them";
-    assert_eq!(reported(&[Function::ForwardDynamics]), [open, driven]);
+    let actuated = "actuated joints are named, but no function uses them";
+    assert_eq!(reported(&[Function::ForwardDynamics]), [open, actuated]);
     assert_eq!(
         reported(&[Function::Constraint, Function::Gravity]),
-        [driven]
+        [actuated]
     );
     assert!(reported(&[Function::ActuatedInverseDynamics]).is_empty());
     assert!(reported(&[]).is_empty());

@@ -2,12 +2,12 @@
 
 use super::{FOUR_BAR, PIN, chain, closed_four_bar, described, plain, values};
 use crate::chain::Chain;
-use crate::closure::Row;
+use crate::closure::ResidualKind;
 use crate::expand::{expand, understand};
 use crate::expression::Input;
 use crate::function::Function;
 use crate::layout::Layout;
-use crate::model::Way;
+use crate::model::Algorithm;
 use crate::plan::program_by;
 use crate::real::Real;
 use crate::request::Request;
@@ -18,7 +18,7 @@ use crate::space::{FrameId, Space, Variable};
 fn residuals_that_are_zero_in_every_configuration_are_left_out_and_reported() {
     let chain = chain(&(FOUR_BAR.to_owned() + PIN)).expect("a robot");
     let rows = &chain.loops[0].rows;
-    assert_eq!(*rows, [Row::Along(0), Row::Along(1)]);
+    assert_eq!(*rows, [ResidualKind::Along(0), ResidualKind::Along(1)]);
     assert_eq!(chain.report.closed, ["pin.z", "pin.xz", "pin.yz"]);
     let names: Vec<&str> = chain.spaces().names(Space::Constraints).collect();
     assert_eq!(names, ["pin.x", "pin.y"]);
@@ -97,7 +97,10 @@ loop pin: revolute([{pin}]) {{ from: coupler, to: rocker, at: xyz(0.32, -0.24, 0
 fn a_four_bar_mounted_askew_keeps_the_residuals_of_its_plane() {
     let text = askew("0.36, 0.48, 0.8", "0.36, 0.48, 0.8");
     let chain = chain(&text).expect("a robot");
-    assert_eq!(chain.loops[0].rows, [Row::Along(0), Row::Along(1)]);
+    assert_eq!(
+        chain.loops[0].rows,
+        [ResidualKind::Along(0), ResidualKind::Along(1)]
+    );
     assert_eq!(chain.report.closed, ["pin.z", "pin.xz", "pin.yz"]);
     assert!(chain.report.warnings.is_empty());
     for scalar in [Real::F64, Real::F32] {
@@ -155,7 +158,7 @@ joint up: prismatic(z) { from: ground }
 link upper { mass: 1.0, com: [0.0, 0.0, 0.0], inertia: [1e-3, 1e-3, 1e-3] }
 loop face: planar([0.0001, 0.0, 1.0]) { from: lower, to: upper }";
     let chain = chain(wedge).expect("a robot");
-    assert_eq!(chain.loops[0].rows, [Row::Along(2)]);
+    assert_eq!(chain.loops[0].rows, [ResidualKind::Along(2)]);
 }
 
 #[test]
@@ -172,7 +175,10 @@ joint slide: prismatic(x) { from: ground, at: xyz(3e-6, 0.0, 0.0) }
 link slider { mass: 1e-9, com: [0.0, 0.0, 0.0], inertia: [1e-21, 1e-21, 1e-21] }
 loop pin: revolute(z) { from: rod, to: slider, at: xyz(2e-6, 0.0, 0.0) }";
     let chain = chain(small).expect("a robot");
-    assert_eq!(chain.loops[0].rows, [Row::Along(0), Row::Along(1)]);
+    assert_eq!(
+        chain.loops[0].rows,
+        [ResidualKind::Along(0), ResidualKind::Along(1)]
+    );
 }
 
 /// Bennett's linkage: four skew axes that move because of their proportions, a sin β = b sin α.
@@ -195,7 +201,7 @@ fn an_over_constrained_linkage_is_generated_and_its_dependent_residuals_are_repo
             scalar,
             functions: Function::OF_LOOPS
                 .iter()
-                .filter(|function| !function.wants_drives())
+                .filter(|function| !function.wants_actuators())
                 .map(|&function| vec![function])
                 .collect(),
             ..request.clone()
@@ -238,9 +244,9 @@ loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.2, 0, 0), to_at: xy
         let function = Function::ConstrainedForwardDynamics;
         let found = values(&plain(&chain, function), [&q, &qd, &[], &tau]);
         assert!(found.iter().all(|x| x.is_finite()), "{found:?}");
-        let narrow = Way {
+        let narrow = Algorithm {
             scalar: Real::F32,
-            ..Way::PLAIN
+            ..Algorithm::PLAIN
         };
         let program = program_by(
             &chain,

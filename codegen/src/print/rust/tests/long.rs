@@ -3,7 +3,7 @@
 use quote::{ToTokens, format_ident};
 use syn::{Block, Expr, ImplItem, Item as SynItem, Stmt};
 
-use super::super::{Library, World, print};
+use super::super::{CoreFunctions, Library, print};
 use super::{generated, made, module, name, pretty, revolute, with_runtime};
 use crate::expression::Input;
 use crate::formulation::Sines;
@@ -90,7 +90,7 @@ fn gravities(text: &str) -> Vec<Block> {
 
 #[test]
 fn scopes_are_nested_at_most_twice() {
-    let core = World::Core(Library::default());
+    let core = Library::Core(CoreFunctions::default());
     for text in [
         with_runtime(&long(Real::Generic)),
         pretty(&print(&long(Real::F32), &made(), &core)),
@@ -113,7 +113,7 @@ fn sections_are_inside_the_function_that_calls_them() {
         length: Length::at_most(MOST),
         ..long(scalar)
     };
-    let core = World::Core(Library::default());
+    let core = Library::Core(CoreFunctions::default());
     for text in [
         with_runtime(&cut(Real::Generic)),
         pretty(&print(&cut(Real::F32), &made(), &core)),

@@ -34,8 +34,8 @@ pub const EQUATIONS: &[Mutation] = &[
         to: "(Frame::Link, _) => Numeral(self.body.number() - 1),\n            (Frame::Base, _) => Numeral::BASE,",
         noticed_by: Test {
             package: "homogen-tests",
-            target: &["--test", "names"],
-            name: "subscripts::names_are_those_of_appendix_b",
+            target: &["--test", "output"],
+            name: "names::subscripts::names_are_those_of_appendix_b",
         },
     },
     Mutation {

@@ -1,0 +1,7 @@
+from . import results as results
+from ._load import DescriptionWarning as DescriptionWarning
+from ._load import load as load
+from ._robot import Robot as Robot
+
+__version__: str
+__all__: list[str]

@@ -1,0 +1,119 @@
+"""`homogen.load`: from a description and options to a robot."""
+
+import numbers
+import warnings
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from ._engine import Recipe, options
+from ._robot import TEXT, Robot
+
+_OPTIONS = dict(options())
+
+
+class DescriptionWarning(UserWarning):
+    """A warning about a description: its place, and the value that is used instead."""
+
+
+def load(
+    source,
+    *,
+    order="linear_first",
+    fields=None,
+    ranges=None,
+    reproducible=False,
+    threads=None,
+    **options,
+):
+    """The robot of a description.
+
+    source: the path of a URDF file or of a Denavit-Hartenberg table; or the description itself: `bytes`, or a `str` that
+        contains a line break or begins with `<`
+    order: what six numbers that turn and move begin with, in results and in external forces: "linear_first", as Pinocchio
+        and ROS have it and as the velocities of a floating base stand, or "angular_first", as Featherstone has it
+    fields: numbers that stay free at run time, as attributes: `{"payload": "mass_of:hand"}`
+    ranges: the least and the greatest number of a field, for bounds of errors: `{"payload": (0, 3)}`
+    reproducible: the same bits on every processor, which are those of `homogen eval`; no product fuses with a sum
+    threads: how many threads share a call with many states [default: all cores]
+
+    A switch is `True`; a link or a joint is a name, several are a list; joints with numbers are a dict:
+    `lock={"finger": 0.02}`, `friction={"elbow": 0.1}`. Options, as on the command line:
+
+    """
+    given = list(_said(options))
+    described = [(field, target, _range(ranges, field)) for field, target in (fields or {}).items()]
+    for field in ranges or {}:
+        if field not in (fields or {}):
+            raise ValueError(f"ranges: there is no field {field!r}")
+    if threads is not None and threads < 1:
+        raise ValueError(f"threads is a number from 1 on, and not {threads}")
+    name, text = _text(source)
+    recipe = Recipe(name, text, given, described, bool(reproducible), order, threads, None)
+    robot = Robot(recipe)
+    for warning in robot.warnings:
+        warnings.warn(warning, DescriptionWarning, stacklevel=2)
+    return robot
+
+
+load.__doc__ += "\n".join(f"    {key}: {help}" for key, help in _OPTIONS.items())
+
+
+def _text(source):
+    """The name and the bytes of a description."""
+    if isinstance(source, (bytes, bytearray)):
+        return TEXT, bytes(source)
+    if isinstance(source, str) and ("\n" in source or source.lstrip().startswith("<")):
+        return TEXT, source.encode()
+    path = Path(source)
+    try:
+        return path.name, path.read_bytes()
+    except OSError as reason:
+        raise type(reason)(reason.errno, f"cannot read {path}: {reason.strerror}") from None
+
+
+def _range(ranges, field):
+    if not ranges or field not in ranges:
+        return None
+    least, most = ranges[field]
+    return float(least), float(most)
+
+
+def _said(options):
+    """Options as words of the command line, each a key and a value."""
+    for key, value in options.items():
+        if key not in _OPTIONS:
+            raise TypeError(f"load() has no option {key!r}; there are {', '.join(_OPTIONS)}")
+        for word in _words(key, value):
+            yield key, word
+
+
+def _words(key, value):
+    if value is None or value is False:
+        return
+    if value is True:
+        yield ""
+    elif isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for name, number in value.items():
+            yield name if number is None else f"{name}={_numbers(number)}"
+    elif isinstance(value, numbers.Real):
+        yield _numbers(value)
+    elif isinstance(value, Iterable):
+        items = list(value)
+        if items and all(isinstance(item, str) for item in items):
+            # The words of a formulation are one value.
+            yield from [",".join(items)] if key == "formulation" else items
+        elif items:
+            yield _numbers(items)
+    else:
+        raise TypeError(f"{key} cannot be {value!r}")
+
+
+def _numbers(value):
+    """A number, or several with commas between them."""
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        return repr(float(value))
+    return ",".join(_numbers(item) for item in value)

@@ -1,0 +1,225 @@
+"""A robot: its functions, its fields, and what it says of itself."""
+
+import json
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from . import _engine, results
+from ._compile import compiled
+from ._function import Function
+
+_FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
+_OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
+#: The name, in messages, of a description that is no file.
+TEXT = "<text>"
+
+_STEPS = ("integrate", "difference", "normalize")
+
+
+class Robot:
+    """A robot, made by `homogen.load`.
+
+    Functions take arrays (..., n) of any leading axes, broadcast as NumPy does, in float64, or in float32 where all
+    arguments are so. They are compiled when they are first called; `compile` does that before. Jacobians are (6, n), poses
+    are 4×4.
+
+    """
+
+    def __init__(self, recipe):
+        facts = recipe.facts()
+        own = self.__dict__
+        own["_recipe"] = recipe
+        own["NQ"], own["NV"] = len(facts["coordinates"]), len(facts["velocities"])
+        for name, fact in [
+            ("name", "name"),
+            ("base", "base"),
+            ("tip", "tip"),
+            ("joint_names", "joints"),
+            ("coordinate_names", "coordinates"),
+            ("velocity_names", "velocities"),
+            ("constraint_names", "constraints"),
+            ("parameter_names", "parameters"),
+            ("frames", "links"),
+            ("warnings", "warnings"),
+        ]:
+            own[name] = tuple(facts[fact]) if isinstance(facts[fact], list) else facts[fact]
+        for name in ("lower", "upper", "max_velocity", "max_effort", "masses"):
+            own[name] = np.array(facts[name], float)
+            own[name].flags.writeable = False
+        own["_neutral"] = np.array(facts["neutral"], float)
+        own["_kinds"] = np.array(facts["kinds"])
+        own["_fields"] = _places(recipe, facts["fields"])
+        names = [*_STEPS, *_FUNCTIONS]
+        if not self.constraint_names:
+            names = [name for name in names if name not in _OF_LOOPS]
+        own["_functions"] = tuple(names)
+
+    def __getattr__(self, name):
+        own = self.__dict__
+        # Before it has a recipe it has nothing: copies are made so.
+        if "_functions" in own:
+            if name in self._functions:
+                function = Function(self._recipe, name, compiled, results.of(name))
+                own[name] = function
+                return function
+            if name in self._fields:
+                first, count = self._fields[name]
+                values = np.array(self._recipe.values[first : first + count])
+                return float(values[0]) if count == 1 else values
+            if name in _FUNCTIONS:
+                raise AttributeError(f"{self.name!r} has no loops, and {name} is of robots with loops")
+        raise AttributeError(f"a robot has no attribute {name!r}")
+
+    def __setattr__(self, name, value):
+        if name not in self._fields:
+            fields = ", ".join(self._fields) or "none"
+            raise AttributeError(f"{name!r} is no field of {self.name!r}; fields are {fields}")
+        first, count = self._fields[name]
+        numbers = np.asarray(value, float)
+        if numbers.shape not in ((count,), *([()] if count == 1 else [])):
+            raise ValueError(f"{name} has the shape {numbers.shape}, and must have ({count},)")
+        if not np.isfinite(numbers).all():
+            raise ValueError(f"{name} must be finite")
+        self._recipe.set_values(first, numbers.ravel().tolist())
+
+    def __delattr__(self, name):
+        raise AttributeError(f"{name!r} cannot be deleted")
+
+    def __dir__(self):
+        return [*super().__dir__(), *self._functions, *self._fields]
+
+    def __repr__(self):
+        joints = ", ".join(self.joint_names)
+        tip = "" if self.tip is None else f", tip {self.tip}"
+        fields = "".join(f", {name}={getattr(self, name)}" for name in self._fields)
+        return f"<homogen.Robot {self.name}: base {self.base}{tip}{fields}; {self.NQ} coordinates: {joints}>"
+
+    def __eq__(self, other):
+        if not isinstance(other, Robot):
+            return NotImplemented
+        mine, theirs = self._recipe, other._recipe
+        return mine.identity() == theirs.identity() and mine.values == theirs.values
+
+    def __hash__(self):
+        return hash(self._recipe.identity())
+
+    def __reduce__(self):
+        return Robot, (self._recipe,)
+
+    def __copy__(self):
+        kind, given = self._recipe.__reduce__()
+        return Robot(kind(*given))
+
+    def __deepcopy__(self, memo):
+        return self.__copy__()
+
+    @property
+    def fields(self):
+        """The fields and their values."""
+        return {name: getattr(self, name) for name in self._fields}
+
+    @property
+    def base_parameters(self):
+        """The base parameters as described, which the base regressor is multiplied by: a dict of the parameter that leads each
+        and its value, in kg, kg m, kg m²."""
+        names, values = self._recipe.base_parameters()
+        return dict(zip(names, values))
+
+    def neutral(self):
+        """The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions."""
+        return self._neutral.copy()
+
+    def random(self, rng=None, size=()):
+        """Configurations, uniform within limits; without limits angles within π to both sides, lengths within 1 m.
+
+        rng: a `numpy.random.Generator`, or the seed of one
+        size: the leading axes
+        """
+        rng = np.random.default_rng(rng)
+        size = (size,) if np.isscalar(size) else tuple(size)
+        most = np.where(self._kinds == "turn", np.pi, 1.0)
+        lower = np.where(np.isfinite(self.lower), self.lower, np.minimum(-most, self.upper - most))
+        upper = np.where(np.isfinite(self.upper), self.upper, np.maximum(most, lower + most))
+        q = rng.uniform(lower, upper, (*size, self.NQ))
+        for first in np.flatnonzero(self._kinds == "quaternion")[::4]:
+            # Normal numbers have no direction that they prefer.
+            numbers = rng.standard_normal((*size, 4))
+            q[..., first : first + 4] = numbers / np.linalg.norm(numbers, axis=-1, keepdims=True)
+        return q
+
+    def compile(self, *names, dtype=np.float64, many=True):
+        """Compiles functions before they are called, all of them where none is named.
+
+        dtype: `float64` or `float32`
+        many: for arrays of states; otherwise for one state
+        """
+        dtype = np.dtype(dtype)
+        if dtype not in (np.float32, np.float64):
+            raise ValueError(f"dtype is float32 or float64, and not {dtype}")
+        for name in names or self._functions:
+            getattr(self, name).compile(single=dtype == np.float32, many=many)
+
+    def check(self):
+        """Report, as text: links and joints that were read, merged, locked or left out, and every warning."""
+        return self._answer("check")
+
+    def count(self, *functions, frames=()):
+        """What functions cost and how exact they are, all of them where none is named: operations, depth, bounds."""
+        named = [f"--functions={','.join(functions)}"] if functions else []
+        return json.loads(self._answer("count", "--format=json", *named, *(f"--frames={frame}" for frame in frames)))
+
+    def inspect(self, function, frame=None):
+        """The code of a function in Rust, with its documentation."""
+        return self._answer("inspect", f"--function={function}", *([f"--frame={frame}"] if frame else []))
+
+    def generate(self, language="rust", *functions, output=None, scalar="f64", frames=(), name=None):
+        """The functions as a file: `rust`, `c` or `llvm`; all of them where none is named.
+
+        output: the file, a header beside it in C; without it the text is returned
+        scalar: `f64` or `f32`
+        """
+        words = [f"--language={language}", f"--scalar={scalar}", *(f"--frames={frame}" for frame in frames)]
+        if functions:
+            words.append(f"--functions={','.join(functions)}")
+        if name is not None:
+            words.append(f"--name={name}")
+        for field, target, reach in self._recipe.fields:
+            words.append(f"--field={field}={target}")
+            if reach is not None:
+                words.append(f"--range={field}={reach[0]!r}..{reach[1]!r}")
+        if output is not None:
+            words.append(f"--output={Path(output).absolute()}")
+        return self._answer("generate", *words) or None
+
+    def _answer(self, command, *words):
+        """What the command line answers about this robot."""
+        names = dict(_engine.options())
+        flags = [
+            f"--{key.replace('_', '-')}={value}" if value else f"--{key.replace('_', '-')}"
+            for key, value in self._recipe.options
+            if key in names
+        ]
+        with tempfile.TemporaryDirectory() as room:
+            name = self._recipe.file
+            file = Path(room) / ("robot" if name == TEXT else name)
+            file.write_bytes(self._recipe.bytes)
+            output, remarks, status = _engine.answer([command, str(file), *flags, *words])
+        if status in (1, 2):
+            raise ValueError(remarks.removeprefix("error: ").rstrip().replace(f"{room}/", ""))
+        return output
+
+
+Robot.__doc__ += "\n".join(f"    {name}: {sentence}" for name, sentence in _FUNCTIONS.items())
+
+
+def _places(recipe, counts):
+    """Where the numbers of each field stand, and how many they are."""
+    places, first = {}, 0
+    for (name, *_), count in zip(recipe.fields, counts):
+        if name in _FUNCTIONS or hasattr(Robot, name) or name in _STEPS or not name.isidentifier():
+            raise ValueError(f"no field can be called {name!r}: a robot has that name already; choose another")
+        places[name] = first, count
+        first += count
+    return places

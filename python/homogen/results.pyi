@@ -1,0 +1,20 @@
+# Written by stub.py from the engine's table of functions.
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+class InverseDynamicsDerivatives(NamedTuple):
+    dq: NDArray[np.floating[Any]]
+    dqd: NDArray[np.floating[Any]]
+
+class ForwardDynamicsDerivatives(NamedTuple):
+    dq: NDArray[np.floating[Any]]
+    dqd: NDArray[np.floating[Any]]
+    dtau: NDArray[np.floating[Any]]
+
+class ConstrainedForwardDynamics(NamedTuple):
+    qdd: NDArray[np.floating[Any]]
+    multipliers: NDArray[np.floating[Any]]
+
+def of(name: str) -> type[tuple[NDArray[np.floating[Any]], ...]] | None: ...

@@ -1,0 +1,99 @@
+"""Measures the package: from a file to the first torques, one state, and many.
+
+    python measure.py [FILE [TIP]]     robots/panda_class.urdf and link8 where nothing else is named
+
+Each figure is the least of several runs: what the machine does besides only adds. Where `pin` is installed, Pinocchio does
+the same beside it (`pip install pin`). Nothing cached and cached are processes of their own, without their imports.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+FILE = sys.argv[1] if len(sys.argv) > 1 else str(Path(__file__).parents[1] / "robots" / "panda_class.urdf")
+TIP = sys.argv[2] if len(sys.argv) > 2 else "link8"
+STATES = 1_000_000
+
+FIRST = """
+import json, sys, time
+import numpy as np
+import homogen
+began = time.perf_counter()
+of = homogen.load(sys.argv[1], tip=sys.argv[2])
+loaded = time.perf_counter()
+zeros = np.zeros(of.NV)
+of.inverse_dynamics(of.neutral(), zeros, zeros)
+print(json.dumps([loaded - began, time.perf_counter() - began]))
+"""
+
+
+def least(call, repeats, rounds):
+    """The seconds of one call."""
+    best = float("inf")
+    for _ in range(rounds):
+        began = time.perf_counter()
+        for _ in range(repeats):
+            call()
+        best = min(best, (time.perf_counter() - began) / repeats)
+    return best
+
+
+def first(cache):
+    """The seconds of loading, and of loading with the first call, in a process of its own."""
+    environment = {**os.environ, "HOMOGEN_CACHE": cache}
+    words = [sys.executable, "-W", "ignore", "-c", FIRST, FILE, TIP]
+    runs = [json.loads(subprocess.run(words, check=True, capture_output=True, env=environment).stdout) for _ in range(7)]
+    return [min(column) for column in zip(*runs)]
+
+
+def show(what, value, unit):
+    print(f"{what:58} {value:10.3f} {unit}")
+
+
+def main():
+    import homogen
+
+    load, compiled = first("")
+    show("load", 1e3 * load, "ms")
+    show("load and the first inverse dynamics, nothing cached", 1e3 * compiled, "ms")
+    with tempfile.TemporaryDirectory() as cache:
+        first(cache)
+        show("load and the first inverse dynamics, cached", 1e3 * first(cache)[1], "ms")
+
+    of = homogen.load(FILE, tip=TIP)
+    alone = homogen.load(FILE, tip=TIP, threads=1)
+    state = [of.random(0), *np.random.default_rng(0).uniform(-1, 1, (2, of.NV))]
+    one = least(lambda: of.inverse_dynamics(*state), 20_000, 9)
+    show("inverse dynamics, one state", 1e6 * one, "µs")
+    try:
+        import pinocchio
+    except ImportError:
+        print("not measured: Pinocchio is not installed")
+    else:
+        model = pinocchio.buildModelFromUrdf(FILE)
+        data = model.createData()
+        show("load, Pinocchio", 1e3 * least(lambda: pinocchio.buildModelFromUrdf(FILE), 5, 9), "ms")
+        other = least(lambda: pinocchio.rnea(model, data, *state), 20_000, 9)
+        show("pinocchio.rnea, one state", 1e6 * other, "µs")
+        show("    ours in parts of that", one / other, "")
+
+    for dtype in (np.float64, np.float32):
+        states = [of.random(0, STATES), *np.random.default_rng(0).uniform(-1, 1, (2, STATES, of.NV))]
+        states = [array.astype(dtype) for array in states]
+        out = np.empty((STATES, of.NV), dtype)
+        for robot, who in ((alone, "one thread"), (of, f"{os.cpu_count()} cores")):
+            seconds = least(lambda: robot.inverse_dynamics(*states, out=out), 1, 9)
+            show(f"inverse dynamics, {STATES} states, {np.dtype(dtype)}, {who}", 1e9 * seconds / STATES, "ns a state")
+        columns = [np.asfortranarray(array) for array in states]
+        seconds = least(lambda: alone.inverse_dynamics(*columns, out=out), 1, 9)
+        show("    the same by columns, one thread", 1e9 * seconds / STATES, "ns a state")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+//! The engine as a native module: what the Python package `homogen` is built on.
+//!
+//! In: descriptions, options, arrays of NumPy. Out: names, limits, documentation and LLVM IR; and results, computed by code
+//! that LLVM has made of that and whose address is known here. The module compiles nothing itself.
+
+mod function;
+mod recipe;
+mod states;
+
+use pyo3::prelude::*;
+
+/// The module `homogen._engine`.
+#[pymodule]
+mod _engine {
+    use homogen_codegen::function::Function as Name;
+    use homogen_codegen::print::arrays::has_order;
+    use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS};
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::function::Function;
+    #[pymodule_export]
+    use super::recipe::Recipe;
+
+    /// The version of the engine.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    /// The options of a robot: each keyword, and a sentence about it.
+    #[pyfunction]
+    fn options() -> Vec<(&'static str, &'static str)> {
+        let rows = SETTINGS.iter();
+        let rows = rows.filter(|setting| setting.group & (SCOPE | ROBOT) != 0);
+        rows.map(|setting| (setting.key, setting.help)).collect()
+    }
+
+    /// A function of any robot: name, sentence, names of arguments, names of several results; then flags: it is of a frame,
+    /// it has an order, its result is a number, only robots with loops have it.
+    type Row = (
+        &'static str,
+        String,
+        Vec<&'static str>,
+        Vec<&'static str>,
+        bool,
+        bool,
+        bool,
+        bool,
+    );
+
+    /// The functions, a row each.
+    #[pyfunction]
+    fn functions() -> Vec<Row> {
+        let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
+        let rows = all.map(|name| {
+            let arguments = name.arguments_with(true);
+            let parts = name.result().parts().filter_map(|(part, _)| part);
+            (
+                name.name(),
+                name.sentence("the base", "the frame"),
+                arguments.iter().map(|of| of.name()).collect(),
+                parts.collect(),
+                name.of_a_frame(),
+                has_order(name, &arguments),
+                name.result().is_number(),
+                name.is_of_loops(),
+            )
+        });
+        rows.collect()
+    }
+
+    /// The command line: standard output, standard error, and the status.
+    #[pyfunction]
+    fn answer(py: Python<'_>, arguments: Vec<String>) -> (String, String, u8) {
+        let words = ["homogen".to_owned()].into_iter().chain(arguments);
+        let words = words.map(Into::into);
+        let answer = py.detach(|| homogen_cli::answer(words, &mut std::io::empty()));
+        (answer.output, answer.remarks, answer.code)
+    }
+}

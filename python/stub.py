@@ -1,0 +1,125 @@
+"""Writes `homogen/_robot.pyi` and `homogen/results.pyi`, the types of a robot, from the engine's table of functions.
+
+    python stub.py                  writes them
+    python stub.py --check FOLDER   fails where those of a folder are not what it would write
+"""
+
+import sys
+from pathlib import Path
+
+from homogen import _engine
+
+
+HEAD = '''# Written by stub.py from the engine's table of functions.
+from collections.abc import Sequence
+from os import PathLike
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from . import results
+
+_Floats: TypeAlias = NDArray[np.floating[Any]]
+_Order: TypeAlias = Literal["linear_first", "angular_first"]
+
+class Robot:
+    NQ: int
+    NV: int
+    name: str
+    base: str
+    tip: str | None
+    joint_names: tuple[str, ...]
+    coordinate_names: tuple[str, ...]
+    velocity_names: tuple[str, ...]
+    constraint_names: tuple[str, ...]
+    parameter_names: tuple[str, ...]
+    frames: tuple[str, ...]
+    warnings: tuple[str, ...]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    max_velocity: NDArray[np.float64]
+    max_effort: NDArray[np.float64]
+    masses: NDArray[np.float64]
+    @property
+    def fields(self) -> dict[str, float | NDArray[np.float64]]: ...
+    @property
+    def base_parameters(self) -> dict[str, float]: ...
+    def neutral(self) -> NDArray[np.float64]: ...
+    def random(
+        self, rng: np.random.Generator | int | None = None, size: int | tuple[int, ...] = ()
+    ) -> NDArray[np.float64]: ...
+    def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True) -> None: ...
+    def check(self) -> str: ...
+    def count(self, *functions: str, frames: Sequence[str] = ()) -> dict[str, Any]: ...
+    def inspect(self, function: str, frame: str | None = None) -> str: ...
+    def generate(
+        self,
+        language: Literal["rust", "c", "llvm"] = "rust",
+        *functions: str,
+        output: str | PathLike[str] | None = None,
+        scalar: Literal["f64", "f32"] = "f64",
+        frames: Sequence[str] = (),
+        name: str | None = None,
+    ) -> str | None: ...
+    # Fields, by the names that `homogen.load` was called with.
+    def __getattr__(self, name: str) -> Any: ...
+    def __setattr__(self, name: str, value: ArrayLike) -> None: ...
+'''
+
+STEPS = {"integrate": ["q", "v"], "difference": ["q0", "q1"], "normalize": ["q"]}
+
+
+def method(name, arguments, parts, of_frame, has_order, is_number):
+    """A function as a method."""
+    words = ["self", *(f"{argument}: ArrayLike" for argument in arguments), "*"]
+    if "actions" in arguments:
+        words[words.index("actions: ArrayLike")] = "actions: ArrayLike = ..."
+    if of_frame:
+        words.append("frame: str | Sequence[str] | None = None")
+    if has_order:
+        words.append("order: _Order | None = None")
+    # One state has a number, several an array.
+    result = f"results.{title(name)}" if parts else "Any" if is_number else "_Floats"
+    place = f"tuple[{', '.join(['_Floats'] * len(parts))}]" if parts else "_Floats"
+    words.append(f"out: {place} | None = None")
+    return f"    def {name}({', '.join(words)}) -> {result}: ...\n"
+
+
+def title(name):
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+def robot():
+    text = HEAD
+    for name, arguments in STEPS.items():
+        text += method(name, arguments, [], False, False, False)
+    for name, _, arguments, parts, of_frame, has_order, is_number, _ in _engine.functions():
+        text += method(name, arguments, parts, of_frame, has_order, is_number)
+    return text
+
+
+def results():
+    text = "# Written by stub.py from the engine's table of functions.\nfrom typing import Any, NamedTuple\n\n"
+    text += "import numpy as np\nfrom numpy.typing import NDArray\n"
+    for name, _, _, parts, *_ in _engine.functions():
+        if parts:
+            text += f"\nclass {title(name)}(NamedTuple):\n"
+            text += "".join(f"    {part}: NDArray[np.floating[Any]]\n" for part in parts)
+    return text + "\ndef of(name: str) -> type[tuple[NDArray[np.floating[Any]], ...]] | None: ...\n"
+
+
+def main():
+    """Writes the stubs beside this file, or compares those of the folder that is named."""
+    check = "--check" in sys.argv
+    folder = Path(sys.argv[-1]) if check else Path(__file__).parent / "homogen"
+    for name, text in [("_robot.pyi", robot()), ("results.pyi", results())]:
+        path = folder / name
+        if not check:
+            path.write_text(text)
+        elif path.read_text() != text:
+            sys.exit(f"{path} is not what stub.py writes")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,195 @@
+"""The cache on disk, threads and processes."""
+
+import multiprocessing
+import os
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+from conftest import ROBOTS, robot, same
+
+PROGRAM = """
+import sys, time, hashlib
+import numpy as np
+import homogen
+import homogen._compile as compiler
+compiled, whole = 0, compiler._compile
+def counted(*words):
+    global compiled
+    compiled += 1
+    return whole(*words)
+compiler._compile = counted
+of = homogen.load(sys.argv[1])
+q = np.linspace(-1, 1, 40).reshape(20, 2)
+found = of.mass_matrix(q).tobytes() + of.gravity(q[0]).tobytes()
+print(compiled, hashlib.sha256(found).hexdigest())
+"""
+
+
+def run(cache):
+    """A process with a folder as its cache, or with another environment: how many functions it has compiled, and a hash of
+    its results."""
+    words = [sys.executable, "-W", "error", "-c", PROGRAM, str(ROBOTS / "two_link.urdf")]
+    environment = cache if isinstance(cache, dict) else {**os.environ, "HOMOGEN_CACHE": str(cache)}
+    return subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment)
+
+
+def answer(process):
+    output, _ = process.communicate(timeout=120)
+    assert process.returncode == 0
+    count, found = output.split()
+    return int(count), found
+
+
+@pytest.fixture
+def cache(tmp_path):
+    folder = tmp_path / "cache"
+    assert answer(run(folder))[0] == 2
+    assert len(list(folder.iterdir())) == 2
+    return folder
+
+
+def test_code_is_kept_and_found(cache):
+    before = answer(run(""))
+    assert before[0] == 2
+    assert answer(run(cache)) == (0, before[1])
+    assert cache.stat().st_mode & 0o077 == 0
+
+
+@pytest.mark.parametrize("damage", ["cut", "empty", "changed", "a folder"])
+def test_entries_that_are_not_whole_are_made_again(cache, damage):
+    before = answer(run(""))[1]
+    for entry in cache.iterdir():
+        kept = entry.read_bytes()
+        if damage == "cut":
+            entry.write_bytes(kept[:-100])
+        elif damage == "empty":
+            entry.write_bytes(b"")
+        elif damage == "changed":
+            entry.write_bytes(kept[:200] + bytes([kept[200] ^ 1]) + kept[201:])
+        else:
+            entry.unlink()
+            entry.mkdir()
+    assert answer(run(cache)) == (2, before)
+    # A folder in the place of an entry stays, and code is compiled each time.
+    assert answer(run(cache)) == (2 if damage == "a folder" else 0, before)
+    assert not list(cache.glob("*.new"))
+
+
+def test_a_folder_that_cannot_be_written_is_done_without(cache, tmp_path):
+    before = answer(run(""))[1]
+    file = tmp_path / "file"
+    file.touch()
+    for folder in (file, file / "below", "/proc/nowhere"):
+        assert answer(run(folder)) == (2, before)
+    if os.name == "posix":
+        # What others may write could be anybody's code.
+        cache.chmod(0o777)
+        assert answer(run(cache)) == (2, before)
+        cache.chmod(0o500)
+        for entry in cache.iterdir():
+            entry.chmod(0o400)
+        assert answer(run(cache)) == (0, before)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="no folder is read-only to root elsewhere")
+def test_a_read_only_home_is_done_without():
+    before = answer(run(""))[1]
+    environment = {key: value for key, value in os.environ.items() if key not in ("HOMOGEN_CACHE", "XDG_CACHE_HOME")}
+    for _ in range(2):
+        assert answer(run(environment | {"HOME": "/proc"})) == (2, before)
+
+
+def test_processes_share_a_cache(tmp_path):
+    processes = [run(tmp_path / "cache") for _ in range(4)]
+    assert len({answer(process)[1] for process in processes}) == 1
+    assert answer(run(tmp_path / "cache"))[0] == 0
+    assert len(list((tmp_path / "cache").iterdir())) == 2
+
+
+def test_threads_call_and_compile_side_by_side():
+    of = robot("arm")
+    q = np.random.default_rng(1).uniform(-2, 2, (6, 999, 7))
+    expected = [robot("arm").inverse_dynamics(one, one, one) for one in q]
+    wrong = []
+
+    def work(k):
+        for _ in range(20):
+            found = of.inverse_dynamics(q[k], q[k], q[k])
+            single = of.inverse_dynamics(q[k, 0], q[k, 0], q[k, 0])
+            if not same(found, expected[k]) or not same(single, expected[k][0]):
+                wrong.append(k)
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(6)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+
+
+RACE = """
+import sys, threading
+import numpy as np
+import homogen
+q = np.zeros((20, 2))
+sys.setswitchinterval(1e-5)
+for _ in range(40):
+    of = homogen.load(sys.argv[1])
+    calls = [of.gravity, of.mass_matrix, of.gravity, of.mass_matrix]
+    start = threading.Barrier(8)
+    def work(call):
+        start.wait()
+        call(q), call(q[0])
+    threads = [threading.Thread(target=work, args=(call,)) for call in calls * 2]
+    for thread in threads: thread.start()
+    for thread in threads: thread.join()
+"""
+
+
+def test_threads_that_compile_the_same_never_wait_for_each_other(cache):
+    # A process of its own, which can be ended where they do.
+    words = [sys.executable, "-c", RACE, str(ROBOTS / "two_link.urdf")]
+    subprocess.run(words, check=True, timeout=300, env={**os.environ, "HOMOGEN_CACHE": str(cache)})
+
+
+def test_the_lock_of_the_interpreter_is_free_meanwhile():
+    of = robot("arm", threads=1)
+    q = np.zeros((1_000_000, 7))
+    of.inverse_dynamics(q[:20], q[:20], q[:20])
+    began, steps = threading.Event(), 0
+
+    def work():
+        began.set()
+        of.inverse_dynamics(q, q, q)
+
+    interval = sys.getswitchinterval()
+    # A thread that computes in Python would keep the lock for so long.
+    sys.setswitchinterval(10)
+    try:
+        thread = threading.Thread(target=work)
+        thread.start()
+        began.wait()
+        while thread.is_alive():
+            steps += 1
+    finally:
+        sys.setswitchinterval(interval)
+    assert steps > 1000
+
+
+def torques(of, q):
+    return of.inverse_dynamics(q, q, q), of.gravity(q)
+
+
+@pytest.mark.parametrize("method", [name for name in ("fork", "spawn") if name in multiprocessing.get_all_start_methods()])
+def test_robots_go_to_other_processes(method):
+    of = robot("arm")
+    q = np.random.default_rng(4).uniform(-2, 2, (50_000, 7))
+    # The process that is forked has computed on several threads before.
+    expected = of.inverse_dynamics(q, q, q)
+    context = multiprocessing.get_context(method)
+    with context.Pool(2) as pool:
+        for dynamics, gravity in pool.starmap(torques, [(of, q)] * 4):
+            assert same(dynamics, expected) and same(gravity, of.gravity(q))

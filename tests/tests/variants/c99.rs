@@ -1,0 +1,174 @@
+//! C files compared with the Rust file of the same robot, bit for bit, with every compiler that is installed.
+//!
+//! Both come from the same routine, printed independently. Each is compiled by itself with a program that reads states
+//! and writes results, and runs as a process of its own.
+
+mod compilers;
+mod fused;
+mod programs;
+mod robot;
+mod states;
+
+use homogen_codegen::Real;
+
+use compilers::{C, Folder, QUICKLY, rust};
+use robot::Robot;
+
+/// States with which each function is called.
+const STATES: usize = 10_000;
+
+/// Compiles a robot in both languages, with further options for compilers of C, and compares the results.
+fn agree(robot: &Robot, options: &[&str]) {
+    let states = states::nasty(robot.inputs(), STATES);
+    for real in [Real::F32, Real::F64] {
+        let folder = Folder::new(&format!("{}_{real:?}{}", robot.name, options.concat()));
+        let states = states::bytes(&states, real);
+        let expected = rust(&folder, robot, real).run(&states);
+        folder.write_c(robot, real);
+        for compiler in C::all() {
+            let object = compiler.object(&folder, "arm.c", options);
+            compiler.alone(&folder, &object);
+            if compiler.runs_here() {
+                let found = compiler.program(&folder, &object).run(&states);
+                let what = format!("{} by {compiler}", robot.name);
+                states::same(&found, &expected, robot.outputs(), real, &what);
+            }
+        }
+    }
+}
+
+macro_rules! gives_the_bits_of_rust {
+    ($($(#[$long:meta])? $name:ident;)*) => {$(
+        #[test]
+        $(#[$long])?
+        fn $name() {
+            agree(&Robot::shipped(stringify!($name)), &[]);
+        }
+    )*};
+}
+gives_the_bits_of_rust! {
+    two_link;
+    scara;
+    #[ignore = "a minute of compilers; other robots show the same"]
+    panda_class;
+    #[ignore = "a minute of compilers; other robots show the same"]
+    stanford;
+    #[ignore = "a minute of compilers; other robots show the same"]
+    stanford_general;
+    #[ignore = "a minute of compilers; other robots show the same"]
+    puma560;
+    #[ignore = "a minute of compilers; other robots show the same"]
+    puma560_general;
+    #[ignore = "a minute of compilers; other robots show the same"]
+    ur5_class;
+    #[ignore = "a minute of compilers; other robots show the same"]
+    quadruped;
+}
+
+#[test]
+fn fields_frames_and_functions_generated_together_give_the_bits_of_rust() {
+    agree(&Robot::with_fields(), &[]);
+}
+
+#[test]
+fn quaternions_and_mimic_joints_give_the_bits_of_rust() {
+    agree(&Robot::with_quaternions(), QUICKLY);
+}
+
+#[test]
+fn a_robot_with_seven_joints_gives_the_bits_of_rust() {
+    agree(&Robot::shipped("panda_class"), QUICKLY);
+}
+
+#[test]
+#[ignore = "a minute of compilers; unoptimised code shows the same"]
+fn optimised_quaternions_and_mimic_joints_give_the_bits_of_rust() {
+    agree(&Robot::with_quaternions(), &[]);
+}
+
+#[test]
+fn loops_give_the_bits_of_rust() {
+    agree(&Robot::with_loops(), &[]);
+}
+
+/// The command line prints them so to standard output.
+#[test]
+fn header_and_source_compile_as_one_text() {
+    let folder = Folder::new("whole");
+    folder.write_c(&Robot::with_fields(), Real::F32);
+    for compiler in C::all() {
+        compiler.alone(&folder, &compiler.object(&folder, "whole.c", &[]));
+    }
+}
+
+/// Their last bits differ between machines.
+#[test]
+fn the_platforms_sines_give_the_numbers_of_rust() {
+    let robot = Robot::shipped("two_link");
+    let folder = Folder::new("platform");
+    let states = states::everyday(robot.inputs(), 100);
+    let states = states::bytes(&states, Real::F64);
+    let expected = states::numbers(&rust(&folder, &robot, Real::F64).run(&states));
+    folder.write_c(&robot.with_platform_sines(), Real::F64);
+    for compiler in C::that_run() {
+        let object = compiler.object(&folder, "arm.c", &[]);
+        let found = states::numbers(&compiler.program(&folder, &object).run(&states));
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().zip(&expected) {
+            let error = (found - expected).abs();
+            assert!(
+                error < 1e-12 * (1.0 + expected.abs()),
+                "{found}, not {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn options_that_change_the_bits_are_refused() {
+    let folder = Folder::new("refused");
+    let associative = [
+        "-fassociative-math",
+        "-fno-signed-zeros",
+        "-fno-trapping-math",
+    ];
+    for real in [Real::F32, Real::F64] {
+        folder.write_c(&Robot::shipped("two_link"), real);
+        for compiler in C::that_run() {
+            let message = compiler.refusal(&folder, &["-ffast-math"]);
+            assert!(message.contains("compile without -ffast-math"), "{message}");
+        }
+        for compiler in C::all().iter().filter(|compiler| compiler.is_gcc()) {
+            let message = compiler.refusal(&folder, &associative);
+            assert!(message.contains("compile without -ffast-math"), "{message}");
+        }
+    }
+}
+
+/// With qualifiers of a graphics processor's functions, which call only each other.
+#[test]
+fn the_code_compiles_for_a_gpu() {
+    let folder = Folder::new("gpu");
+    for real in [Real::F32, Real::F64] {
+        folder.write_c(&Robot::shipped("two_link"), real);
+        let Some(text) = compilers::ptx(&folder) else {
+            println!("not tested without a clang that has the target nvptx64");
+            return;
+        };
+        assert!(
+            text.contains(".visible .func arm_inverse_dynamics"),
+            "{text}"
+        );
+        assert!(
+            !text.contains(".extern") && !text.contains("fma."),
+            "{text}"
+        );
+    }
+}
+
+/// Both files of a small robot, for review.
+#[test]
+fn a_pendulum_with_a_field() {
+    let source = Robot::pendulum().source(Real::F32);
+    insta::assert_snapshot!(format!("{}\n{}", source.header, source.text));
+}

@@ -1,0 +1,258 @@
+//! Compilers that are installed.
+//!
+//! In: a robot. Out: its files in a folder, objects and programs from them, and the programs' results. Any message of a
+//! compiler is a failure.
+
+use std::fmt;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use homogen_codegen::Real;
+
+use crate::c99::programs;
+use crate::c99::robot::Robot;
+
+/// The folder of a test.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    pub fn new(name: &str) -> Self {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+            .join("c99")
+            .join(name);
+        fs::create_dir_all(&folder).expect("a folder to write in");
+        Self(folder)
+    }
+
+    fn path(&self, file: &str) -> PathBuf {
+        self.0.join(file)
+    }
+
+    fn write(&self, file: &str, text: &str) {
+        fs::write(self.path(file), text).expect("a file");
+    }
+
+    /// Writes the header, the source, and a program that calls all of its functions.
+    pub fn write_c(&self, robot: &Robot, real: Real) {
+        let source = robot.source(real);
+        self.write("arm.h", &source.header);
+        self.write("arm.c", &source.text);
+        self.write("main.c", &programs::c(robot, real));
+        self.write("whole.c", &format!("{}\n{}", source.header, source.text));
+    }
+}
+
+/// A compiler of C.
+#[derive(Clone, Copy)]
+pub struct C {
+    name: &'static str,
+    /// Arguments for its target.
+    target: &'static [&'static str],
+}
+
+/// The compiler that Rust links with, so it is always installed.
+const CC: C = C {
+    name: "cc",
+    target: &[],
+};
+
+/// Other compilers.
+const MORE: [C; 2] = [
+    C {
+        name: "clang",
+        target: &[],
+    },
+    C {
+        name: "arm-none-eabi-gcc",
+        target: &[
+            "-mcpu=cortex-m7",
+            "-mthumb",
+            "-mfpu=auto",
+            "-mfloat-abi=hard",
+            "-ffreestanding",
+        ],
+    },
+];
+
+/// Options for large files, in which optimisation takes a minute: the bits do not depend on it, only the time. The last
+/// option of this kind counts. Small files, and large ones in the long form, are optimised.
+pub const QUICKLY: &[&str] = &["-O0"];
+
+const FLAGS: [&str; 9] = [
+    "-std=c99",
+    "-pedantic",
+    "-Wall",
+    "-Wextra",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Werror",
+    "-O2",
+    "-ffp-contract=off",
+];
+
+impl fmt::Display for C {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{} {}", self.name, self.target.join(" "))
+    }
+}
+
+impl C {
+    /// All that are installed.
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn all() -> Vec<Self> {
+        assert!(
+            CC.is_here(),
+            "`cc` is missing: C is not tested without a compiler of C"
+        );
+        let more = MORE.into_iter().filter(|compiler| {
+            let here = compiler.is_here();
+            if !here {
+                println!("not tested with {compiler}, which is missing");
+            }
+            here
+        });
+        [CC].into_iter().chain(more).collect()
+    }
+
+    /// Those whose programs run on this machine.
+    pub fn that_run() -> Vec<Self> {
+        let all = Self::all().into_iter();
+        all.filter(Self::runs_here).collect()
+    }
+
+    /// True if its programs run on this machine.
+    pub fn runs_here(&self) -> bool {
+        self.target.is_empty()
+    }
+
+    fn is_here(&self) -> bool {
+        let version = Command::new(self.name).arg("--version").output();
+        version.is_ok_and(|output| output.status.success())
+    }
+
+    fn command(&self) -> Command {
+        let mut command = Command::new(self.name);
+        command.args(FLAGS).args(self.target);
+        command
+    }
+
+    /// Compiles a source, without any message.
+    pub fn object(&self, folder: &Folder, file: &str, options: &[&str]) -> PathBuf {
+        let object = folder.path(&format!("{file}_{}.o", self.name));
+        let mut command = self.command();
+        // Compilers may call `memset` of the C library.
+        command.args(options).args(["-fno-builtin", "-c"]);
+        succeed(command.arg(folder.path(file)).arg("-o").arg(&object));
+        object
+    }
+
+    /// Links an object alone: it calls no library.
+    pub fn alone(&self, folder: &Folder, object: &Path) {
+        let mut command = self.command();
+        command.args(["-nostdlib", "-Wl,-e,0"]).arg(object);
+        succeed(command.arg("-o").arg(folder.path("alone")));
+    }
+
+    /// Links an object with a program that calls all of its functions.
+    pub fn program(&self, folder: &Folder, object: &Path) -> Program {
+        let program = folder.path(&format!("main_{}", self.name));
+        let mut command = self.command();
+        command.arg(folder.path("main.c")).arg(object);
+        succeed(command.arg("-o").arg(&program).arg("-lm"));
+        Program {
+            program,
+            folder: folder.path(""),
+        }
+    }
+
+    /// True for GCC, which states more of its options by macros than other compilers.
+    pub fn is_gcc(&self) -> bool {
+        let version = output(Command::new(self.name).arg("--version"));
+        String::from_utf8_lossy(&version.stdout).contains("Free Software Foundation")
+    }
+
+    /// The message when options make the source refuse to compile.
+    pub fn refusal(&self, folder: &Folder, options: &[&str]) -> String {
+        let mut command = self.command();
+        command.args(options).arg("-fsyntax-only");
+        let output = output(command.arg(folder.path("arm.c")));
+        assert!(
+            !output.status.success(),
+            "{self} compiles it with {options:?}"
+        );
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+}
+
+/// The assembly of the source for a graphics processor, if a compiler for one is installed.
+pub fn ptx(folder: &Folder) -> Option<String> {
+    let targets = Command::new("clang").arg("-print-targets").output().ok()?;
+    if !String::from_utf8_lossy(&targets.stdout).contains("nvptx64") {
+        return None;
+    }
+    let mut command = Command::new("clang");
+    command.args(["-x", "cuda", "--cuda-device-only", "--cuda-gpu-arch=sm_70"]);
+    command.args(["-nocudainc", "-nocudalib", "-S", "-O2", "-ffp-contract=off"]);
+    command.arg("-DHOMOGEN_FN=__attribute__((device))");
+    command.arg(folder.path("arm.c")).args(["-o", "-"]);
+    Some(String::from_utf8_lossy(&succeed(&mut command)).into_owned())
+}
+
+/// Compiles the Rust file and a program that calls all of its functions.
+pub fn rust(folder: &Folder, robot: &Robot, real: Real) -> Program {
+    folder.write("arm.rs", &robot.rust(real));
+    folder.write("main.rs", &programs::rust(robot, real));
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let program = folder.path("main_rust");
+    let mut command = Command::new(rustc);
+    command.args([
+        "--edition",
+        "2021",
+        "-C",
+        "opt-level=1",
+        "-A",
+        "warnings",
+        "-o",
+    ]);
+    succeed(command.arg(&program).arg(folder.path("main.rs")));
+    Program {
+        program,
+        folder: folder.path(""),
+    }
+}
+
+/// A program that reads states and writes results.
+pub struct Program {
+    program: PathBuf,
+    folder: PathBuf,
+}
+
+impl Program {
+    /// The results, in the machine's bytes.
+    pub fn run(&self, states: &[u8]) -> Vec<u8> {
+        let input = self.folder.join("states");
+        fs::write(&input, states).expect("a file");
+        let input = File::open(input).expect("it was written");
+        let mut command = Command::new(&self.program);
+        succeed(command.stdin(Stdio::from(input)))
+    }
+}
+
+fn output(command: &mut Command) -> Output {
+    let output = command.output();
+    output.unwrap_or_else(|reason| panic!("{command:?}: {reason}"))
+}
+
+/// Runs a command, which must succeed without any message. Returns its output.
+fn succeed(command: &mut Command) -> Vec<u8> {
+    let output = output(command);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        output.status.success() && message.is_empty(),
+        "{command:?}\n{message}"
+    );
+    output.stdout
+}

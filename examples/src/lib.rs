@@ -53,6 +53,8 @@ mod guide {
     struct Loops;
     #[doc = include_str!("../../guide/src/what-is-read.md")]
     struct WhatIsRead;
+    #[doc = include_str!("../../guide/src/xacro.md")]
+    struct Xacro;
     #[doc = include_str!("../../guide/src/mjcf.md")]
     struct Mjcf;
     #[doc = include_str!("../../guide/src/derivatives.md")]

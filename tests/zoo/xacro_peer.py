@@ -144,7 +144,9 @@ def judge(binary, file, arguments):
     if refusal is not None:
         if error is not None:
             return "rejected by both", f"{refusal} | {error.splitlines()[0]}", 0, 0
-        return "rejected by the tool alone", refusal, 0, 0
+        # By design: readers of URDF need no declarations of prefixes.
+        alone = "undeclared prefix, rejected by the tool alone" if "unbound prefix" in refusal else "rejected by the tool alone"
+        return alone, refusal, 0, 0
     if error is not None:
         # By design: the folder that the tool runs in is no part of the description.
         alone = "$(cwd), rejected by homogen alone" if "$(cwd)" in error else "rejected by homogen alone"

@@ -136,7 +136,7 @@ fn text_in(
             .trim_start()
             .starts_with('<'),
     };
-    let is_xacro = !is_table && !mjcf::is_mjcf(text) && xacro::is_mjcf(text, file);
+    let is_xacro = !is_table && !mjcf::is_mjcf(text) && xacro::is_xacro(text, file);
     if !is_xacro && !given.arguments.is_empty() {
         errors.set_file(file, anchor);
         errors.push_with_hint(

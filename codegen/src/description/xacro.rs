@@ -57,7 +57,7 @@ const ELEMENTS: [&str; 8] = [
 /// True if a file is to be expanded: its name ends in `.xacro`, or it declares the namespace of xacro and contains
 /// elements or expressions of it. Files that the tool has expanded keep the declaration.
 #[must_use]
-pub fn is_mjcf(text: &str, file: &str) -> bool {
+pub fn is_xacro(text: &str, file: &str) -> bool {
     let is_named = file
         .rsplit_once('.')
         .is_some_and(|(_, ending)| ending == "xacro");

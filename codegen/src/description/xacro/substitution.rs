@@ -15,16 +15,17 @@ impl Expansion {
             ["arg", name] => self.argument(name).map(Value::Text),
             ["find", package] => self.files.find(package).map(Value::from),
             ["env", name] => {
-                let found = self.environment(name);
-                found.map(Value::Text).ok_or_else(|| {
-                failure_with_hint(
-                    format!("environment variable {} is not read", quoted(name)),
-                    format!(
-                        "the same file gives the same code on every machine; give the value as an argument of this name: \
-                         arguments({name} = \"…\"), .argument(\"{name}\", \"…\") or --arguments {name}=…"
-                    ),
-                )
-            })
+                let unread = || {
+                    failure_with_hint(
+                        format!("environment variable {} is not read", quoted(name)),
+                        format!(
+                            "the same file gives the same code on every machine; give the value as an argument of this \
+                             name: arguments({name} = \"…\"), .argument(\"{name}\", \"…\") or --arguments {name}=…"
+                        ),
+                    )
+                };
+                let found = self.environment(name).map(Value::Text);
+                found.ok_or_else(unread)
             }
             ["optenv", name, ref default @ ..] => {
                 if let Some(found) = self.environment(name) {

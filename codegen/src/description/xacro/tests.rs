@@ -99,7 +99,7 @@ fn errors_of_urdf_have_places_in_the_xacro_file() {
 
 #[test]
 fn files_are_recognised() {
-    let meant = |text: &str, file: &str| super::is_mjcf(text, file);
+    let meant = |text: &str, file: &str| super::is_xacro(text, file);
     assert!(meant("<robot/>", "arm.xacro"));
     assert!(meant(
         &robot("<xacro:property name=\"a\" value=\"1\"/>"),

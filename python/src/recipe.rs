@@ -442,5 +442,10 @@ pub const fn order_name(order: Order) -> &'static str {
 pub fn refused(errors: Errors) -> PyErr {
     let reported = errors.to_string();
     let reported = reported.trim_end();
-    PyValueError::new_err(reported.strip_prefix("error: ").unwrap_or(reported).to_owned())
+    PyValueError::new_err(
+        reported
+            .strip_prefix("error: ")
+            .unwrap_or(reported)
+            .to_owned(),
+    )
 }

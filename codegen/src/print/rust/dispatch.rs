@@ -17,7 +17,7 @@ use super::method;
 use super::results::result_type;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
-use crate::schedule::Price;
+use crate::schedule::OperationCount;
 
 /// Argument of equations.
 pub(super) struct Argument {
@@ -36,7 +36,7 @@ pub(super) fn computation(
     item: &Item,
     dialect: &Dialect,
 ) -> TokenStream {
-    let inside = if gains(&generated.price) {
+    let inside = if gains(&generated.operation_count) {
         dialect.of_equations(module.reproducible)
     } else {
         dialect.clone()
@@ -70,8 +70,8 @@ const LEAST: usize = 20;
 
 /// True if a choice of the processor gains: if a product is fused with a sum, which sines do as well, or if there are
 /// many. Otherwise the choice, 0.8 ns, would double the time of constant results and of single sums.
-fn gains(price: &Price) -> bool {
-    price.fused + price.sin + price.cos > 0 || price.mul + price.add >= LEAST
+fn gains(count: &OperationCount) -> bool {
+    count.fused + count.sin + count.cos > 0 || count.mul + count.add >= LEAST
 }
 
 /// The robot as an argument of equations.

@@ -166,12 +166,21 @@ fn each_mistake_gives_only_our_errors() {
 /// The compiler words the rest of the error, which differs between its versions.
 #[test]
 fn the_message_for_a_missing_function_names_it() {
-    let file = Path::new(ROOT).join("tests/missing/function_not_generated.rs");
-    let shown = Homogen::of_this_test().shown(&file);
-    for part in [
-        "error[E0277]: the robot `Arm` lacks a function that is needed here\n",
-        "= note: add `bias` to `generate(…)` of the robot\n",
+    for (file, note) in [
+        (
+            "function_not_generated.rs",
+            "= note: add `bias` to `generate(…)` of the robot\n",
+        ),
+        (
+            "loop_not_described.rs",
+            "= note: describe its loops and add `constraint` to `generate(…)` of the robot\n",
+        ),
     ] {
-        assert!(shown.contains(part), "{shown}");
+        let file = Path::new(ROOT).join("tests/missing").join(file);
+        let shown = Homogen::of_this_test().shown(&file);
+        let message = "error[E0277]: the robot `Arm` lacks a function that is needed here\n";
+        for part in [message, note] {
+            assert!(shown.contains(part), "{shown}");
+        }
     }
 }

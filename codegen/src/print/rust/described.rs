@@ -4,20 +4,21 @@
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use syn::Visibility;
 
 use super::chain::chain_type;
 use super::comments::doc;
 use super::declaration::{self, implementation};
 use super::dialect::Dialect;
 use super::item::Item;
-use super::lengths::{array, known, literal};
+use super::lengths::{Lengths, array, known, literal};
 use super::library::Library;
 use super::literals::Numerals;
 use super::names::ident;
 use crate::module::Module;
 use crate::print::described::{NumberList, limits, names, neutral};
 use crate::real::Real;
-use crate::space::Space;
+use crate::space::{Space, Spaces};
 
 /// The constants, and the trait with the runtime.
 pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
@@ -61,6 +62,62 @@ pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> Toke
     let of_trait = in_trait(module, item, dialect);
     // A program need not read them all.
     quote! { #[allow(dead_code)] #block #of_trait }
+}
+
+/// Length of constants whose length is unknown.
+const LONG: usize = 64;
+
+/// The same constants without content, and the trait, for a robot whose description has errors: code that reads them
+/// causes no further errors. An unknown length is a generic parameter of the trait, and of a constant long enough for
+/// any index.
+pub(super) fn absent(
+    item: &Item,
+    spaces: Option<&Spaces>,
+    (lengths, parameter): (Lengths<'_>, Option<&TokenStream>),
+    chain: &TokenStream,
+    dialect: &Dialect,
+) -> TokenStream {
+    let Library::Runtime(runtime) = &dialect.library else {
+        return TokenStream::new();
+    };
+    let text = quote! { &'static ::core::primitive::str };
+    let lists = |visibility: Option<&Visibility>, number: &TokenStream, lengths: Lengths<'_>| {
+        let [nq, nv] = [Space::Coordinates, Space::Velocities].map(lengths);
+        quote! {
+            #visibility const COORDINATES: [#text; #nq] = [""; #nq];
+            #visibility const VELOCITIES: [#text; #nv] = [""; #nv];
+            #visibility const LOWER: [#number; #nq] = [0.0; #nq];
+            #visibility const UPPER: [#number; #nq] = [0.0; #nq];
+            #visibility const MAX_VELOCITY: [#number; #nv] = [0.0; #nv];
+            #visibility const MAX_EFFORT: [#number; #nv] = [0.0; #nv];
+            #visibility const NEUTRAL: [#number; #nq] = [0.0; #nq];
+        }
+    };
+    let own = |space: Space| literal(spaces.map_or(LONG, |spaces| spaces.len(space)));
+    let [nq, nv] = [Space::Coordinates, Space::Velocities].map(own);
+    let visibility = &item.visibility;
+    let constants = lists(Some(visibility), &dialect.field(), &own);
+    let constants = quote! {
+        #visibility const NQ: ::core::primitive::usize = #nq;
+        #visibility const NV: ::core::primitive::usize = #nv;
+        #visibility const JOINTS: [#text; 0] = [];
+        #visibility const FRAMES: [#text; 0] = [];
+        #constants
+    };
+    let block = declaration::block(item, &constants, dialect);
+    let [nq, nv] = [Space::Coordinates, Space::Velocities].map(lengths);
+    let parameters: Vec<_> = parameter.into_iter().cloned().collect();
+    let head = implementation(item, &quote! { #runtime::Robot<#nv, #nq> }, &parameters);
+    let of_trait = lists(None, &quote! { ::core::primitive::f64 }, lengths);
+    quote! {
+        #[allow(dead_code)] #block
+        #head {
+            type Chain = #chain;
+            const JOINTS: &'static [#text] = &[];
+            const FRAMES: &'static [#text] = &[];
+            #of_trait
+        }
+    }
 }
 
 /// All lists of numbers.

@@ -11,7 +11,7 @@ use super::item::{Declaration, Item};
 use super::lengths::{Lengths, literal};
 use super::library::Library;
 use super::names::{ident, unscoped};
-use super::{batch, chain, closed_loops, declaration, method, prepared};
+use super::{batch, chain, closed_loops, declaration, described, method, prepared};
 use crate::function::Function;
 use crate::module;
 use crate::real::Real;
@@ -74,6 +74,16 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
         &dialect,
     ));
     traits.extend(batch::robot(item, &[], &dialect));
+    if let Library::Runtime(runtime) = &dialect.library {
+        let chain = chain::chain_type(
+            &lengths,
+            &lengths(Space::Velocities),
+            &frames(request),
+            runtime,
+        );
+        let lengths: (Lengths<'_>, _) = (&lengths, parameter.as_ref());
+        traits.extend(described::absent(item, spaces, lengths, &chain, &dialect));
+    }
     let declaration = match &item.declaration {
         Declaration::Written(tokens) => tokens.clone(),
         Declaration::Exists | Declaration::Made => TokenStream::new(),
@@ -150,7 +160,7 @@ fn data(
     let mut data = TokenStream::new();
     if let Library::Runtime(runtime) = &dialect.library {
         let reads_fields = !request.parameters.is_empty();
-        let frames = literal(request.frames.len() + 1 + request.external.len());
+        let frames = frames(request);
         let joints = lengths(Space::Velocities);
         let signature = chain::signature(
             (lengths, &joints, &frames),
@@ -178,6 +188,11 @@ fn data(
         });
     }
     data
+}
+
+/// Number of the frames of the chain.
+fn frames(request: &Request) -> TokenStream {
+    literal(request.frames.len() + 1 + request.external.len())
 }
 
 fn absent(item: &Item, signature: &TokenStream, body: &TokenStream) -> TokenStream {

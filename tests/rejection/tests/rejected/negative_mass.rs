@@ -11,4 +11,8 @@ fn main() {
     let _ = Arm.gravity(&[0.0; 2]);
     let chain: homogen::Chain<2, 1> = Arm::chain();
     let _ = homogen::generic::gravity(&chain, &[0.0; 2]);
+    let mut q = [0.0; Arm::NQ];
+    q[1] = Arm::LOWER[1];
+    let _ = Arm.gravity(&q);
+    let _: [&str; 2] = <Arm as Robot<2>>::COORDINATES;
 }

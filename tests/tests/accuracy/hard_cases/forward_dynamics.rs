@@ -13,7 +13,7 @@ use homogen_tests::programs::program;
 use homogen_tests::subjects::subject;
 
 use crate::hard_cases::case::{Case, Metric, Variant, judge};
-use crate::hard_cases::states::{of_size, states};
+use crate::hard_cases::states::{of_size, states, third};
 
 use Variant::{Articulated, Generated, Refined};
 
@@ -185,13 +185,13 @@ const SHIPPED_BACKWARD: Case = backward("fd_shipped/backward", Generated, 15.0);
 
 /// Random configurations.
 fn anywhere(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
-    move |chain| states(count, chain.joints.len(), |_, _| ())
+    move |chain| states(third(count), chain.joints.len(), |_, _| ())
 }
 
 /// Straight configurations, to 10⁻⁸ … 10⁻² rad.
 fn straight(count: usize) -> impl Fn(&Chain) -> Vec<Arguments> {
     move |chain| {
-        states(count, chain.joints.len(), |arguments, random| {
+        states(third(count), chain.joints.len(), |arguments, random| {
             arguments[Variable::Q].fill_with(|| of_size(random, -8.0, -2.0));
         })
     }

@@ -8,7 +8,7 @@ use homogen_tests::robots::PandaClass;
 use homogen_tests::tested::{F64, Tested};
 
 use crate::hard_cases::case::{Bench, Case, Growth, Metric, judge};
-use crate::hard_cases::states::states;
+use crate::hard_cases::states::{states, third};
 
 use Function::{Bias, ForwardKinematics, Gravity, InverseDynamics, MassMatrix};
 
@@ -86,7 +86,7 @@ fn chain_fk_n() {
         (512, 6),
     ] {
         judge(&[&FK], &format!("spatial/{links}"), |_| {
-            states(count, links, |_, _| ())
+            states(third(count), links, |_, _| ())
         });
     }
 }
@@ -97,7 +97,7 @@ fn chain_id_n() {
     for (links, count) in [(2, 240), (4, 240), (8, 240), (16, 120), (32, 60), (64, 24)] {
         for family in ["spatial", "tilted"] {
             let label = format!("{family}/{links}");
-            judge(&[&ID], &label, |_| states(count, links, |_, _| ()));
+            judge(&[&ID], &label, |_| states(third(count), links, |_, _| ()));
         }
     }
 }

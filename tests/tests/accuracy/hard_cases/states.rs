@@ -2,6 +2,7 @@
 
 use homogen_codegen::space::Variable;
 use homogen_tests::arguments::{self, Arguments};
+use homogen_tests::effort::effort;
 use homogen_tests::states::Random;
 
 /// States changed by the case; then every sixth is brought to rest, and every sixth gets subnormal rates.
@@ -32,6 +33,11 @@ pub fn states(
         arguments
     };
     (0..count).map(each).collect()
+}
+
+/// A third of the states; in the long form, all of them.
+pub fn third(count: usize) -> usize {
+    effort(count.div_ceil(3), count)
 }
 
 /// A number of either sign with a decimal exponent in a range, exact in single precision.

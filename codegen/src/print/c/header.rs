@@ -115,12 +115,14 @@ const QUALIFIER: &str = "\
 #endif
 /* Define HOMOGEN_DISPATCH to compile every function for AVX-512 and AVX2 as well; the program chooses when it starts
  * (GCC from 12 on Linux for x86-64; no effect elsewhere). With -ffp-contract=off results have the same bits; without
- * it they are fused on processors that can.
+ * it they are fused on processors that can. GCC 12 fuses pairs of them with that option too, hence no pairs.
  */
 #ifndef HOMOGEN_CLONES
 #if defined(HOMOGEN_DISPATCH) && defined(__x86_64__) && defined(__linux__) && \\
     defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__)
-#define HOMOGEN_CLONES __attribute__((target_clones(\"arch=x86-64-v4\", \"arch=x86-64-v3\", \"default\")))
+#define HOMOGEN_CLONES \\
+    __attribute__((optimize(\"no-tree-slp-vectorize\"), \\
+        target_clones(\"arch=x86-64-v4\", \"arch=x86-64-v3\", \"default\")))
 #else
 #define HOMOGEN_CLONES
 #endif

@@ -1,8 +1,8 @@
 //! [`Scalar`] and [`Real`] for the tested types.
 //!
-//! In: the operations of [`F32`], [`F64`], [`Flushed`], [`Fused32`] and [`Fused64`]. Out: the traits, whose functions are those of the
-//! number inside. They neither flush nor fuse within a function, except for the sines and cosines of all joints, which
-//! are those of the type.
+//! In: the operations of [`F32`], [`F64`], [`Flushed`], [`Fused32`] and [`Fused64`]. Out: the traits, whose functions
+//! are those of the number inside. They neither flush nor fuse within a function, except for the sines and cosines of
+//! all joints, which are those of the type.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -37,6 +37,10 @@ macro_rules! implement {
 
             fn sqrt(self) -> Self {
                 Arithmetic::sqrt(self)
+            }
+
+            fn sign(self) -> Self {
+                $new(Scalar::sign(self.0))
             }
 
             fn sin_cos(self) -> (Self, Self) {

@@ -351,8 +351,9 @@ fn several_functions_are_a_tuple_and_have_no_trait() {
     )];
     let text = with_runtime(&module);
     let body = function(&text, "mass_matrix_and_gravity");
-    let equations = "let _ = q;\n                ([[1.0_f64, 0.5_f64], [0.5_f64, 0.25_f64]], [0.0_f64, 0.0_f64])";
-    assert!(body.contains(equations), "{body}");
+    // Constant results gain nothing by a choice of the processor.
+    let end = "let _ = q;\n        ([[1.0_f64, 0.5_f64], [0.5_f64, 0.25_f64]], [0.0_f64, 0.0_f64])";
+    assert!(body.ends_with(end), "{body}");
     let traits: Vec<_> = text.split("::homogen::robot::").skip(1).collect();
     let is_of_batches = |of: &&str| of.starts_with("Batched for");
     assert!(traits.iter().all(is_of_batches), "{text}");

@@ -54,7 +54,7 @@ fn words_of(text: &str) -> Vec<&str> {
 
 /// The text between backquotes, and the blocks of code that are compiled.
 fn prose_and_compiled(page: &str) -> (String, String) {
-    let (mut reported, mut compiled) = (String::new(), String::new());
+    let (mut prose, mut compiled) = (String::new(), String::new());
     let mut block: Option<&str> = None;
     for line in page.lines() {
         match (line.strip_prefix("```"), block) {
@@ -63,22 +63,22 @@ fn prose_and_compiled(page: &str) -> (String, String) {
             (None, Some("")) => compiled.extend([line, "\n"]),
             (None, Some(_)) => {}
             (None, None) => {
-                reported.extend(line.split('`').skip(1).step_by(2).flat_map(|x| [x, "\n"]))
+                prose.extend(line.split('`').skip(1).step_by(2).flat_map(|x| [x, "\n"]));
             }
         }
     }
-    (reported, compiled)
+    (prose, compiled)
 }
 
 #[test]
-fn every_word_is_told_and_shown() {
+fn every_word_is_explained_and_shown() {
     let mut missing = Vec::new();
     for (place, known) in words() {
         assert!(!known.is_empty(), "{place:?}");
-        let (reported, compiled) = prose_and_compiled(page(place));
-        let (reported, compiled) = (words_of(&reported), words_of(&compiled));
+        let (prose, compiled) = prose_and_compiled(page(place));
+        let (prose, compiled) = (words_of(&prose), words_of(&compiled));
         for word in known {
-            if !reported.contains(&word) {
+            if !prose.contains(&word) {
                 missing.push(format!("{place:?}: `{word}` is not told"));
             }
             if is_shown(place) && !compiled.contains(&word) {

@@ -2,11 +2,6 @@
 //!
 //! [`Scalar`] and [`Real`] for both, with square roots, single sines and inverse tangents of the standard
 //! library or of `libm`; no other file calls these. [`super::trigonometry`] has the sines of a whole call.
-#![expect(
-    clippy::inline_always,
-    reason = "only what is inlined is compiled for the processor that was found"
-)]
-
 use super::dispatch::{Work, at_hand};
 use super::rounding::{OfTarget, Rounding};
 use super::trigonometry::{inlined_f32, inlined_f64, sin_cos_all_f32, sin_cos_all_f64};

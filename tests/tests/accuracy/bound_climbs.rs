@@ -213,7 +213,7 @@ fn bounds_on_trees_of_29_to_48_joints_hold_and_are_tight_within_1000() {
     }
 }
 
-/// All functions except solutions, in every unit of their results.
+/// All functions except solutions, in every unit of their results. Fewer steps find smaller errors.
 #[test]
 fn bounds_on_arms_hold_and_are_tight_within_100() {
     for label in [
@@ -232,7 +232,7 @@ fn bounds_on_arms_hold_and_are_tight_within_100() {
             let name = format!("{label} {function:?}");
             for (unit, worst) in subject.by_unit(&name, 300, steps()) {
                 // Exact results may have a bound for rounded numbers.
-                let is_near = worst >= 1e-2 || worst == 0.0;
+                let is_near = worst >= 1e-2 / effort(4.0, 1.0) || worst == 0.0;
                 assert!(is_near, "{worst:e} of the bound of {name} in {unit}");
             }
         }

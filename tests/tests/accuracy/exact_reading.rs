@@ -81,6 +81,16 @@ const ALLOWED: [(&str, &str, &str); 30] = [
         "d[i][j].to_f64()",
         "decides when to stop",
     ),
+    (
+        "description/xacro/expression/elementary.rs",
+        "",
+        "rounds to a number of Python's",
+    ),
+    (
+        "description/xacro/expression/function.rs",
+        "constant(name)",
+        "a constant of Python's module math",
+    ),
     ("layout/frames.rs", ">= NEARLY_PARALLEL", "chooses a frame"),
     ("layout/frames.rs", "< 0.0", "chooses one of two formulas"),
     ("matrix/pose.rs", "Double::to_f64", "chooses an axis"),

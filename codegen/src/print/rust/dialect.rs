@@ -257,9 +257,10 @@ impl Dialect {
         match &self.library {
             Library::Runtime(runtime) => {
                 let name = ident(&names.fresh("mul_add"));
-                let function = match &self.equations {
-                    Some(Equations { rounding, .. }) => quote! { #rounding::mul_add::<#number> },
-                    None => quote! { <#number as #runtime::Scalar>::mul_add },
+                let function = if let Some(Equations { rounding, .. }) = &self.equations {
+                    quote! { #rounding::mul_add::<#number> }
+                } else {
+                    quote! { <#number as #runtime::Scalar>::mul_add }
                 };
                 (Some(name.clone()), quote! { let #name = #function; })
             }

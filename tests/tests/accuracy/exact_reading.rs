@@ -19,8 +19,11 @@ const FOLDERS: [&str; 6] = [
 /// Base parameters are sums of parameters with factors that have errors of their own.
 const BASE_PARAMETERS: &str = "chain/base_parameters";
 
+/// The expressions of xacro are Python's and round as those do.
+const XACRO: &str = "description/xacro/expression";
+
 /// File, part of a line, reason why it is allowed.
-const ALLOWED: [(&str, &str, &str); 32] = [
+const ALLOWED: [(&str, &str, &str); 30] = [
     ("chain/angle.rs", ".value", "decides what digits mean"),
     (
         "chain/merge/reader.rs",
@@ -81,16 +84,6 @@ const ALLOWED: [(&str, &str, &str); 32] = [
         "d[i][j].to_f64()",
         "decides when to stop",
     ),
-    (
-        "description/xacro/expression/elementary.rs",
-        "",
-        "rounds to a number of Python's",
-    ),
-    (
-        "description/xacro/expression/function.rs",
-        "constant(name)",
-        "a constant of Python's module math",
-    ),
     ("layout/frames.rs", ">= NEARLY_PARALLEL", "chooses a frame"),
     ("layout/frames.rs", "< 0.0", "chooses one of two formulas"),
     ("matrix/pose.rs", "Double::to_f64", "chooses an axis"),
@@ -135,7 +128,9 @@ fn no_written_number_is_computed_in_f64() {
     let mut files = engine();
     files.retain(|Source { name, .. }| {
         let folder = name.split('/').next().unwrap_or_default();
-        FOLDERS.contains(&folder.trim_end_matches(".rs")) && !name.starts_with(BASE_PARAMETERS)
+        FOLDERS.contains(&folder.trim_end_matches(".rs"))
+            && !name.starts_with(BASE_PARAMETERS)
+            && !name.starts_with(XACRO)
     });
     assert!(files.len() > 60, "{} files", files.len());
     let mut diagnostics = Vec::new();

@@ -30,7 +30,10 @@ mod _engine {
     #[pyfunction]
     fn options() -> Vec<(&'static str, &'static str)> {
         let rows = SETTINGS.iter();
-        let rows = rows.filter(|setting| setting.group & (SCOPE | ROBOT) != 0);
+        // The package compiles, and so has `reproducible` itself.
+        let rows = rows.filter(|setting| {
+            setting.group & (SCOPE | ROBOT) != 0 && setting.key != "reproducible"
+        });
         rows.map(|setting| (setting.key, setting.help)).collect()
     }
 

@@ -1,7 +1,7 @@
 //! xacro, the macro language of ROS for URDF.
 //!
 //! Expands the text of a file and the files that it includes to URDF, as the tool `xacro` does: properties, macros,
-//! blocks, conditions, included files, arguments, YAML files and [expressions](expression). The reader of URDF reads
+//! blocks, conditions, included files, arguments, YAML files and expressions. The reader of URDF reads
 //! the result; its errors have the places of the user's files. An expansion reads no environment and no file outside
 //! its packages, and its time, memory and depth are bounded.
 

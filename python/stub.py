@@ -7,7 +7,10 @@
 import sys
 from pathlib import Path
 
-from homogen import _engine
+# Beside this file the package has no engine: the installed one is meant.
+sys.path.remove(str(Path(__file__).resolve().parent))
+
+from homogen import _engine  # noqa: E402
 
 
 HEAD = '''# Written by stub.py from the engine's table of functions.

@@ -130,8 +130,8 @@ impl<T: Real, const P: usize> Fit<T, P> {
         (self.residual / T::constant(f64::from(excess))).sqrt()
     }
 
-    /// The standard deviation of each parameter, in its unit, if the errors of the measurements are independent with the
-    /// standard deviation [`deviation`](Self::deviation); `None` as for [`parameters`](Self::parameters).
+    /// The standard deviation of each parameter, in its unit, if the errors of the measurements are independent, each
+    /// with [`standard_deviation`](Self::standard_deviation); `None` as for [`parameters`](Self::parameters).
     #[must_use]
     pub fn standard_deviations(&self) -> Option<[T; P]> {
         self.parameters()?;

@@ -287,10 +287,10 @@ impl Chain {
     #[must_use]
     pub fn identified(mut self) -> Self {
         let found = base_parameters::base_parameters(&self);
-        let mimicked_joints = found
+        let leading = found
             .columns()
-            .map(|mimicked| self.spaces.parameters[mimicked].clone());
-        self.spaces.base_parameters = mimicked_joints.collect();
+            .map(|parameter| self.spaces.parameters[parameter].clone());
+        self.spaces.base_parameters = leading.collect();
         self.base_parameters = Some(found);
         self
     }

@@ -197,7 +197,7 @@ fn evil_arm(evil: &str) -> String {
 #[test]
 fn names_of_a_hostile_file_stay_data() {
     let (clean, _) = page("--functions gravity,forward_kinematics", SCARA);
-    let external = |page: &str| {
+    let outside = |page: &str| {
         let start = page.find("id=\"data\">").expect("data");
         let end = start + page[start..].find("</script>").expect("its end");
         (page[..start].to_owned(), page[end..].to_owned())
@@ -205,7 +205,7 @@ fn names_of_a_hostile_file_stay_data() {
     for evil in EVIL {
         let (page, data) = page("--functions gravity,forward_kinematics", &evil_arm(evil));
         // The rest of the page is unchanged.
-        assert_eq!(external(&page), external(&clean), "{evil}");
+        assert_eq!(outside(&page), outside(&clean), "{evil}");
         let start = page.find("id=\"data\">").expect("data") + "id=\"data\">".len();
         let inside = &page[start..start + page[start..].find("</script>").expect("its end")];
         let marks = ['<', '>', '&', '\u{202e}', '\u{200b}', '\n'];

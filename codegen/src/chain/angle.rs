@@ -48,7 +48,7 @@ pub type Squares = [i64; 4];
 pub fn right_angles(entries: &[Number; 4]) -> Option<Squares> {
     let squares = entries.map(|entry| {
         let values = [0.0, 0.5, FRAC_1_SQRT_2, 1.0].into_iter().zip([0, 1, 2, 4]);
-        let mut values = values.filter(|(value, _)| rounding(&entry, *value));
+        let mut values = values.filter(|(value, _)| means(&entry, *value));
         values
             .next()
             .map(|(_, square)| if entry.value < 0.0 { -square } else { square })
@@ -80,7 +80,7 @@ pub fn exact_right_angles(entries: &[Number; 4]) -> Option<Squares> {
 }
 
 /// True if the magnitude of a quaternion's entry means a value.
-fn rounding(entry: &Number, value: f64) -> bool {
+fn means(entry: &Number, value: f64) -> bool {
     let distance = (entry.value.abs() - value).abs();
     if value == 0.0 {
         return entry.value == 0.0 || is_residue(entry);

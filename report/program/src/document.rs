@@ -206,19 +206,17 @@ fn peers(measured: &Measured<'_>) -> String {
         );
         for scalar in [Scalar::F64, Scalar::F32] {
             for &function in &scene.functions {
-                let counted = |algorithm: &Variant| {
-                    operation_count(measured, scene, algorithm.name, function)
-                };
+                let counted =
+                    |variant: &Variant| operation_count(measured, scene, variant.name, function);
                 let default = counted(&Variant::DEFAULT);
-                let row = |algorithm: &Variant| {
-                    row_of_peers(measured, scene, function, algorithm, scalar)
-                };
+                let row =
+                    |variant: &Variant| row_of_peers(measured, scene, function, variant, scalar);
                 text.push_str(&row(&Variant::DEFAULT));
                 // Formulations that the engine did not choose.
-                let forms = scene.variants.iter().filter(|algorithm| {
-                    algorithm.functions.contains(&function)
-                        && algorithm.functions.iter().all(|function| function.solves())
-                        && algorithm.scalars.contains(&scalar)
+                let forms = scene.variants.iter().filter(|variant| {
+                    variant.functions.contains(&function)
+                        && variant.functions.iter().all(|function| function.solves())
+                        && variant.scalars.contains(&scalar)
                 });
                 for form in forms.filter(|form| counted(form) != default) {
                     text.push_str(&row(form));
@@ -234,16 +232,16 @@ fn row_of_peers(
     measured: &Measured<'_>,
     scene: &Scene,
     function: Function,
-    algorithm: &Variant,
+    variant: &Variant,
     scalar: Scalar,
 ) -> String {
     let ours = |variant| find(measured, scene, function, variant, scalar, Flags::Native);
-    let (platform, label) = if algorithm.name == Variant::DEFAULT.name {
+    let (platform, label) = if variant.name == Variant::DEFAULT.name {
         (ours("platform_sines"), String::new())
     } else {
-        (None, format!(", {}", algorithm.title))
+        (None, format!(", {}", variant.title))
     };
-    let ours = ours(algorithm.name);
+    let ours = ours(variant.name);
     let best = MAKERS.map(|maker| fastest(measured, scene, function, maker, scalar));
     let times = best.iter().flatten().map(|point| point.time[1]);
     let least = times.fold(f64::INFINITY, f64::min);

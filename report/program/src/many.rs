@@ -46,23 +46,23 @@ pub const ALONE: &str = "alone";
 
 /// Ours: one state a call, and batches in registers of each length.
 pub const OURS: [Implementation; 4] = [
-    algorithm(ALONE, "one state at a time", Color::Black),
-    algorithm("target", "batch, vectors of the build", Color::Grey),
-    algorithm("avx2", "batch, AVX2", Color::Blue),
-    algorithm("avx512", "batch, AVX-512", Color::Purple),
+    implementation(ALONE, "one state at a time", Color::Black),
+    implementation("target", "batch, vectors of the build", Color::Grey),
+    implementation("avx2", "batch, AVX2", Color::Blue),
+    implementation("avx512", "batch, AVX-512", Color::Purple),
 ];
 
 /// Other programs.
 pub const OTHERS: [Implementation; 6] = [
-    algorithm("pinocchio", "Pinocchio", Color::Vermilion),
-    algorithm("plain", "CasADi's C", Color::Black),
-    algorithm("snapped", "the same, snapped", Color::Black),
-    algorithm("restrict", "the same, with `restrict`", Color::Black),
-    algorithm("mujoco", "MuJoCo", Color::Orange),
-    algorithm("frax", "frax", Color::Wine),
+    implementation("pinocchio", "Pinocchio", Color::Vermilion),
+    implementation("plain", "CasADi's C", Color::Black),
+    implementation("snapped", "the same, snapped", Color::Black),
+    implementation("restrict", "the same, with `restrict`", Color::Black),
+    implementation("mujoco", "MuJoCo", Color::Orange),
+    implementation("frax", "frax", Color::Wine),
 ];
 
-const fn algorithm(name: &'static str, title: &'static str, color: Color) -> Implementation {
+const fn implementation(name: &'static str, title: &'static str, color: Color) -> Implementation {
     Implementation { name, title, color }
 }
 

@@ -130,7 +130,7 @@ impl Variant {
 
 /// The compared formulations.
 pub fn formulations() -> Vec<Variant> {
-    let algorithm = |name, title, color, functions, change| Variant {
+    let variant = |name, title, color, functions, change| Variant {
         name,
         title,
         change,
@@ -141,7 +141,7 @@ pub fn formulations() -> Vec<Variant> {
     };
     vec![
         Variant::DEFAULT,
-        algorithm(
+        variant(
             "frame_0",
             "frame 0",
             Color::Black,
@@ -150,7 +150,7 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.frame = Frame::Base;
             },
         ),
-        algorithm(
+        variant(
             "raw",
             "raw parameters",
             Color::Sky,
@@ -159,10 +159,10 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.parameters = Parameters::Raw;
             },
         ),
-        algorithm("unfused", "unfused", Color::Green, &[], |_, request| {
+        variant("unfused", "unfused", Color::Green, &[], |_, request| {
             request.formulation.products = Products::Unfused;
         }),
-        algorithm(
+        variant(
             "platform_sines",
             "platform sines",
             Color::Orange,
@@ -173,7 +173,7 @@ pub fn formulations() -> Vec<Variant> {
         ),
         Variant {
             number: Some("Libm"),
-            ..algorithm(
+            ..variant(
                 "libm_sines",
                 "sines of libm",
                 Color::Brown,
@@ -183,7 +183,7 @@ pub fn formulations() -> Vec<Variant> {
                 },
             )
         },
-        algorithm(
+        variant(
             "refined_1",
             "refined once",
             Color::Purple,
@@ -192,7 +192,7 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.forward = Some(Forward::MassMatrix { refinements: 1 });
             },
         ),
-        algorithm(
+        variant(
             "refined_2",
             "refined twice",
             Color::Olive,
@@ -201,7 +201,7 @@ pub fn formulations() -> Vec<Variant> {
                 request.formulation.forward = Some(Forward::MassMatrix { refinements: 2 });
             },
         ),
-        algorithm(
+        variant(
             "articulated",
             "articulated bodies",
             Color::Vermilion,
@@ -261,9 +261,9 @@ pub fn beside_peers(
     let mut scene = Scene::read(name, title, path, request)?;
     scene.states = states(&scene.spaces, Range::WIDE);
     scene.functions = FUNCTIONS.into_iter().chain(FURTHER).collect();
-    let algorithms = formulations().into_iter();
-    scene.variants = algorithms
-        .filter(|algorithm| BESIDE_PEERS.contains(&algorithm.name))
+    let variants = formulations().into_iter();
+    scene.variants = variants
+        .filter(|variant| BESIDE_PEERS.contains(&variant.name))
         .chain([unrefined()])
         .collect();
     scene.generic = true;

@@ -191,7 +191,7 @@ impl Files {
 
     /// The path without `.` and `..`, and the path on this machine.
     fn place(&self, path: &str) -> Result<(String, PathBuf), Failure> {
-        let external = || {
+        let outside = || {
             failure_with_hint(
                 format!("cannot read {}: it is outside the package", quoted(path)),
                 "write $(find package)/…; a first file without a package.xml above it may read its own folder",
@@ -203,15 +203,15 @@ impl Files {
             let below = path.strip_prefix(&root.prefix)?;
             (below.is_empty() || below.starts_with('/')).then_some((root, below))
         });
-        let (root, below) = below.ok_or_else(external)?;
+        let (root, below) = below.ok_or_else(outside)?;
         let mut names: Vec<&str> = Vec::new();
         for name in below.split('/') {
             match name {
                 "" | "." => {}
                 ".." => {
-                    names.pop().ok_or_else(external)?;
+                    names.pop().ok_or_else(outside)?;
                 }
-                name if name.contains(['\\', '\0', ':']) => return Err(external()),
+                name if name.contains(['\\', '\0', ':']) => return Err(outside()),
                 name => names.push(name),
             }
         }

@@ -145,7 +145,7 @@ pub(super) struct Writer<'w> {
     sines: Sines,
     pub(super) text: String,
     /// Text around the current loop.
-    external: Vec<String>,
+    outer: Vec<String>,
     names: Names,
     /// Name of the work array, if there is one.
     pub(super) work: String,
@@ -161,7 +161,7 @@ impl<'w> Writer<'w> {
             real,
             sines: Sines::default(),
             text: String::new(),
-            external: Vec::new(),
+            outer: Vec::new(),
             names: Names::default(),
             work: String::new(),
             filled: None,
@@ -371,7 +371,7 @@ impl Language for Writer<'_> {
         self.line(&format!(
             "for (int {column} = 0; {column} < {count}; {column}++) {{"
         ));
-        self.external.push(mem::take(&mut self.text));
+        self.outer.push(mem::take(&mut self.text));
         for (row, name) in each.loads.iter().enumerate() {
             self.constant(name, &format!("{table}[{row}][{column}]"));
         }
@@ -382,8 +382,8 @@ impl Language for Writer<'_> {
         for (row, name) in each.stores.iter().enumerate() {
             self.line(&format!("{table}[{row}][{column}] = {name};"));
         }
-        let external = self.external.pop().expect("a loop that began");
-        let inside = mem::replace(&mut self.text, external);
+        let outer = self.outer.pop().expect("a loop that began");
+        let inside = mem::replace(&mut self.text, outer);
         for line in inside.lines() {
             let _ = writeln!(self.text, "    {line}");
         }

@@ -107,7 +107,7 @@ pub(super) fn body(
         work: routine.work.as_ref().map(|work| ident(&work.name)),
         filling: None,
         text: TokenStream::new(),
-        external: Vec::new(),
+        outer: Vec::new(),
     };
     if let (Returns::Matrix(columns), false) = (returns, routine.stored.is_empty()) {
         let matrix = ident(&writer.names.fresh("y"));
@@ -199,7 +199,7 @@ pub(super) fn of_step(
         work: None,
         filling: None,
         text: TokenStream::new(),
-        external: Vec::new(),
+        outer: Vec::new(),
     };
     statements.extend(writer.statements(&routine.statements));
     let results = routine.results.iter().map(|result| writer.read(result));
@@ -256,7 +256,7 @@ pub(super) struct Writer<'d> {
     /// Text of the current scope.
     text: TokenStream,
     /// Text of the scopes around it, the outermost first.
-    external: Vec<TokenStream>,
+    outer: Vec<TokenStream>,
 }
 
 impl Writer<'_> {
@@ -282,8 +282,8 @@ impl Writer<'_> {
 
     /// Ends a scope and returns its text.
     fn inside(&mut self) -> TokenStream {
-        let external = self.external.pop().expect("a scope that began");
-        mem::replace(&mut self.text, external)
+        let outer = self.outer.pop().expect("a scope that began");
+        mem::replace(&mut self.text, outer)
     }
 
     /// Operation, with fused products if there is a function for them.
@@ -398,7 +398,7 @@ impl Language for Writer<'_> {
     }
 
     fn begin_scope(&mut self) {
-        self.external.push(mem::take(&mut self.text));
+        self.outer.push(mem::take(&mut self.text));
     }
 
     fn end_scope(&mut self, outputs: &[String]) {

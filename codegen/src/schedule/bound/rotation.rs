@@ -37,10 +37,10 @@ impl PlaneRotation {
         second: [Operand; 2],
         second_minus: bool,
     ) -> Option<Self> {
-        let algorithms = |pair: [Operand; 2]| [(pair[0], pair[1]), (pair[1], pair[0])];
-        algorithms(first).into_iter().find_map(|(of_first, x)| {
+        let orders = |pair: [Operand; 2]| [(pair[0], pair[1]), (pair[1], pair[0])];
+        orders(first).into_iter().find_map(|(of_first, x)| {
             let one = place(of_first)?;
-            algorithms(second).into_iter().find_map(|(of_second, y)| {
+            orders(second).into_iter().find_map(|(of_second, y)| {
                 let other = place(of_second)?;
                 let (x, y) = ((x, first_minus), (y, second_minus));
                 let (by_cosine, by_sine) = if one.sine { (y, x) } else { (x, y) };

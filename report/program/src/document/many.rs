@@ -105,8 +105,8 @@ fn in_short(many: &Many<'_>) -> String {
         };
     for scalar in SCALARS {
         let name = scalar.name();
-        let time = |scene: &Scene, algorithm: &str, flags| {
-            let point = many.find(scene, algorithm, false, scalar, flags);
+        let time = |scene: &Scene, implementation: &str, flags| {
+            let point = many.find(scene, implementation, false, scalar, flags);
             point.map(|point| point.time[1])
         };
         let avx2 = |scene: &Scene| time(scene, "avx2", Flags::Native);
@@ -120,7 +120,7 @@ fn in_short(many: &Many<'_>) -> String {
             &|scene, _| {
                 let others = OTHERS
                     .iter()
-                    .filter_map(|algorithm| time(scene, algorithm.name, Flags::Native));
+                    .filter_map(|implementation| time(scene, implementation.name, Flags::Native));
                 Some(avx2(scene)? / least(others)?)
             },
             2,
@@ -189,12 +189,12 @@ fn robot(many: &Many<'_>, scene: &Scene, operation_count: &OperationCount) -> St
         operation_count.sin + operation_count.cos,
     );
     for flags in Flags::ALL {
-        for algorithm in &OURS {
-            text.push_str(&row(many, scene, algorithm, flags));
+        for implementation in &OURS {
+            text.push_str(&row(many, scene, implementation, flags));
         }
     }
-    for algorithm in &OTHERS {
-        text.push_str(&row(many, scene, algorithm, Flags::Native));
+    for implementation in &OTHERS {
+        text.push_str(&row(many, scene, implementation, Flags::Native));
     }
     let _ = write!(text, "| limit | native |");
     for scalar in SCALARS {
@@ -206,27 +206,28 @@ fn robot(many: &Many<'_>, scene: &Scene, operation_count: &OperationCount) -> St
 }
 
 /// The row of a program in both types; empty if it did not run.
-fn row(many: &Many<'_>, scene: &Scene, algorithm: &Implementation, flags: Flags) -> String {
+fn row(many: &Many<'_>, scene: &Scene, implementation: &Implementation, flags: Flags) -> String {
     let find = |name, all, scalar| many.find(scene, name, all, scalar, flags);
     let ran = |scalar| {
         [false, true]
             .iter()
-            .any(|all| find(algorithm.name, *all, scalar).is_some())
+            .any(|all| find(implementation.name, *all, scalar).is_some())
     };
     if !SCALARS.into_iter().any(ran) {
         return String::new();
     }
-    let mut text = format!("| {} | {} |", algorithm.title, flags.name());
+    let mut text = format!("| {} | {} |", implementation.title, flags.name());
     for scalar in SCALARS {
         let time = |name, all| find(name, all, scalar).map(|point| point.time[1]);
         text.push_str(&times(
-            time(algorithm.name, false),
+            time(implementation.name, false),
             time(ALONE, false),
-            time(algorithm.name, true),
+            time(implementation.name, true),
         ));
     }
     for scalar in SCALARS {
-        let point = find(algorithm.name, true, scalar).or(find(algorithm.name, false, scalar));
+        let point =
+            find(implementation.name, true, scalar).or(find(implementation.name, false, scalar));
         let _ = write!(text, " {} |", units(point));
     }
     text.push('\n');
@@ -260,7 +261,7 @@ fn fastest(many: &Many<'_>, scene: &Scene, all: bool, scalar: Scalar, flags: Fla
     let is_batch = |point: &&Point| {
         let ours = OURS
             .iter()
-            .any(|algorithm| algorithm.name == name_of(point));
+            .any(|implementation| implementation.name == name_of(point));
         ours && name_of(point) != ALONE
     };
     let points = many.points.iter().filter(is_batch).filter(|point| {

@@ -59,9 +59,10 @@ pub fn many(many: &Many<'_>) -> Grid {
 }
 
 fn dot(point: &Point) -> Curve {
-    let mut algorithms = OURS.iter().chain(&OTHERS);
-    let algorithm = algorithms.find(|algorithm| algorithm.name == name_of(point));
-    let color = algorithm.map_or(Color::Grey, |algorithm| algorithm.color);
+    let mut implementations = OURS.iter().chain(&OTHERS);
+    let implementation =
+        implementations.find(|implementation| implementation.name == name_of(point));
+    let color = implementation.map_or(Color::Grey, |implementation| implementation.color);
     curve(
         "",
         color,
@@ -71,26 +72,30 @@ fn dot(point: &Point) -> Curve {
 }
 
 fn legend(many: &Many<'_>) -> Vec<Curve> {
-    let ran = |algorithm: &&Implementation| {
+    let ran = |implementation: &&Implementation| {
         many.points
             .iter()
-            .any(|point| name_of(point) == algorithm.name)
+            .any(|point| name_of(point) == implementation.name)
     };
     let sample = |label: &str, color, style| curve(label, color, style, Vec::new());
-    let of = |algorithm: &Implementation, shape| {
-        sample(algorithm.title, algorithm.color, Style::Points(shape))
+    let of = |implementation: &Implementation, shape| {
+        sample(
+            implementation.title,
+            implementation.color,
+            Style::Points(shape),
+        )
     };
     let circle = |filled| Shape::Circle { filled };
     let square = Shape::Square { filled: true };
     let mut legend: Vec<Curve> = (OURS.iter().filter(ran))
-        .map(|algorithm| of(algorithm, circle(true)))
+        .map(|implementation| of(implementation, circle(true)))
         .collect();
     let mut colors = Vec::new();
-    for algorithm in OTHERS.iter().filter(ran) {
+    for implementation in OTHERS.iter().filter(ran) {
         // The variants of CasADi's C have one colour.
-        if !colors.contains(&algorithm.color) {
-            colors.push(algorithm.color);
-            legend.push(of(algorithm, square));
+        if !colors.contains(&implementation.color) {
+            colors.push(implementation.color);
+            legend.push(of(implementation, square));
         }
     }
     let black = |label, shape| sample(label, Color::Black, Style::Points(shape));

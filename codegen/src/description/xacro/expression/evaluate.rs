@@ -241,7 +241,7 @@ impl Evaluator<'_> {
         let values = self.value(&first.values)?;
         let values =
             items(&values).ok_or_else(|| failure(format!("{} has no items", values.kind())))?;
-        let external = self.locals.len();
+        let outer = self.locals.len();
         for value in values {
             self.surroundings.budget().spend(1)?;
             match &first.names[..] {
@@ -260,7 +260,7 @@ impl Evaluator<'_> {
             if is_kept {
                 self.each(item, inner, found)?;
             }
-            self.locals.truncate(external);
+            self.locals.truncate(outer);
         }
         Ok(())
     }

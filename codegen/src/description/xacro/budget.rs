@@ -19,7 +19,7 @@ pub(super) const STACK: usize = 32 << 20;
 /// Levels of an element, a macro or a property, which take more of the stack than an operation.
 pub(super) const HEAVY: usize = 4;
 
-/// What is left of the limits.
+/// The steps and levels that are left.
 pub(super) struct Budget {
     steps: usize,
     levels: usize,

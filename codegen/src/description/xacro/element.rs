@@ -15,7 +15,7 @@ use crate::wording::{list, quoted};
 /// Prefix of the elements of xacro.
 pub(super) const PREFIX: &str = "xacro:";
 
-/// What an element expands to.
+/// The expansion of an element.
 #[derive(Default)]
 pub(super) struct Expanded {
     /// The attributes of the element around.

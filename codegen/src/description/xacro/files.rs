@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use super::failure::{Failure, failure, failure_with_hint};
 use super::given::Given;
 use super::tree::FileId;
-use crate::description::load::load;
+use crate::description::load::load_text;
 use crate::description::position::Positions;
 use crate::description::xml::{self, LARGEST_FILE};
 use crate::error::Errors;
@@ -100,11 +100,7 @@ impl Files {
 
     /// Lines and columns of a file.
     pub(super) fn positions(&self, file: FileId) -> Positions<'_> {
-        let text = self.content(file);
-        match file.0.checked_sub(1).map(u32::try_from) {
-            None => Positions::new(text),
-            Some(number) => Positions::of_included(text, number.unwrap_or(u32::MAX)),
-        }
+        Positions::of_file(self.content(file), file.0)
     }
 
     /// The number of files.
@@ -237,22 +233,18 @@ impl Files {
         }
         let name = self.name_of(&path);
         let refuse = |reason: &str| failure(format!("cannot read {}: {reason}", quoted(&name)));
-        let bytes = load(&real).map_err(|reason| refuse(&reason))?;
+        let content = load_text(&real).map_err(|reason| refuse(&reason))?;
         let size: usize = self.texts.iter().map(|text| text.content.len()).sum();
-        if size + bytes.len() > LARGEST_FILE || self.texts.len() >= MOST_FILES {
+        if size + content.len() > LARGEST_FILE || self.texts.len() >= MOST_FILES {
             return Err(failure(
                 "more than 1000 files, or more than 64 MB, are included",
             ));
         }
-        let text = String::from_utf8(bytes).map_err(|_| refuse("it is not UTF-8"))?;
         let id = FileId(self.texts.len());
         self.texts.push(Text {
             name,
             path: Some(path.clone()),
-            content: match text.strip_prefix('\u{feff}') {
-                Some(text) => text.to_owned(),
-                None => text,
-            },
+            content,
         });
         self.known.insert(path, id);
         self.beside.push(real);
@@ -324,7 +316,7 @@ fn package_name(folder: &Path) -> Option<String> {
     if !file.is_file() {
         return None;
     }
-    let text = String::from_utf8(load(&file).ok()?).ok()?;
+    let text = load_text(&file).ok()?;
     let document = xml::parse(&text, &Positions::new(&text), "", &mut Errors::new())?;
     let mut children = document.root_element().children();
     let name = children.find(|child| child.has_tag_name("name"))?;

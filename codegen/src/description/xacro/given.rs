@@ -1,4 +1,4 @@
-//! What the user gives for a xacro file.
+//! Arguments and packages that the user gives for a xacro file.
 
 use std::path::{Path, PathBuf};
 
@@ -14,7 +14,7 @@ pub struct Given {
 }
 
 impl Given {
-    /// What a request gives; folders of packages are relative to `folder`.
+    /// Those of a request; folders of packages are relative to `folder`.
     #[must_use]
     pub fn of(request: &Request, folder: &Path) -> Self {
         let arguments = request.arguments.iter();

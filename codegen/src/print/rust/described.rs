@@ -110,7 +110,7 @@ pub(super) fn absent(
     let head = implementation(item, &quote! { #runtime::Robot<#nv, #nq> }, &parameters);
     let of_trait = lists(None, &quote! { ::core::primitive::f64 }, lengths);
     quote! {
-        #[allow(dead_code)] #block
+        #block
         #head {
             type Chain = #chain;
             const JOINTS: &'static [#text] = &[];

@@ -1,4 +1,4 @@
-//! What an expression may use: properties, arguments and files. It runs nothing else.
+//! Properties, arguments and files: all that an expression may use.
 
 use super::value::{ScopeId, Value};
 use crate::description::xacro::budget::Budget;

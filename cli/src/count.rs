@@ -1,7 +1,8 @@
 //! `homogen count`: operation counts of functions.
 //!
 //! Prints a table of the operation counts in the comments of the generated functions, beside those of dense 4×4
-//! products, and functions that the robot cannot have; and every warning. As JSON it also has error bounds.
+//! products, with the largest error found where the algorithm was chosen by it; functions that the robot cannot have;
+//! and every warning. As JSON it also has error bounds.
 
 use std::fmt::Write;
 use std::io::Read;
@@ -112,6 +113,14 @@ pub(super) fn operation_count(generated: &GeneratedFunction, signs: bool) -> Val
         operation_count["cycles"] = json!(cycles);
     }
     operation_count["errors"] = generated.accuracy.iter().map(error).collect();
+    if let Some(found) = &generated.found {
+        operation_count["found"] = json!({
+            "of": "largest result",
+            found.scalar.name(): found.relative,
+            "random": found.random,
+            "uphill": found.uphill,
+        });
+    }
     operation_count
 }
 
@@ -167,6 +176,10 @@ fn error(accuracy: &Accuracy) -> Value {
     })
 }
 
+/// Head of the column of errors that were found, relative to the largest result.
+const FOUND: &str = "error found";
+
+/// A row for each function; with the largest error found, if the algorithm of any was chosen by it.
 fn table(functions: &[GeneratedFunction]) -> String {
     let names = functions.iter().map(GeneratedFunction::name);
     let names: Vec<String> = names.map(|name| visible(&name).into_owned()).collect();
@@ -178,12 +191,21 @@ fn table(functions: &[GeneratedFunction]) -> String {
         text.push_str("  ");
         text.push_str(head);
     }
+    let any_found = functions.iter().any(|generated| generated.found.is_some());
+    if any_found {
+        text.push_str("  ");
+        text.push_str(FOUND);
+    }
     for (name, generated) in names.iter().zip(functions) {
         // Writing to a string cannot fail.
         let _ = write!(text, "\n{name:width$}");
         for (head, number) in columns(&generated.operation_count, signs) {
             let column = head.len();
             let _ = write!(text, "  {number:>column$}");
+        }
+        if let Some(found) = &generated.found {
+            let column = FOUND.len();
+            let _ = write!(text, "  {:>column$.1e}", found.relative);
         }
     }
     text.push('\n');

@@ -142,6 +142,21 @@ pub struct GeneratedFunction {
     pub operation_count: OperationCount,
     /// Error bounds: one for the results that are evaluated, and one for each that solves an equation.
     pub accuracy: Vec<Accuracy>,
+    /// The largest error found, if the algorithm was chosen by it.
+    pub found: Option<FoundError>,
+}
+
+/// The largest error of a function that solves an equation, in the states by which its algorithm was chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FoundError {
+    /// The type in which it was measured: `f64` for generic code.
+    pub scalar: Real,
+    /// The error, relative to the largest result \[1\].
+    pub relative: f64,
+    /// Number of random states, within the limits of the joints and at any angles.
+    pub random: usize,
+    /// Number of further states, uphill from the worst of them.
+    pub uphill: usize,
 }
 
 impl GeneratedFunction {

@@ -36,7 +36,7 @@ pub use crate::expression::Arithmetic;
 use crate::expression::{Input, Label};
 
 /// Operations of one generated function.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
     /// Angles of all sines and cosines, evaluated together after `steps[..before_angles]`.
     pub angles: Vec<Operand>,
@@ -52,7 +52,7 @@ pub struct Program {
 }
 
 /// One operation and the name of its result.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// Matrix entry that the result is; `None` for an intermediate value.
     pub label: Option<Label>,

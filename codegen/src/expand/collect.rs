@@ -13,8 +13,9 @@ use super::review::review;
 use crate::accuracy::{RoundingModel, of_plan};
 use crate::chain::Chain;
 use crate::error::Errors;
-use crate::module::{About, GeneratedFunction, LeftOut, Module, Review};
+use crate::module::{About, FoundError, GeneratedFunction, LeftOut, Module, Review};
 use crate::plan::{Plan, Planned};
+use crate::real::Real;
 use crate::request::Request;
 
 /// The generated module, and every error that was found.
@@ -91,6 +92,16 @@ fn reviewed(_: &Chain, _: &[GeneratedFunction]) -> Option<Review> {
 fn generated(plan: Plan<'_>, request: &Request) -> GeneratedFunction {
     let accuracy = of_plan(&plan, RoundingModel::of(request));
     let frame = plan.further_frame().map(str::to_owned);
+    let error = plan.error;
+    let found = FoundError {
+        scalar: match request.scalar {
+            Real::F32 => Real::F32,
+            Real::F64 | Real::Generic => Real::F64,
+        },
+        relative: error.found,
+        random: error.random,
+        uphill: error.uphill,
+    };
     GeneratedFunction {
         functions: plan.functions,
         frame,
@@ -98,6 +109,7 @@ fn generated(plan: Plan<'_>, request: &Request) -> GeneratedFunction {
         program: plan.program,
         operation_count: plan.operation_count,
         accuracy,
+        found: (error.random > 0).then_some(found),
     }
 }
 

@@ -4,6 +4,7 @@
 //! a constant is as exact as the arithmetic, not as the 106 bits that [`Graph::value`] keeps of it. Operations are
 //! evaluated as they are, without rounding, reordering or simplification of their own.
 
+use std::collections::BTreeMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
@@ -41,17 +42,20 @@ pub trait Arithmetic:
 pub struct Evaluation<T> {
     results: Vec<Expr>,
     /// The nodes that depend on an input, children first.
-    varying: Vec<(Expr, Node)>,
+    varying: Vec<Node>,
+    /// The place of each node of the graph among the values, if it is needed.
+    places: Vec<usize>,
+    /// The values of the constants.
     known: Values<T>,
 }
 
-/// Computed values of a graph's nodes.
+/// Computed values of the needed nodes, children first: those alone, since a graph may have many more, and the values
+/// are copied for each input.
 #[derive(Clone, Debug)]
 struct Values<T> {
-    /// The value of each node.
-    nodes: Vec<Option<T>>,
+    nodes: Vec<T>,
     /// Sine and cosine of each node that is an angle: computed together, used one by one.
-    turns: Vec<Option<(T, T)>>,
+    turns: BTreeMap<Expr, (T, T)>,
 }
 
 /// The values of expressions, for one input.
@@ -74,19 +78,25 @@ impl<T: Arithmetic> Evaluation<T> {
     #[must_use]
     pub fn of(graph: &Graph, results: &[Expr]) -> Self {
         let (needed, _) = graph.needed(results);
-        let nodes = needed.into_iter().map(|expr| (expr, graph.node(expr)));
-        let (constant, varying): (Vec<_>, Vec<_>) =
-            nodes.partition(|(expr, _)| graph.value(*expr).is_some());
+        let is_constant = |expr: &Expr| graph.value(*expr).is_some();
+        let (constant, varying): (Vec<_>, Vec<_>) = needed.into_iter().partition(is_constant);
+        let mut places = vec![usize::MAX; graph.len()];
+        for (place, expr) in constant.iter().chain(&varying).enumerate() {
+            places[expr.index()] = place;
+        }
         let mut known = Values {
-            nodes: vec![None; graph.len()],
-            turns: vec![None; graph.len()],
+            nodes: Vec::with_capacity(constant.len()),
+            turns: BTreeMap::new(),
         };
-        for (expr, node) in constant {
-            known.find(expr, node, |_| unreachable!("no input enters a constant"));
+        for expr in constant {
+            known.find(graph.node(expr), &places, |_| {
+                unreachable!("no input enters a constant")
+            });
         }
         Self {
             results: results.to_vec(),
-            varying,
+            varying: varying.into_iter().map(|expr| graph.node(expr)).collect(),
+            places,
             known,
         }
     }
@@ -94,43 +104,45 @@ impl<T: Arithmetic> Evaluation<T> {
     /// The values of the expressions, in the order of the request.
     pub fn at(&self, input: impl Fn(Input) -> T) -> Vec<T> {
         let mut values = self.known.clone();
-        for &(expr, node) in &self.varying {
-            values.find(expr, node, &input);
+        values.nodes.reserve(self.varying.len());
+        for &node in &self.varying {
+            values.find(node, &self.places, &input);
         }
         let results = self.results.iter();
-        results.map(|&result| values.at(result)).collect()
+        let places = results.map(|result| self.places[result.index()]);
+        places.map(|place| values.nodes[place].clone()).collect()
     }
 }
 
 impl<T: Arithmetic> Values<T> {
-    fn at(&self, expr: Expr) -> T {
-        let value = self.nodes[expr.index()].clone();
-        value.expect("children come before parents")
-    }
-
-    fn find(&mut self, expr: Expr, node: Node, input: impl Fn(Input) -> T) {
+    /// Adds the value of the next node.
+    fn find(&mut self, node: Node, places: &[usize], input: impl Fn(Input) -> T) {
+        let at = |expr: Expr| self.nodes[places[expr.index()]].clone();
         let value = match node {
             Node::Literal(bits) => T::literal(f64::from_bits(bits)),
             Node::Input(of) => input(of),
-            Node::Neg(a) => -self.at(a),
-            Node::Add(a, b) => self.at(a) + self.at(b),
-            Node::Sub(a, b) => self.at(a) - self.at(b),
-            Node::Mul(a, b) => self.at(a) * self.at(b),
-            Node::Div(a, b) => self.at(a) / self.at(b),
-            Node::Sqrt(a) => self.at(a).sqrt(),
-            Node::Sign(a) => self.at(a).sign(),
-            Node::Sin(a) => self.turn(a).0,
-            Node::Cos(a) => self.turn(a).1,
-            Node::Taken(a, _) => self.at(a),
+            Node::Neg(a) => -at(a),
+            Node::Add(a, b) => at(a) + at(b),
+            Node::Sub(a, b) => at(a) - at(b),
+            Node::Mul(a, b) => at(a) * at(b),
+            Node::Div(a, b) => at(a) / at(b),
+            Node::Sqrt(a) => at(a).sqrt(),
+            Node::Sign(a) => at(a).sign(),
+            Node::Sin(a) => self
+                .turns
+                .entry(a)
+                .or_insert_with(|| at(a).sin_cos())
+                .0
+                .clone(),
+            Node::Cos(a) => self
+                .turns
+                .entry(a)
+                .or_insert_with(|| at(a).sin_cos())
+                .1
+                .clone(),
+            Node::Taken(a, _) => at(a),
         };
-        self.nodes[expr.index()] = Some(value);
-    }
-
-    fn turn(&mut self, angle: Expr) -> (T, T) {
-        let value = self.at(angle);
-        self.turns[angle.index()]
-            .get_or_insert_with(|| value.sin_cos())
-            .clone()
+        self.nodes.push(value);
     }
 }
 

@@ -80,10 +80,11 @@ impl<'g> Symmetric<Term<'g>> {
     #[must_use]
     pub fn rotate_in_full_about_z(self, (sine, cosine): (Term<'g>, Term<'g>)) -> Self {
         let rotated = self.rotate_about_z((sine, cosine));
-        if sine.is_zero() {
+        let [xx, yy, _, xy, _, _] = self.0;
+        // A block that is the same in all directions across the axis stays as it is.
+        if sine.is_zero() || ((xx - yy).is_zero() && xy.is_zero()) {
             return rotated;
         }
-        let [xx, yy, _, xy, _, _] = self.0;
         let [_, _, zz, _, xz, yz] = rotated.0;
         let (ss, cc, sc) = (sine * sine, cosine * cosine, sine * cosine);
         let across = sc * (xy + xy);

@@ -4,6 +4,7 @@
 //! In: the joints and bodies with physical inertias, without regrouping. Out: q̈, or M⁻¹. No mass matrix is formed, so
 //! that digits are lost only as far as masses differ, and not by its condition number.
 
+use super::algorithm::Congruence;
 use super::carry::{Joint, Joints};
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
@@ -397,18 +398,23 @@ impl<'g> Articulated<'g> {
     fn passed_on(&self, joint: &Joint<'g>) -> Self {
         let moved = match joint.displacement {
             Some(displacement) => self.inboard(displacement),
-            None => self.turn(joint.turn()).shift(joint.offset()),
+            None => self.turn(joint).shift(joint.offset()),
         };
         moved.inboard(joint.placement)
     }
 
-    /// In other axes.
-    fn turn(&self, rotation: Rotation<Term<'g>>) -> Self {
+    /// In the axes before the rotation of the joint.
+    fn turn(&self, joint: &Joint<'g>) -> Self {
+        let rotation = joint.turn();
         let about_z = (rotation.0[1][0], rotation.0[0][0]);
+        let rotated = |block: Symmetric<Term<'g>>| match joint.congruence {
+            Congruence::Sparing => block.rotate_about_z(about_z),
+            Congruence::Full => block.rotate_in_full_about_z(about_z),
+        };
         Self {
-            a: self.a.rotate_about_z(about_z),
+            a: rotated(self.a),
             b: rotation * self.b * rotation.transposed(),
-            m: self.m.rotate_about_z(about_z),
+            m: rotated(self.m),
         }
     }
 

@@ -13,6 +13,9 @@ use crate::error::Errors;
 /// Ratio to the sufficient error beyond which a form is given up after one layout.
 const FAR: f64 = 16.0;
 
+/// Quarters of the best cost beyond which a form is not tried in other layouts.
+const DEAR: usize = 5;
+
 /// The cheapest program that is accurate enough, or nearly as accurate as the best.
 ///
 /// # Errors
@@ -79,7 +82,15 @@ impl<'s> Trial<'s> {
 
     /// Measures a form in its cheapest layout, if it can still be the cheapest.
     fn measure(&mut self, form: Form) {
-        // A form that is far from accurate in one layout is not tried in others.
+        // A form that costs far more in the layout of the best one is not tried in others.
+        if let Some((least, before)) = &self.best {
+            let (layout, algorithm) = (before.layout, before.algorithm);
+            let (cost, _) = self.search.within(form, &[layout], &[algorithm]);
+            if cost > DEAR * least / 4 {
+                return;
+            }
+        }
+        // Nor is one that is far from accurate in one layout.
         if let Some(before) = self.tried.first() {
             let (layout, algorithm) = (before.found.layout, before.found.algorithm);
             let (_, first) = self.search.within(form, &[layout], &[algorithm]);
@@ -121,9 +132,13 @@ impl<'s> Trial<'s> {
     /// near singular configurations. A loss a few times larger matters less than an inverse that does not invert.
     fn nearly_as_good(mut self, least: f64) -> Found {
         let mut good = std::mem::take(&mut self.tried);
-        let solves = |error: MeasuredError| error.worst <= FAR * least && error.unsolved <= ENOUGH;
-        if good.iter().any(|tried| solves(tried.found.error)) {
-            good.retain(|tried| solves(tried.found.error));
+        let solves = |Tried { found, .. }: &Tried| {
+            found.error.worst <= FAR * least && self.measure.unsolved(&found.program) <= ENOUGH
+        };
+        let solving: Vec<bool> = good.iter().map(solves).collect();
+        if solving.contains(&true) {
+            let mut solving = solving.into_iter();
+            good.retain(|_| solving.next() == Some(true));
         }
         let worst = good.iter().map(|tried| tried.found.error.worst);
         let least = worst.fold(f64::INFINITY, f64::min);

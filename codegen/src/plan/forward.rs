@@ -83,8 +83,10 @@ pub(super) fn groups(
     // A mimic joint closes a loop, which the articulated-body algorithm does not cover.
     let open = formulation.frame == Frame::Link && chain.all_lead();
     let bodies = open.then_some(Form::sparing(Forward::Articulated));
-    if let Some(bodies) = bodies.filter(|_| chain.is_long()) {
-        return vec![vec![bodies]];
+    let full_bodies = open.then_some(Form::full(Forward::Articulated));
+    if open && chain.is_long() {
+        let each = bodies.into_iter().chain(full_bodies);
+        return each.map(|form| vec![form]).collect();
     }
     let first = match (chain.longest(), bodies) {
         (DEARER.., Some(bodies)) => vec![bodies],
@@ -93,7 +95,7 @@ pub(super) fn groups(
     };
     let full = full.filter(|_| first.contains(&plain));
     let left = bodies.filter(|bodies| !first.contains(bodies));
-    let left = full.into_iter().chain(left);
+    let left = full.into_iter().chain(left).chain(full_bodies);
     // Each column of an inverse has a residual of its own, which costs much more than articulated bodies.
     let groups = if functions.iter().any(|function| function.inverts()) {
         [first, left.collect(), vec![once], vec![twice]]
@@ -258,7 +260,7 @@ fn least_error(
             Layout::DESCRIBED,
             algorithm,
         );
-        least = least.least(measure.error(&program));
+        least = least.least(measure.error_within_limits(&program));
         if least.worst <= ENOUGH {
             break;
         }

@@ -1,23 +1,27 @@
 //! Measured errors of programs that solve for accelerations.
 //!
 //! In: a chain, functions, and programs that compute them one after the other. Out: the expected error in a type of
-//! numbers, in units of its roundoff. Each program is run at states of the robot's range and compared with a reference
-//! of a hundred bits. The result is no bound: in other states an error may be larger.
+//! numbers, in units of its roundoff. Each program is compared with a reference of a hundred bits, at states of the
+//! robot's range and beyond its limits, and uphill from the worst of them. The result is no bound: in other states an
+//! error may be larger.
+
+mod rounded;
+mod states;
 
 use super::program::expressions_by;
 use super::solvable::field;
 use crate::chain::Chain;
-use crate::expression::{Arithmetic, Double, Evaluation, Input};
+use crate::expression::{Double, Evaluation, Input};
 use crate::formulation::Forward;
 use crate::function::{Function, Given, Truth};
 use crate::layout::Layout;
-use crate::list::Id;
 use crate::model::Algorithm;
-use crate::quaternion::of_length_1;
-use crate::range::Range;
+use crate::random::Random;
 use crate::real::Real;
 use crate::schedule::{Program, run};
-use crate::space::{Arguments, FrameId, Variable};
+use crate::space::{Arguments, FrameId};
+use rounded::{Plain, Rounded, Single};
+use states::{Angles, States};
 
 /// The largest error allowed, relative to the largest result, in a thousand states \[u\].
 pub(super) const LIMIT: f64 = 100.0;
@@ -25,11 +29,11 @@ pub(super) const LIMIT: f64 = 100.0;
 /// The largest error that is accurate enough if it was estimated from a few states \[u\].
 pub(super) const ENOUGH: f64 = 0.8 * LIMIT;
 
-/// Number of states.
-const STATES: u32 = 64;
+/// Number of states within the limits, of states at any angles, and of states of each step uphill.
+const STATES: usize = 64;
 
 /// Number of states after which a program with an error below [`NOTHING`] is done.
-const FIRST: u32 = 16;
+const FIRST: usize = 16;
 
 /// A negligible error \[u\].
 const NOTHING: f64 = 3.0;
@@ -38,21 +42,29 @@ const NOTHING: f64 = 3.0;
 /// fifty robots, two to eight for most.
 const TAIL: f64 = 4.0;
 
-/// Share of the range for states near another state.
-const NEAR: f64 = 1e-3;
+/// Number of states that each step uphill begins with, and the share of the worst in a step: one in eight.
+const KEPT: usize = 8;
 
-/// Size of joint forces and torques \[N m or N\]: so small that most robots' accelerations come from the motion.
-const TORQUE: f64 = 4.0;
+/// Number of steps uphill. One in sixteen of the states at the start is kept, one in eight of each step: the worst kept
+/// state of the last step is one in a thousand.
+const STEPS: usize = 2;
+
+/// Number of operations beyond which a program does not go uphill, which would take seconds: the error at any angles is
+/// estimated as it is within the limits.
+const LONG: usize = 20_000;
 
 /// States of a chain, and the exact results of its functions there.
 pub(super) struct Measure<'c> {
     chain: &'c Chain,
     scalar: Real,
-    range: Range,
     solved: Vec<Solved>,
     /// The mass matrix, if an inverse of it is among the results.
     mass: Option<Evaluation<Double>>,
-    states: Vec<State>,
+    states: States<'c>,
+    /// The states within the limits that have been needed.
+    limited: Vec<State>,
+    /// The states at any angles that have been needed.
+    any: Vec<State>,
 }
 
 /// A function that solves an equation.
@@ -84,10 +96,12 @@ pub struct MeasuredError {
     /// Exceeded in at least an eighth of all states, to the same scale: a large value is a loss of the robot itself,
     /// not of a singular configuration that it passes through.
     pub eighth: f64,
-    /// Relative residual of M M⁻¹ − I at the worst state. Near a singular configuration all forms lose the same
-    /// digits of an inverse's largest entries, and yet one may invert and another not. Not measured if the results
-    /// are accurate enough.
-    pub unsolved: f64,
+    /// The largest error found, relative to the largest result of its function \[1\].
+    pub found: f64,
+    /// Number of random states; zero if nothing was measured.
+    pub random: usize,
+    /// Number of states uphill from the worst of them.
+    pub uphill: usize,
 }
 
 impl MeasuredError {
@@ -95,23 +109,43 @@ impl MeasuredError {
     pub(super) const NONE: Self = Self {
         worst: 0.0,
         eighth: 0.0,
-        unsolved: 0.0,
+        found: 0.0,
+        random: 0,
+        uphill: 0,
     };
 
     /// No correct digit.
     pub(super) const INFINITE: Self = Self {
         worst: f64::INFINITY,
         eighth: f64::INFINITY,
-        unsolved: f64::INFINITY,
+        found: f64::INFINITY,
+        random: 0,
+        uphill: 0,
     };
 
-    /// The better of two programs.
+    /// The better of two programs, in each respect.
     pub(super) const fn least(self, other: Self) -> Self {
         Self {
             worst: self.worst.min(other.worst),
             eighth: self.eighth.min(other.eighth),
-            unsolved: self.unsolved.min(other.unsolved),
+            ..self
         }
+    }
+}
+
+/// A program at a state.
+#[derive(Clone)]
+struct Tried {
+    arguments: Arguments<f64>,
+    /// The largest error, relative to the largest result and to the error allowed for the function \[u\].
+    error: f64,
+    /// The largest error, relative to the largest result \[1\].
+    relative: f64,
+}
+
+impl Tried {
+    fn worst_first(&self, other: &Self) -> std::cmp::Ordering {
+        other.error.total_cmp(&self.error)
     }
 }
 
@@ -167,53 +201,124 @@ impl<'c> Measure<'c> {
         Self {
             chain,
             scalar,
-            range: Range::of(chain),
             solved,
             mass: inverts.then(|| exactly(Function::MassMatrix)),
-            states: Vec::new(),
+            states: States::of(chain, scalar),
+            limited: Vec::new(),
+            any: Vec::new(),
         }
     }
 
     /// The error in the worst of a thousand states, estimated from a few, relative to the largest result, in units of
-    /// the type's roundoff. Infinite if a result is NaN.
+    /// the type's roundoff: within the limits and, if it is small there, at any angles. Infinite if a result is NaN.
     pub(super) fn error(&mut self, program: &Program) -> MeasuredError {
-        let scalar = self.scalar;
-        let mut errors: Vec<f64> = Vec::new();
-        let mut results = Vec::new();
-        for number in 0..STATES {
-            if number == FIRST && errors.iter().all(|&error| error <= NOTHING) {
-                break;
+        let mut any = self.tried(program, Angles::Any, 0..FIRST);
+        let is_negligible = any.iter().all(|tried| tried.error <= NOTHING);
+        let (mut error, mut tried) = self.limited(program, is_negligible);
+        if error.worst <= ENOUGH && tried.len() == STATES {
+            any.extend(self.tried(program, Angles::Any, FIRST..STATES));
+            if program.steps.len() > LONG {
+                error.worst = error.worst.max(estimated(&mut any));
             }
-            // States are made when they are first needed.
-            if errors.len() == self.states.len() {
-                let state = self.state(number);
-                self.states.push(state);
-            }
-            let state = &self.states[errors.len()];
-            let found = match scalar {
-                Real::F32 => self.found::<Single>(program, state),
-                Real::F64 | Real::Generic => self.found::<Plain>(program, state),
-            };
-            errors.push(self.error_of(&found, state) / scalar.roundoff());
-            results.push(found);
         }
-        errors.sort_by(f64::total_cmp);
-        let worst = &errors[errors.len() - errors.len() / 8..];
-        let mut error = MeasuredError {
-            worst: TAIL * worst.iter().sum::<f64>() / worst.iter().map(|_| 1.0).sum::<f64>(),
-            eighth: TAIL * worst[0],
-            unsolved: 0.0,
-        };
-        if error.worst > ENOUGH {
-            let states = results.iter().zip(&self.states);
-            let unsolved = states.map(|(found, state)| self.unsolved(found, state));
-            error.unsolved = largest(unsolved) / scalar.roundoff();
+        error.random = tried.len() + any.len();
+        tried.append(&mut any);
+        if error.random == 2 * STATES && error.worst <= ENOUGH && program.steps.len() <= LONG {
+            error.uphill = self.go_uphill(program, &mut tried);
+            error.worst = error.worst.max(ENOUGH / LIMIT * tried[KEPT - 1].error);
         }
+        error.found = largest(tried.iter().map(|tried| tried.relative));
         error
     }
 
-    fn state(&self, number: u32) -> State {
-        let arguments = arguments(self.chain, &self.range, number, self.scalar);
+    /// The same within the limits alone.
+    pub(super) fn error_within_limits(&mut self, program: &Program) -> MeasuredError {
+        self.limited(program, true).0
+    }
+
+    /// The same, with the program at each state, worst first; at a few if its errors there are negligible, and it may
+    /// stop at them.
+    fn limited(&mut self, program: &Program, may_stop: bool) -> (MeasuredError, Vec<Tried>) {
+        let mut tried = self.tried(program, Angles::Limited, 0..FIRST);
+        if !(may_stop && tried.iter().all(|tried| tried.error <= NOTHING)) {
+            tried.extend(self.tried(program, Angles::Limited, FIRST..STATES));
+        }
+        let error = MeasuredError {
+            worst: estimated(&mut tried),
+            eighth: TAIL * tried[tried.len() / KEPT - 1].error,
+            ..MeasuredError::NONE
+        };
+        (error, tried)
+    }
+
+    /// Relative residual of M M⁻¹ − I at the worst of the states within the limits \[u\]. Near a singular configuration
+    /// all forms lose the same digits of an inverse's largest entries, and yet one may invert and another not.
+    pub(super) fn unsolved(&self, program: &Program) -> f64 {
+        let inverts = self.mass.is_some();
+        let states = self.limited.iter().filter(|_| inverts);
+        let unsolved = states.map(|state| self.residual(&self.found(program, state), state));
+        largest(unsolved) / self.scalar.roundoff()
+    }
+
+    /// Replaces states by the worst of them and states uphill: near them, with errors at least as large as theirs, and
+    /// again from the worst of these. The worst are first. Returns the number of states that were tried.
+    ///
+    /// S.-K. Au, J. L. Beck, *Estimation of small failure probabilities in high dimensions by subset simulation*,
+    /// Probabilistic Engineering Mechanics 16, 2001.
+    fn go_uphill(&self, program: &Program, tried: &mut Vec<Tried>) -> usize {
+        let mut random = Random(0);
+        let mut count = 0;
+        for _ in 0..STEPS {
+            tried.sort_by(Tried::worst_first);
+            tried.truncate(KEPT);
+            let least = tried[KEPT - 1].error;
+            if least > LIMIT {
+                break;
+            }
+            for kept in 0..KEPT {
+                let mut last = tried[kept].clone();
+                for _ in 1..STATES / KEPT {
+                    let near = self.exactly(self.states.near(&last.arguments, &mut random));
+                    let near = self.at(program, &near);
+                    count += 1;
+                    if near.error >= least {
+                        last = near;
+                    }
+                    tried.push(last.clone());
+                }
+            }
+        }
+        tried.sort_by(Tried::worst_first);
+        count
+    }
+
+    /// A program at states of some numbers, which are made when they are first needed.
+    fn tried(
+        &mut self,
+        program: &Program,
+        angles: Angles,
+        numbers: std::ops::Range<usize>,
+    ) -> Vec<Tried> {
+        let of = |measure: &Self| match angles {
+            Angles::Limited => measure.limited.len(),
+            Angles::Any => measure.any.len(),
+        };
+        for number in of(self)..numbers.end {
+            let state = self.exactly(self.states.numbered(number, angles));
+            match angles {
+                Angles::Limited => self.limited.push(state),
+                Angles::Any => self.any.push(state),
+            }
+        }
+        let states = match angles {
+            Angles::Limited => &self.limited[numbers],
+            Angles::Any => &self.any[numbers],
+        };
+        states.iter().map(|state| self.at(program, state)).collect()
+    }
+
+    /// A state with the exact results.
+    fn exactly(&self, arguments: Arguments<f64>) -> State {
         let input = |input| Double::from(at(&arguments, self.chain, input));
         let exact = self.solved.iter().map(|solved| solved.exactly.at(input));
         State {
@@ -223,33 +328,47 @@ impl<'c> Measure<'c> {
         }
     }
 
+    /// A program at a state.
+    fn at(&self, program: &Program, state: &State) -> Tried {
+        let found = self.found(program, state);
+        let (mut error, mut relative) = (0.0_f64, 0.0_f64);
+        for (solved, exact) in self.solved.iter().zip(&state.exact) {
+            let size = largest(exact.iter().map(|exact| exact.to_f64()));
+            let errors = found[solved.place.clone()].iter().zip(exact);
+            let errors = errors.map(|(&found, exact)| (Double::from(found) - *exact).to_f64());
+            let off = match (size, largest(errors)) {
+                // The exact result is infinite.
+                (f64::INFINITY, _) => f64::INFINITY,
+                // All exact results may be zero.
+                (_, 0.0) => 0.0,
+                (size, off) => off / size,
+            };
+            error = error.max(off / solved.allowed / self.scalar.roundoff());
+            relative = relative.max(off);
+        }
+        Tried {
+            arguments: state.arguments.clone(),
+            error,
+            relative,
+        }
+    }
+
     /// The results of a program in a state.
-    fn found<T: Rounded>(&self, program: &Program, state: &State) -> Vec<f64> {
+    fn found(&self, program: &Program, state: &State) -> Vec<f64> {
+        match self.scalar {
+            Real::F32 => self.rounded::<Single>(program, state),
+            Real::F64 | Real::Generic => self.rounded::<Plain>(program, state),
+        }
+    }
+
+    fn rounded<T: Rounded>(&self, program: &Program, state: &State) -> Vec<f64> {
         let at = |input| T::literal(at(&state.arguments, self.chain, input));
         let found = run::<T>(program, at);
         found.iter().map(Rounded::to_f64).collect()
     }
 
-    /// The largest error relative to the largest result, over the functions.
-    fn error_of(&self, found: &[f64], state: &State) -> f64 {
-        let functions = self.solved.iter().zip(&state.exact);
-        functions.fold(0.0, |worst, (solved, exact)| {
-            let size = largest(exact.iter().map(|exact| exact.to_f64()));
-            let errors = found[solved.place.clone()].iter().zip(exact);
-            let errors = errors.map(|(&found, exact)| (Double::from(found) - *exact).to_f64());
-            let error = largest(errors);
-            worst.max(match size {
-                // The exact result is infinite.
-                f64::INFINITY => f64::INFINITY,
-                // All exact results may be zero.
-                _ if error == 0.0 => 0.0,
-                _ => error / size / solved.allowed,
-            })
-        })
-    }
-
     /// The largest entry of M M⁻¹ − I, relative to the terms of its sum, in units that make all Mᵢᵢ = 1.
-    fn unsolved(&self, found: &[f64], state: &State) -> f64 {
+    fn residual(&self, found: &[f64], state: &State) -> f64 {
         let count = self.chain.spaces().velocities.len();
         let units: Vec<f64> = (state.mass.iter().step_by(count + 1))
             .map(|entry| entry.to_f64().max(0.0).sqrt())
@@ -281,57 +400,19 @@ impl<'c> Measure<'c> {
     }
 }
 
-/// The arguments of all functions, exact in the type of numbers, from a sequence that fills the range evenly:
-/// multiples of the golden ratio and of roots. Every eighth state is near the configuration of the description, in
-/// which axes and links are in line.
-fn arguments(chain: &Chain, range: &Range, number: u32, scalar: Real) -> Arguments<f64> {
-    let is_near = number % 8 == 7;
-    let near = |&[lower, upper]: &[f64; 2]| {
-        let zero = 0.0_f64.clamp(lower, upper);
-        [lower, upper].map(|end| zero + NEAR * (end - zero))
-    };
-    let q = range.turns_with_digits();
-    let q: Vec<[f64; 2]> = if is_near {
-        q.iter().map(near).collect()
-    } else {
-        q
-    };
-    let step = f64::from(number + 1);
-    let mut entry = 0.0_f64;
-    let mut next = |[lower, upper]: [f64; 2]| {
-        entry += 1.0;
-        let share = 0.5 + step * 0.618_033_988_749_895 * entry.sqrt();
-        Real::F32.rounded(lower + (upper - lower) * share.fract())
-    };
-    let mut all = |ranges: &[[f64; 2]]| ranges.iter().map(|&ends| next(ends)).collect();
-    let spaces = chain.spaces();
-    let mut arguments = Arguments::of(|variable| match variable {
-        Variable::Q => all(&q),
-        // No function that solves an equation reads accelerations; another one beside it may.
-        Variable::Qdd => vec![1.0; spaces.len(variable.space())],
-        Variable::Tau | Variable::Actions => {
-            all(&vec![[-TORQUE, TORQUE]; spaces.len(variable.space())])
-        }
-        _ => all(&range.arguments[variable]),
-    });
-    for first in spaces.quaternions() {
-        let entries = arguments[Variable::Q][first.index()..].first_chunk_mut();
-        let entries: &mut [f64; 4] = entries.expect("a quaternion has four entries");
-        // x, y, z, w: no rotation if all but w are zero.
-        let small = if is_near { 0 } else { number % 4 };
-        if is_near {
-            entries[3] = 1.0;
-        }
-        *entries = of_length_1(*entries, small as usize, scalar);
-    }
-    arguments
-}
-
 fn at(arguments: &Arguments<f64>, chain: &Chain, input: Input) -> f64 {
     match input {
         Input::Variable(variable, k) => arguments[variable][usize::from(k)],
         Input::Parameter(..) => Real::F32.rounded(field(chain, input)),
     }
+}
+
+/// The error in the worst of a thousand states, from a few, which it sorts worst first.
+fn estimated(tried: &mut [Tried]) -> f64 {
+    tried.sort_by(Tried::worst_first);
+    let worst = tried[..tried.len() / KEPT].iter();
+    let count: f64 = worst.clone().map(|_| 1.0).sum();
+    TAIL * worst.map(|tried| tried.error).sum::<f64>() / count
 }
 
 /// The largest magnitude; infinite if one is NaN.
@@ -344,88 +425,3 @@ fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
         }
     })
 }
-
-/// A type of numbers that gives the same bits on every platform.
-trait Rounded: Arithmetic {
-    fn to_f64(&self) -> f64;
-}
-
-/// Double precision, with correctly rounded sines.
-#[derive(Clone, Copy)]
-struct Plain(f64);
-
-/// Single precision, with correctly rounded sines.
-#[derive(Clone, Copy)]
-struct Single(f32);
-
-macro_rules! implement {
-    ($type:ident) => {
-        impl std::ops::Add for $type {
-            type Output = Self;
-
-            fn add(self, other: Self) -> Self {
-                Self(self.0 + other.0)
-            }
-        }
-
-        impl std::ops::Sub for $type {
-            type Output = Self;
-
-            fn sub(self, other: Self) -> Self {
-                Self(self.0 - other.0)
-            }
-        }
-
-        impl std::ops::Mul for $type {
-            type Output = Self;
-
-            fn mul(self, other: Self) -> Self {
-                Self(self.0 * other.0)
-            }
-        }
-
-        impl std::ops::Div for $type {
-            type Output = Self;
-
-            fn div(self, other: Self) -> Self {
-                Self(self.0 / other.0)
-            }
-        }
-
-        impl std::ops::Neg for $type {
-            type Output = Self;
-
-            fn neg(self) -> Self {
-                Self(-self.0)
-            }
-        }
-
-        impl Arithmetic for $type {
-            fn literal(value: f64) -> Self {
-                Self(Arithmetic::literal(value))
-            }
-
-            fn sqrt(self) -> Self {
-                Self(self.0.sqrt())
-            }
-
-            fn sign(self) -> Self {
-                Self(Arithmetic::sign(self.0))
-            }
-
-            fn sin_cos(self) -> (Self, Self) {
-                let (sine, cosine) = Double::from(self.to_f64()).sin_cos();
-                (Self::literal(sine.to_f64()), Self::literal(cosine.to_f64()))
-            }
-        }
-
-        impl Rounded for $type {
-            fn to_f64(&self) -> f64 {
-                self.0.into()
-            }
-        }
-    };
-}
-
-implement!(Plain);
-implement!(Single);

@@ -70,13 +70,14 @@ impl<'a> Search<'a> {
         self.within(form, &self.layouts, &self.algorithms)
     }
 
-    /// The cheapest program of each layout, the cheapest layout first.
+    /// The cheapest program of each layout, the cheapest layout first; once, if layouts give the same program.
     pub(super) fn by_cost(&self, form: Form) -> Vec<(usize, Found)> {
         let layouts = self.layouts.chunks(1);
         let mut found: Vec<_> = layouts
             .map(|layout| self.within(form, layout, &self.algorithms))
             .collect();
         found.sort_by_key(|(cost, _)| *cost);
+        found.dedup_by(|(_, one), (_, other)| one.program == other.program);
         found
     }
 

@@ -77,6 +77,7 @@ pub(super) fn of_function(
     lines.extend(split(module, generated));
     lines
         .extend(once.map(|once| format!("Computed once by `prepare`, for all functions: {once}.")));
+    lines.extend(generated.found.iter().map(error::found));
     for accuracy in &generated.accuracy {
         let bounds = error::lines(accuracy);
         // A list is a paragraph of its own.
@@ -303,11 +304,16 @@ pub(super) fn head(module: &Module, asked: &str) -> Vec<String> {
 /// Cost and error bounds of a function, for the head of a file.
 pub(super) fn operation_count(generated: &GeneratedFunction, name: &str) -> Vec<String> {
     let mut lines = vec![format!("{name}: {}.", generated.operation_count)];
+    let found = generated.found.iter().map(error::found);
     let bounds = generated.accuracy.iter().flat_map(error::lines);
-    lines.extend(bounds.map(|line| match line.strip_prefix("Error") {
-        Some(rest) => format!("    error{rest}"),
-        None => format!("    {line}"),
-    }));
+    lines.extend(
+        found
+            .chain(bounds)
+            .map(|line| match line.strip_prefix("Error") {
+                Some(rest) => format!("    error{rest}"),
+                None => format!("    {line}"),
+            }),
+    );
     lines
 }
 

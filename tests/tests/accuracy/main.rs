@@ -3,6 +3,7 @@
 mod bound_attacks;
 mod bound_climbs;
 mod bounds_of_trees;
+mod chosen;
 mod enclosures;
 mod error_bound;
 mod exact_reading;

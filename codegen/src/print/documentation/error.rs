@@ -4,6 +4,7 @@
 //! of joints, the largest bound first. Printed numbers are rounded upwards.
 
 use crate::accuracy::{Accuracy, Bound, ErrorBounds, Perturbed};
+use crate::module::FoundError;
 use crate::wording::code;
 
 /// Maximum number of groups of joints.
@@ -189,6 +190,20 @@ fn names(places: &[Option<usize>], error_bounds: &ErrorBounds) -> String {
         rest = &rest[row..];
     }
     words.join(", ")
+}
+
+/// Line about the largest error found.
+pub fn found(found: &FoundError) -> String {
+    let uphill = match found.uphill {
+        0 => String::new(),
+        more => format!(" and {more} uphill from the worst"),
+    };
+    format!(
+        "Error found: {} of the largest result in {}, in {} random states{uphill}.",
+        upwards(found.relative),
+        found.scalar.name(),
+        found.random,
+    )
 }
 
 /// `3.4e-14 N m in f64, 1.8e-5 N m in f32`.

@@ -83,6 +83,7 @@ pub(crate) fn generated(functions: &[Function], program: Program) -> GeneratedFu
             range: "q within its limits".to_owned(),
             lacks: None,
         })],
+        found: None,
     }
 }
 

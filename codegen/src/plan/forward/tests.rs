@@ -15,7 +15,7 @@ use crate::expression::{Double, Input};
 use crate::formulation::{Formulation, Forward, Frame};
 use crate::function::Function::{self, ForwardDynamics, MassMatrixInverse};
 use crate::layout::Layout;
-use crate::model::Algorithm;
+use crate::model::{Algorithm, Congruence};
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Parameter, Request, Target};
@@ -169,6 +169,45 @@ fn a_form_is_given_up_only_if_it_loses_digits_in_every_layout() {
     assert!(lightest.1 > ENOUGH, "{lightest:?}");
     assert_eq!(chosen.0, Forward::Articulated);
     assert!(chosen.1 <= ENOUGH, "{chosen:?}");
+}
+
+/// A torso on a waist of three joints in light links, whose first and last axes are in line at a right angle of the
+/// second, beyond its limits. A rotation with four products loses the inertia of the light links there.
+#[test]
+fn a_form_that_loses_digits_beyond_the_limits_is_given_up() {
+    let text = "struct Waist {} link pelvis;
+        joint yaw: revolute(z) { at: xyz(0, 0, 0.1), limits: [-2.6, 2.6] }
+        link ring { mass: 0.3, com: [0.01, -0.005, 0.02], inertia: [9e-5, 12e-5, 6e-5] }
+        joint roll: revolute(x) { limits: [-0.5, 0.5] }
+        link cross { mass: 0.3, com: [0.01, -0.005, 0.02], inertia: [9e-5, 12e-5, 6e-5] }
+        joint pitch: revolute(y) { limits: [-0.5, 0.5] }
+        link torso { mass: 8, com: [0.01, 0, 0.18], inertia: [0.1, 0.08, 0.03] }";
+    let chain = chain::tests::fine(text);
+    let mut measure = Measure::of(&chain, &[ForwardDynamics], 1.0, Real::F64);
+    let mut errors = |congruence| {
+        let algorithm = Algorithm {
+            forward: Forward::Articulated,
+            congruence,
+            ..Algorithm::PLAIN
+        };
+        let functions = [ForwardDynamics];
+        let program = program_by(
+            &chain,
+            &functions,
+            FrameId::FIRST,
+            Layout::DESCRIBED,
+            algorithm,
+        );
+        let within = measure.error_within_limits(&program).worst;
+        (within, measure.error(&program))
+    };
+    let (within, sparing) = errors(Congruence::Sparing);
+    assert!(
+        within <= ENOUGH && sparing.worst > ENOUGH,
+        "{within}, {sparing:?}"
+    );
+    let (_, full) = errors(Congruence::Full);
+    assert!(full.worst <= ENOUGH, "{full:?}");
 }
 
 #[test]

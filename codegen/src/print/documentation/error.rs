@@ -240,8 +240,10 @@ fn upwards(size: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{lines, upwards};
+    use super::{found, lines, upwards};
     use crate::accuracy::{Accuracy, Bound, ErrorBounds, Perturbed};
+    use crate::module::FoundError;
+    use crate::real::Real;
 
     #[test]
     fn two_digits_are_never_less_than_the_number() {
@@ -327,6 +329,29 @@ mod tests {
         let found = lines(&Accuracy::Within(error_bounds(many.collect())));
         assert!(found.len() <= 5, "{found:#?}");
         assert!(found[1].contains("`j0` to `j"), "{found:#?}");
+    }
+
+    #[test]
+    fn the_error_found_states_its_states() {
+        let random = FoundError {
+            scalar: Real::F32,
+            relative: 1.31e-6,
+            random: 32,
+            uphill: 0,
+        };
+        assert_eq!(
+            found(&random),
+            "Error found: 1.4e-6 of the largest result in f32, in 32 random states."
+        );
+        let uphill = FoundError {
+            scalar: Real::F64,
+            uphill: 112,
+            ..random
+        };
+        assert_eq!(
+            found(&uphill),
+            "Error found: 1.4e-6 of the largest result in f64, in 32 random states and 112 uphill from the worst."
+        );
     }
 
     #[test]

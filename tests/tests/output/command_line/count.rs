@@ -15,12 +15,19 @@ fn gives_every_price_by_name() {
         .filter(|function| !function.of_a_frame());
     let whole: Vec<&str> = whole.map(Function::name).collect();
     assert_eq!(keys(&counted["functions"]), whole);
-    for operation_count in functions.values() {
-        let wanted = [
+    for (name, operation_count) in functions {
+        let mut wanted = vec![
             "mul", "add", "div", "sqrt", "sin", "cos", "neg", "fused", "depth", "literals",
             "naive", "errors",
         ];
+        // The largest error found, by which the algorithm was chosen.
+        let solves = Function::ALL
+            .into_iter()
+            .any(|function| function.solves() && function.name() == name);
+        wanted.extend(solves.then_some("found"));
         assert_eq!(keys(operation_count), wanted);
+        let found = operation_count["found"]["f64"].as_f64();
+        assert!(found.is_none_or(|found| (0.0..1e-13).contains(&found)));
     }
     let errors = |name: &str| &functions[name]["errors"][0];
     let error = errors("gravity")["f64"]["N m"].as_f64();
@@ -80,6 +87,8 @@ fn in_words_it_is_a_table() {
     );
 
     let all = homogen("count -", ARM);
+    let head = all.output.lines().next().expect("a head");
+    assert!(head.ends_with("naive add  error found"), "{head}");
     assert!(
         all.remarks
             .contains("note: left out: forward_kinematics, spatial_jacobian"),

@@ -1,7 +1,7 @@
 //! Choice of the processor's instructions when the program runs.
 //!
 //! In: [`Work`], which is generic over the rounding of its products. Out: its result, computed with AVX-512 or with
-//! AVX2 and FMA if the processor has them, with products fused with sums then.
+//! AVX2 and FMA if the processor has them, with products fused with sums then; in debug builds never with AVX-512.
 //!
 //! Only x86 with the feature `std` chooses; where the target itself has fused products, nothing is left to choose.
 
@@ -79,7 +79,9 @@ mod here {
 mod x86 {
     use core::marker::PhantomData;
     use pulp::NullaryFnOnce;
-    use pulp::x86::{V3, V4};
+    use pulp::x86::V3;
+    #[cfg(any(test, not(debug_assertions)))]
+    use pulp::x86::V4;
 
     use super::Work;
     use crate::scalar::rounding::{Fused, OfTarget};
@@ -103,9 +105,12 @@ mod x86 {
     /// Does the work by the instructions of this processor.
     #[inline]
     pub(in crate::scalar) fn at_hand<T, W: Work<T>>(work: W) -> W::Output {
+        // AVX2 gives the same bits: a debug build, in which speed does not count, compiles each function once less.
+        #[cfg(not(debug_assertions))]
         if let Some(processor) = V4::try_new() {
-            processor.vectorize(Fusing(work, PhantomData))
-        } else if let Some(processor) = V3::try_new() {
+            return processor.vectorize(Fusing(work, PhantomData));
+        }
+        if let Some(processor) = V3::try_new() {
             processor.vectorize(Fusing(work, PhantomData))
         } else {
             of_target(work)

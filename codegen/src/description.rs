@@ -22,6 +22,7 @@ mod number;
 mod position;
 mod robot;
 mod settings;
+pub(crate) mod spatial;
 mod tokens;
 mod unmodelled;
 pub mod urdf;
@@ -33,7 +34,8 @@ mod xml;
 pub use self::file::{expand_file, is_utf_16, read_bytes, read_file, read_file_with, read_text};
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,
+    Axis, Description, FileFormat, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic,
+    Source, Step,
 };
 pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};

@@ -21,7 +21,7 @@ use super::fingerprint::fingerprint;
 use super::position::Positions;
 use super::xml::element::Reader;
 use super::xml::{self, plain, survey};
-use super::{Description, Name, Source, Unmodelled, names};
+use super::{Description, FileFormat, Name, Source, Unmodelled, names};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::quoted;
 
@@ -61,6 +61,7 @@ pub fn read(
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
     let source = Source {
         file: Some(file.to_owned()),
+        format: Some(FileFormat::Urdf),
         anchor,
         hash: fingerprint(text.as_bytes()),
         ..Source::default()

@@ -70,17 +70,17 @@ const ALLOWED: [(&str, &str, &str); 30] = [
         "chooses a formula",
     ),
     (
-        "description/mjcf/spatial.rs",
+        "description/spatial.rs",
         ".sign().to_f64()",
         "chooses a formula",
     ),
     (
-        "description/mjcf/spatial.rs",
+        "description/spatial.rs",
         "h.to_f64() < 0.0",
         "chooses a root",
     ),
     (
-        "description/mjcf/spatial.rs",
+        "description/spatial.rs",
         "d[i][j].to_f64()",
         "decides when to stop",
     ),

@@ -20,7 +20,7 @@ Example:
 
 Missing parts are warnings; what would move differently is an error, and nothing is written.")]
 pub(super) struct Convert {
-    /// A URDF, xacro or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
+    /// A URDF, xacro, MJCF or SDF file, or a Denavit–Hartenberg table; `-` reads standard input
     file: PathBuf,
     #[command(flatten)]
     given: Asked<SOURCE>,

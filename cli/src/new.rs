@@ -14,7 +14,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use super::options::{Asked, mistake};
 use super::{Answer, Outcome, functions};
 use homogen_codegen::builder::Builder;
-use homogen_codegen::description::{Name, mjcf};
+use homogen_codegen::description::{Name, mjcf, sdf};
 use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::Module;
@@ -43,7 +43,7 @@ Example:
   homogen new firmware arm.urdf --homogen ../homogen -o arm-firmware
   cd arm-firmware && cargo run --release")]
 struct Firmware {
-    /// A URDF or MJCF file, or a Denavit–Hartenberg table
+    /// A URDF, xacro, MJCF or SDF file, or a Denavit–Hartenberg table
     file: PathBuf,
     #[command(flatten)]
     scope: Asked<SCOPE>,
@@ -146,8 +146,10 @@ impl Firmware {
         let is_table = self.file.extension().is_some_and(|ending| ending == "dh");
         if is_table {
             "robot.dh"
-        } else if is_mjcf(text) {
+        } else if is_of(text, mjcf::is_mjcf) {
             "robot.xml"
+        } else if is_of(text, sdf::is_sdf) {
+            "robot.sdf"
         } else {
             "robot.urdf"
         }
@@ -190,6 +192,7 @@ impl Firmware {
         let format = match description {
             "robot.dh" => "denavit_hartenberg",
             "robot.xml" => "mjcf",
+            "robot.sdf" => "sdf",
             _ => "urdf",
         };
         Ok([
@@ -278,9 +281,9 @@ fn package(robot: &str) -> String {
     }
 }
 
-/// True if the bytes of a file are MJCF.
-fn is_mjcf(text: &[u8]) -> bool {
-    std::str::from_utf8(text).is_ok_and(mjcf::is_mjcf)
+/// True if the bytes of a file are a text of a format.
+fn is_of(text: &[u8], is_format: fn(&str) -> bool) -> bool {
+    std::str::from_utf8(text).is_ok_and(is_format)
 }
 
 #[cfg(test)]

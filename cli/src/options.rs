@@ -109,7 +109,7 @@ impl<const GROUPS: u8> FromArgMatches for Asked<GROUPS> {
 /// The robot, and the part of it.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
-    /// A URDF, xacro or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
+    /// A URDF, xacro, MJCF or SDF file, or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
     #[command(flatten)]
     pub(super) asked: Asked<{ SOURCE | SCOPE | ROBOT }>,

@@ -9,7 +9,6 @@ mod actuators;
 mod elementary;
 mod markup;
 mod mjcf;
-mod names;
 mod numbers;
 
 mod placement;

@@ -1,6 +1,6 @@
 //! Descriptions of robots as the user wrote them, before anything is derived.
 //!
-//! In: a URDF, xacro or MJCF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
+//! In: a URDF, xacro, MJCF or SDF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only
 //! what can be seen in one item alone; what takes two items belongs to the chain stage.
 
@@ -12,6 +12,7 @@ mod constant;
 pub mod denavit_hartenberg;
 mod file;
 pub(crate) mod fingerprint;
+pub(crate) mod fresh;
 pub mod inline;
 mod item;
 mod kind;
@@ -21,6 +22,7 @@ mod names;
 mod number;
 mod position;
 mod robot;
+pub mod sdf;
 mod settings;
 pub(crate) mod spatial;
 mod tokens;

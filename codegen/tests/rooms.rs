@@ -102,6 +102,7 @@ const FOLDERS: [(&str, &[&str]); 36] = [
         "convert",
         &[
             "wording",
+            "list",
             "error",
             "expression",
             "number",

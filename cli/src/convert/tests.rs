@@ -241,7 +241,7 @@ fn robots_that_ship_are_the_same_in_both_formats() {
         .map(|entry| entry.expect("an entry").path())
         .filter(|path| {
             let ending = path.extension().and_then(|ending| ending.to_str());
-            ending.is_some_and(|ending| ["urdf", "xml", "dh", "xacro"].contains(&ending))
+            ending.is_some_and(|ending| ["urdf", "xml", "sdf", "dh", "xacro"].contains(&ending))
         })
         .collect();
     files.sort();

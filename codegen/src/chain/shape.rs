@@ -127,6 +127,7 @@ pub fn find_base(
 ///
 /// # Errors
 /// Names that occur twice or do not exist, several roots, and cycles.
+#[cfg(feature = "files")]
 pub(crate) fn whole(description: &Description) -> Result<(LinkId, Vec<Branch>), Errors> {
     let mut errors = description.source.errors();
     let names = description.links.iter().map(|link| &link.name);

@@ -12,10 +12,10 @@ use std::collections::HashMap;
 
 use super::Converted;
 use super::markup::Markup;
-use super::names::FreshNames;
 use super::numbers::texts;
 use crate::chain::shape;
 use crate::chain::tree::Branch;
+use crate::description::fresh::FreshNames;
 use crate::description::{Description, JointId, LinkId, Step};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::list::Id;
@@ -36,8 +36,8 @@ struct Mjcf<'d> {
     root: LinkId,
     /// The joints below each link, in the order of the description.
     below: HashMap<LinkId, Vec<Branch>>,
-    bodies: FreshNames<'d>,
-    joints: FreshNames<'d>,
+    bodies: FreshNames,
+    joints: FreshNames,
     /// The frames of loops on each link, by link name.
     sites: HashMap<&'d str, Vec<Site<'d>>>,
     /// The constraints, each with its attributes.

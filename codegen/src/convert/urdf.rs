@@ -5,12 +5,12 @@
 
 use super::elementary::{Elementary, ElementaryMotion, elementary};
 use super::markup::{Attribute, Markup};
-use super::names::FreshNames;
 use super::numbers::{plain, text, texts};
 use super::placement::placed;
 use super::{Converted, actuators};
 use crate::chain::shape;
 use crate::closure::Closure;
+use crate::description::fresh::FreshNames;
 use crate::description::{Description, Inertial, Joint, Loop, Step};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::joint::Manifold;
@@ -20,8 +20,8 @@ use crate::wording::{list, quoted};
 /// State of the writer.
 struct Urdf<'d> {
     markup: Markup,
-    links: FreshNames<'d>,
-    joints: FreshNames<'d>,
+    links: FreshNames,
+    joints: FreshNames,
     errors: Errors,
     warnings: Vec<Diagnostic>,
     /// Joints of types that few readers know.

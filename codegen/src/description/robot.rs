@@ -88,6 +88,8 @@ pub enum FileFormat {
     Xacro,
     /// The format of MuJoCo.
     Mjcf,
+    /// The format of Gazebo and Drake.
+    Sdf,
     /// A table of Denavit and Hartenberg.
     Table,
 }
@@ -100,6 +102,7 @@ impl FileFormat {
             Self::Urdf => "URDF",
             Self::Xacro => "xacro",
             Self::Mjcf => "MJCF",
+            Self::Sdf => "SDF",
             Self::Table => "Denavit–Hartenberg table",
         }
     }

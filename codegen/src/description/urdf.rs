@@ -129,7 +129,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         let [what, hint] = match tag {
             "sdf" | "world" => [
                 "this is SDF, not URDF",
-                "read the URDF that it was made from, or convert it and look at the output of `homogen check`",
+                "read it as SDF: #[robot(sdf = \"…\")], Builder::from_sdf, or the command line",
             ],
             "mujoco" | "mujocoinclude" => [
                 "this is MJCF, not URDF",

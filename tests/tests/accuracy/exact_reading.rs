@@ -23,7 +23,7 @@ const BASE_PARAMETERS: &str = "chain/base_parameters";
 const XACRO: &str = "description/xacro/expression";
 
 /// File, part of a line, reason why it is allowed.
-const ALLOWED: [(&str, &str, &str); 30] = [
+const ALLOWED: [(&str, &str, &str); 31] = [
     ("chain/angle.rs", ".value", "decides what digits mean"),
     (
         "chain/merge/reader.rs",
@@ -68,6 +68,11 @@ const ALLOWED: [(&str, &str, &str); 30] = [
         "description/mjcf/orientation.rs",
         ".sign().to_f64()",
         "chooses a formula",
+    ),
+    (
+        "description/sdf/gearbox.rs",
+        ".sign().to_f64()",
+        "decides which way a hinge turns",
     ),
     (
         "description/spatial.rs",

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::options::{Asked, Format, Robot};
 use super::{Answer, Outcome, json, options};
 use homogen_codegen::chain::{BodyId, Chain, Report};
-use homogen_codegen::description::Joint;
+use homogen_codegen::description::{FileFormat, Joint};
 use homogen_codegen::expand;
 use homogen_codegen::list::Id;
 use homogen_codegen::request::setting::FRAMES;
@@ -124,6 +124,7 @@ pub(super) fn in_json(chain: &Chain) -> Value {
     let mut answer = json!({
         "robot": description.name.text,
         "file": description.source.file,
+        "format": description.source.format.map(FileFormat::name),
         "base": report.base,
         "tip": tip(chain),
         "joints": report.joints,
@@ -266,6 +267,9 @@ fn in_text(chain: &Chain) -> String {
         None => String::new(),
     };
     line(format!("robot {}{from}", description.name.text));
+    if let Some(format) = description.source.format {
+        line(format!("format {}", format.name()));
+    }
     line(format!("base {}", report.base));
     match tip(chain) {
         Some(tip) => line(format!("tip {tip}")),

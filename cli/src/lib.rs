@@ -7,6 +7,7 @@ mod base_parameters;
 mod check;
 mod colour;
 mod completions;
+mod convert;
 mod count;
 mod eval;
 mod expand;
@@ -91,6 +92,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
     let outcome = match &program.command {
         Command::Check(check) => check.run(input),
         Command::Inspect(inspect) => inspect.run(input),
+        Command::Convert(convert) => convert.run(input),
         Command::Count(count) => count.run(input),
         Command::Eval(eval) => eval.run(input),
         Command::Expand(expand) => expand.run(input),
@@ -121,6 +123,7 @@ struct Program {
 enum Command {
     Check(check::Check),
     Inspect(inspect::Inspect),
+    Convert(convert::Convert),
     Count(count::Count),
     Eval(eval::Eval),
     Expand(expand::Expand),

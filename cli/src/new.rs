@@ -14,14 +14,15 @@ use clap::{Args, Subcommand, ValueEnum};
 use super::options::{Asked, mistake};
 use super::{Answer, Outcome, functions};
 use homogen_codegen::builder::Builder;
-use homogen_codegen::description::{Name, mjcf};
+use homogen_codegen::description::xacro::Given;
+use homogen_codegen::description::{FileFormat, Name, expand_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::Module;
 use homogen_codegen::processor::Processor;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
-use homogen_codegen::request::setting::SCOPE;
+use homogen_codegen::request::setting::{SCOPE, SOURCE};
 use homogen_codegen::space::{Entry, Kind};
 
 /// Write a crate to begin with
@@ -43,10 +44,10 @@ Example:
   homogen new firmware arm.urdf --homogen ../homogen -o arm-firmware
   cd arm-firmware && cargo run --release")]
 struct Firmware {
-    /// A URDF or MJCF file, or a Denavit–Hartenberg table
+    /// A URDF, xacro, MJCF or SDF file, or a Denavit–Hartenberg table
     file: PathBuf,
     #[command(flatten)]
-    scope: Asked<SCOPE>,
+    asked: Asked<{ SOURCE | SCOPE }>,
     /// The processor to compile for
     #[arg(long, value_enum, default_value = "thumbv7em-none-eabihf")]
     target: Target,
@@ -118,7 +119,10 @@ impl Firmware {
             let message = format!("{} exists already, and is not changed", folder.display());
             return Err(mistake(message));
         }
-        if let Some(other) = module.about.source.beside.first() {
+        let format = module.about.source.format;
+        let is_expanded = format == Some(FileFormat::Xacro);
+        let mut beside = module.about.source.beside.iter();
+        if let Some(other) = beside.next().filter(|_| !is_expanded) {
             let message = format!(
                 "{} includes {}, but a firmware has one file of its robot",
                 self.file.display(),
@@ -126,9 +130,13 @@ impl Firmware {
             );
             return Err(mistake(message));
         }
-        let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
-        let text = fs::read(&self.file).map_err(read)?;
-        let description = self.description(&text);
+        let text = if is_expanded {
+            self.expanded()?
+        } else {
+            let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
+            fs::read(&self.file).map_err(read)?
+        };
+        let description = description(format);
         let words = self.words(&module, &calls, &folder, description)?;
         let mut files = template::firmware(&words);
         files.push((".gitignore", "/target\n".to_owned()));
@@ -141,21 +149,17 @@ impl Firmware {
         })
     }
 
-    /// The name of the description in the crate.
-    fn description(&self, text: &[u8]) -> &'static str {
-        let is_table = self.file.extension().is_some_and(|ending| ending == "dh");
-        if is_table {
-            "robot.dh"
-        } else if is_mjcf(text) {
-            "robot.xml"
-        } else {
-            "robot.urdf"
-        }
+    /// The URDF that a xacro file expands to: the crate has neither its packages nor its arguments.
+    fn expanded(&self) -> Result<Vec<u8>, Errors> {
+        let given = Given::of(&self.asked.and(Request::default()), Path::new(""));
+        let mut errors = Errors::new();
+        let urdf = expand_file(&self.file, &given, &mut errors);
+        urdf.map(String::into_bytes).ok_or(errors)
     }
 
     /// The builder of the robot, and the calls that make it in a build script.
     fn builder(&self) -> (Builder, String) {
-        let request = self.scope.and(Request::default());
+        let request = self.asked.and(Request::default());
         // `Debug` of a string is a literal of Rust.
         let call = |method: &'static str| move |link: &Name| format!("{method}({:?})", link.text);
         let mut calls = Vec::new();
@@ -190,6 +194,7 @@ impl Firmware {
         let format = match description {
             "robot.dh" => "denavit_hartenberg",
             "robot.xml" => "mjcf",
+            "robot.sdf" => "sdf",
             _ => "urdf",
         };
         Ok([
@@ -241,6 +246,16 @@ impl Firmware {
     }
 }
 
+/// The name of a description in the crate.
+const fn description(format: Option<FileFormat>) -> &'static str {
+    match format {
+        Some(FileFormat::Table) => "robot.dh",
+        Some(FileFormat::Mjcf) => "robot.xml",
+        Some(FileFormat::Sdf) => "robot.sdf",
+        _ => "robot.urdf",
+    }
+}
+
 /// A configuration to begin with: the middle of the limits, and no rotation.
 fn start(coordinates: &[Entry]) -> Vec<String> {
     let mut quaternions = 0;
@@ -278,14 +293,48 @@ fn package(robot: &str) -> String {
     }
 }
 
-/// True if the bytes of a file are MJCF.
-fn is_mjcf(text: &[u8]) -> bool {
-    std::str::from_utf8(text).is_ok_and(mjcf::is_mjcf)
-}
-
 #[cfg(test)]
 mod tests {
+    use std::ffi::OsString;
+    use std::fs;
+
     use super::package;
+
+    #[test]
+    fn a_firmware_has_the_expanded_file_of_its_robot() {
+        let folder = std::env::temp_dir().join(format!("homogen-new-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let xacro = "<robot name=\"arm\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arg name=\"mass\" default=\"1\"/>\
+            <xacro:include filename=\"joint.xacro\"/><link name=\"a\"/><link name=\"b\"><inertial><mass value=\"$(arg mass)\"/>\
+            <inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link></robot>";
+        let joint = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><joint name=\"j\" type=\"continuous\"><parent link=\"a\"/>\
+            <child link=\"b\"/><axis xyz=\"0 0 1\"/></joint></robot>";
+        for (name, text) in [("arm.urdf.xacro", xacro), ("joint.xacro", joint)] {
+            fs::write(folder.join(name), text).expect("written");
+        }
+        let [file, output] = ["arm.urdf.xacro", "firmware"].map(|name| folder.join(name));
+        let words = [
+            "homogen",
+            "new",
+            "firmware",
+            "--arguments",
+            "mass=2.5",
+            "-o",
+        ]
+        .map(OsString::from);
+        let words = words
+            .into_iter()
+            .chain([output.clone().into(), file.into()]);
+        let answer = crate::answer(words, &mut std::io::empty());
+        assert_eq!(answer.code, 0, "{}", answer.remarks);
+        let urdf = fs::read_to_string(output.join("robot.urdf")).expect("it is there");
+        assert!(
+            urdf.contains("<mass value=\"2.5\"/>") && urdf.contains("<joint"),
+            "{urdf}"
+        );
+        assert!(!urdf.contains("<xacro:"), "{urdf}");
+        fs::remove_dir_all(folder).expect("it was there");
+    }
 
     #[test]
     fn names_of_packages_are_not_code() {

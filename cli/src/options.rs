@@ -109,7 +109,7 @@ impl<const GROUPS: u8> FromArgMatches for Asked<GROUPS> {
 /// The robot, and the part of it.
 #[derive(Args, Clone, Debug)]
 pub(super) struct Robot {
-    /// A URDF, xacro or MJCF file, or a Denavit–Hartenberg table; `-` reads standard input
+    /// A URDF, xacro, MJCF or SDF file, or a Denavit–Hartenberg table; `-` reads standard input
     pub(super) file: PathBuf,
     #[command(flatten)]
     pub(super) asked: Asked<{ SOURCE | SCOPE | ROBOT }>,
@@ -155,23 +155,32 @@ impl Robot {
 
     /// The description as in the file.
     pub(super) fn written(&self, input: &mut dyn Read) -> Result<Description, Errors> {
-        let mut errors = Errors::new();
-        let description = if is_standard_input(&self.file) {
-            let bytes = read(input)?;
-            description::read_bytes(&bytes, STANDARD_INPUT, None, &mut errors)
-        } else {
-            let given = Given::of(&self.request(), Path::new(""));
-            description::read_file_with(&self.file, &given, None, &mut errors)
-        };
-        match description {
-            Some(description) => errors.into_result(description),
-            None => Err(errors),
-        }
+        written(&self.file, &self.request(), input)
     }
 
     /// The request.
     pub(super) fn request(&self) -> Request {
         self.asked.and(Request::default())
+    }
+}
+
+/// The description in a file or on standard input, with the arguments and packages of a request.
+pub(super) fn written(
+    file: &Path,
+    request: &Request,
+    input: &mut dyn Read,
+) -> Result<Description, Errors> {
+    let mut errors = Errors::new();
+    let description = if is_standard_input(file) {
+        let bytes = read(input)?;
+        description::read_bytes(&bytes, STANDARD_INPUT, None, &mut errors)
+    } else {
+        let given = Given::of(request, Path::new(""));
+        description::read_file_with(file, &given, None, &mut errors)
+    };
+    match description {
+        Some(description) => errors.into_result(description),
+        None => Err(errors),
     }
 }
 

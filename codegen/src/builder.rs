@@ -120,6 +120,12 @@ impl Builder {
         Self::new(Origin::File(path.into()))
     }
 
+    /// A robot in an SDF file, the format of Gazebo and Drake, with the models that it includes; relative paths begin at
+    /// the folder of the build script's package.
+    pub fn from_sdf(path: impl Into<PathBuf>) -> Self {
+        Self::new(Origin::File(path.into()))
+    }
+
     /// A robot in a file with a Denavit–Hartenberg table.
     pub fn from_denavit_hartenberg(path: impl Into<PathBuf>) -> Self {
         Self::new(Origin::File(path.into()))

@@ -5,8 +5,8 @@
 //! here. Frames and inertial parameters are chosen later, by [`layout`](crate::layout).
 
 mod actuator;
-mod angle;
-mod axis_rotation;
+pub(crate) mod angle;
+pub(crate) mod axis_rotation;
 pub mod base_parameters;
 mod check;
 mod closure;
@@ -18,10 +18,10 @@ mod names;
 mod numbers;
 pub mod physical;
 mod root;
-mod shape;
+pub(crate) mod shape;
 #[cfg(test)]
 pub(crate) mod tests;
-mod tree;
+pub(crate) mod tree;
 
 use std::rc::Rc;
 

@@ -1,6 +1,6 @@
 //! Descriptions of robots as the user wrote them, before anything is derived.
 //!
-//! In: a URDF, xacro or MJCF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
+//! In: a URDF, xacro, MJCF or SDF file, a Denavit–Hartenberg table, or tokens. Out: a [`Description`] whose numbers
 //! and names know their place. It never merges, drops, orders or repairs anything, and checks only
 //! what can be seen in one item alone; what takes two items belongs to the chain stage.
 
@@ -12,6 +12,7 @@ mod constant;
 pub mod denavit_hartenberg;
 mod file;
 pub(crate) mod fingerprint;
+pub(crate) mod fresh;
 pub mod inline;
 mod item;
 mod kind;
@@ -21,7 +22,9 @@ mod names;
 mod number;
 mod position;
 mod robot;
+pub mod sdf;
 mod settings;
+pub(crate) mod spatial;
 mod tokens;
 mod unmodelled;
 pub mod urdf;
@@ -33,7 +36,8 @@ mod xml;
 pub use self::file::{expand_file, is_utf_16, read_bytes, read_file, read_file_with, read_text};
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic, Source, Step,
+    Axis, Description, FileFormat, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic,
+    Source, Step,
 };
 pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};

@@ -62,6 +62,9 @@ pub mod chain;
 pub mod check;
 #[doc(hidden)]
 pub mod closure;
+#[cfg(feature = "files")]
+#[doc(hidden)]
+pub mod convert;
 mod dense;
 #[doc(hidden)]
 pub mod expand;

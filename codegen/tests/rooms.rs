@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Each folder with those it may name besides itself: first the shared types, then the stages in the order of `expand`,
 /// then the front ends.
-const FOLDERS: [(&str, &[&str]); 35] = [
+const FOLDERS: [(&str, &[&str]); 36] = [
     ("wording", &[]),
     ("list", &[]),
     ("template", &[]),
@@ -96,6 +96,21 @@ const FOLDERS: [(&str, &[&str]); 35] = [
             "function",
             "request",
             "description",
+        ],
+    ),
+    (
+        "convert",
+        &[
+            "wording",
+            "list",
+            "error",
+            "expression",
+            "number",
+            "joint",
+            "closure",
+            "request",
+            "description",
+            "chain",
         ],
     ),
     (

@@ -57,6 +57,8 @@ mod guide {
     struct Xacro;
     #[doc = include_str!("../../guide/src/mjcf.md")]
     struct Mjcf;
+    #[doc = include_str!("../../guide/src/sdf.md")]
+    struct Sdf;
     #[doc = include_str!("../../guide/src/derivatives.md")]
     struct Derivatives;
     #[doc = include_str!("../../guide/src/inverse-kinematics.md")]

@@ -6,7 +6,7 @@
 //! missing. The guide's tables are rewritten where `HOMOGEN_UPDATE` is set.
 
 use homogen_codegen::description::words::{Place, words};
-use homogen_codegen::description::{mjcf, urdf};
+use homogen_codegen::description::{mjcf, sdf, urdf};
 use homogen_codegen::request::setting;
 
 const DERIVE: &str = include_str!("../src/derive.md");
@@ -94,7 +94,12 @@ fn the_guide_shows_the_tables() {
     for (page, table) in [
         (
             "what-is-read.md",
-            format!("{}# Elements of MJCF\n\n{}", urdf::page(), mjcf::page()),
+            format!(
+                "{}# Elements of MJCF\n\n{}# Elements of SDF\n\n{}",
+                urdf::page(),
+                mjcf::page(),
+                sdf::page()
+            ),
         ),
         ("command-line.md", setting::page()),
     ] {

@@ -172,7 +172,7 @@ fn the_derive_writes_the_same() {
 
 /// The format of the description does not change the cost.
 #[test]
-fn a_robot_costs_the_same_as_urdf_and_as_mjcf() {
+fn a_robot_costs_the_same_in_every_format() {
     let counts = |builder: Builder| {
         let source = text(&builder.tip("tip").generate(Function::ALL));
         let counts = source.lines().filter(|line| line.contains(" mul, "));
@@ -181,10 +181,12 @@ fn a_robot_costs_the_same_as_urdf_and_as_mjcf() {
         counts
     };
     let of_urdf = counts(Builder::from_urdf("../robots/two_link.urdf"));
-    assert_eq!(
-        counts(Builder::from_mjcf("../robots/two_link.xml")),
-        of_urdf
-    );
+    for other in [
+        Builder::from_mjcf("../robots/two_link.xml"),
+        Builder::from_sdf("../robots/two_link.sdf"),
+    ] {
+        assert_eq!(counts(other), of_urdf);
+    }
 }
 
 #[test]

@@ -5,12 +5,19 @@
 use crate::expression::{Double, Term};
 use crate::matrix::Rotation;
 
-/// Cosine of the pitch below which roll and yaw are about one axis; the yaw is zero then.
-const LOCKED: f64 = 1e-9;
+/// Cosine of the pitch below which roll and yaw are about one axis; the yaw is zero then. The error of doing so is as
+/// large as that of the angles of a smaller cosine.
+const LOCKED: f64 = 1e-16;
 
 /// The angles \[rad\]; entries that are known at run time only count as zero.
 pub(super) fn roll_pitch_yaw(rotation: &Rotation<Term<'_>>) -> [f64; 3] {
-    let entry = |row: usize, column: usize| rotation.0[row][column].value().unwrap_or(Double::ZERO);
+    let known = |entry: Term<'_>| entry.value().unwrap_or(Double::ZERO);
+    of_numbers(&rotation.0.map(|row| row.map(known)))
+}
+
+/// The angles \[rad\] of a matrix of numbers.
+pub(crate) fn of_numbers(rotation: &[[Double; 3]; 3]) -> [f64; 3] {
+    let entry = |row: usize, column: usize| rotation[row][column];
     let (y, z) = (entry(2, 1), entry(2, 2));
     let cosine = (y * y + z * z).sqrt();
     let pitch = angle(-entry(2, 0), cosine);

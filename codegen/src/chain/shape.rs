@@ -123,6 +123,28 @@ pub fn find_base(
     }
 }
 
+/// The root link and all joints, parents before children, siblings in the order of the description.
+///
+/// # Errors
+/// Names that occur twice or do not exist, several roots, and cycles.
+#[cfg(feature = "files")]
+pub(crate) fn whole(description: &Description) -> Result<(LinkId, Vec<Branch>), Errors> {
+    let mut errors = description.source.errors();
+    let names = description.links.iter().map(|link| &link.name);
+    let links = Names::of(names, "link", &mut errors);
+    let connected = Joints::connect(description, &links, &mut errors);
+    let request = Request::default();
+    let root = connected.and_then(|connected| {
+        let root = find_base(description, &request, &connected, &links, &mut errors)?;
+        let branches = downstream(&connected, root, &[]);
+        Some((root, branches))
+    });
+    match root {
+        Some(found) if errors.is_empty() => Ok(found),
+        _ => Err(errors),
+    }
+}
+
 /// The joints downstream of the base, branch by branch, siblings in the order of the description.
 pub fn downstream(joints: &Joints, base: LinkId, dropped: &[LinkId]) -> Vec<Branch> {
     let mut children: List<LinkId, Vec<Branch>> = joints.carrier.map(|_| Vec::new());

@@ -8,7 +8,7 @@ use proc_macro2::Span;
 
 use super::load::load;
 use super::xacro::{self, Given};
-use super::{Description, denavit_hartenberg, mjcf, urdf};
+use super::{Description, denavit_hartenberg, mjcf, sdf, urdf};
 use crate::error::{Diagnostic, Errors, Place};
 
 /// Reads a file without arguments: see [`read_file_with`].
@@ -17,7 +17,7 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
 }
 
 /// Reads a file: `.dh` as a table; `.urdf`, `.xml` and `.xacro` as XML; other endings as what the text looks like. XML
-/// with the root element of MuJoCo is MJCF, other XML is URDF, and xacro is expanded first. `given` has the arguments
+/// with the root element of MuJoCo is MJCF, that of Gazebo SDF, other XML is URDF, and xacro is expanded first. `given` has the arguments
 /// of a xacro file and the folders of packages.
 pub fn read_file_with(
     path: &Path,
@@ -136,7 +136,8 @@ fn text_in(
             .trim_start()
             .starts_with('<'),
     };
-    let is_xacro = !is_table && !mjcf::is_mjcf(text) && xacro::is_xacro(text, file);
+    let is_other = mjcf::is_mjcf(text) || sdf::is_sdf(text);
+    let is_xacro = !is_table && !is_other && xacro::is_xacro(text, file);
     if !is_xacro && !given.arguments.is_empty() {
         errors.set_file(file, anchor);
         errors.push_with_hint(
@@ -149,6 +150,8 @@ fn text_in(
         denavit_hartenberg::read(text, file, anchor, errors)
     } else if mjcf::is_mjcf(text) {
         mjcf::read(text, file, folder, anchor, errors)
+    } else if sdf::is_sdf(text) {
+        sdf::read(text, file, folder, given, anchor, errors)
     } else if is_xacro {
         xacro::read(text, file, folder, given, anchor, errors)
     } else {

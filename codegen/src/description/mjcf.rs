@@ -26,7 +26,6 @@ mod orientation;
 mod reading;
 mod settings;
 mod shape;
-mod spatial;
 mod tree;
 mod unmodelled;
 mod values;
@@ -46,8 +45,8 @@ use self::tree::Tree;
 use self::unmodelled::Noted;
 use super::fingerprint::fingerprint;
 use super::xml::element::Reader;
-use super::xml::survey;
-use super::{Description, Name, Number, Source, names as twice};
+use super::xml::{self, survey};
+use super::{Description, FileFormat, Name, Number, Source, names as twice, spatial};
 use crate::error::{Errors, Place};
 use crate::expression::Double;
 
@@ -57,20 +56,7 @@ pub use self::elements::page;
 /// True if the root element of a text is `<mujoco>`.
 #[must_use]
 pub fn is_mjcf(text: &str) -> bool {
-    let mut rest = text.trim_start_matches('\u{feff}').trim_start();
-    loop {
-        let end = match rest {
-            _ if rest.starts_with("<!--") => "-->",
-            _ if rest.starts_with("<?") => "?>",
-            _ if rest.starts_with("<!") => ">",
-            _ => break,
-        };
-        let Some(at) = rest.find(end) else {
-            return false;
-        };
-        rest = rest[at + end.len()..].trim_start();
-    }
-    rest.starts_with("<mujoco")
+    xml::begins_with(text, "<mujoco")
 }
 
 /// Reads the text of the file `file` in `folder`; `anchor` is the token that named the file, for the compiler.
@@ -107,6 +93,7 @@ fn source(texts: &[Text], file: &str, folder: Option<&Path>, anchor: Option<Span
     });
     Source {
         file: Some(file.to_owned()),
+        format: Some(FileFormat::Mjcf),
         anchor,
         beside: paths.collect(),
         hash: fingerprint(&files::bytes(texts)),

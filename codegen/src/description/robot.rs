@@ -66,6 +66,8 @@ impl Index<JointId> for Description {
 pub struct Source {
     /// The file's name as the user wrote it, without folders of this machine; `None` for tokens.
     pub file: Option<String>,
+    /// The format that it was read as; `None` for tokens.
+    pub format: Option<FileFormat>,
     /// The token that named the file, for the compiler's messages.
     pub anchor: Option<Span>,
     /// The names of included files, indexed by the numbers in places.
@@ -74,6 +76,36 @@ pub struct Source {
     pub beside: Vec<PathBuf>,
     /// FNV-1a hash (64 bits) of the text in UTF-8, including the further files; 0 for tokens.
     pub hash: u64,
+}
+
+/// Format of a description's file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FileFormat {
+    /// The Unified Robot Description Format.
+    Urdf,
+    /// URDF with the macros of ROS.
+    Xacro,
+    /// The format of MuJoCo.
+    Mjcf,
+    /// The format of Gazebo and Drake.
+    Sdf,
+    /// A table of Denavit and Hartenberg.
+    Table,
+}
+
+impl FileFormat {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Urdf => "URDF",
+            Self::Xacro => "xacro",
+            Self::Mjcf => "MJCF",
+            Self::Sdf => "SDF",
+            Self::Table => "Denavit–Hartenberg table",
+        }
+    }
 }
 
 impl Source {

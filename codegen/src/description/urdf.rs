@@ -21,7 +21,7 @@ use super::fingerprint::fingerprint;
 use super::position::Positions;
 use super::xml::element::Reader;
 use super::xml::{self, plain, survey};
-use super::{Description, Name, Source, Unmodelled, names};
+use super::{Description, FileFormat, Name, Source, Unmodelled, names};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::quoted;
 
@@ -61,6 +61,7 @@ pub fn read(
     let positions = Positions::new(text.strip_prefix('\u{feff}').unwrap_or(text));
     let source = Source {
         file: Some(file.to_owned()),
+        format: Some(FileFormat::Urdf),
         anchor,
         hash: fingerprint(text.as_bytes()),
         ..Source::default()
@@ -128,7 +129,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         let [what, hint] = match tag {
             "sdf" | "world" => [
                 "this is SDF, not URDF",
-                "read the URDF that it was made from, or convert it and look at the output of `homogen check`",
+                "read it as SDF: #[robot(sdf = \"…\")], Builder::from_sdf, or the command line",
             ],
             "mujoco" | "mujocoinclude" => [
                 "this is MJCF, not URDF",

@@ -38,7 +38,7 @@ use self::write::Part;
 use super::fingerprint::fingerprint;
 use super::position::{Positions, Segment, Segments};
 use super::xml::{self, plain};
-use super::{Description, Source, urdf};
+use super::{Description, FileFormat, Source, urdf};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::{list, quoted};
 
@@ -162,6 +162,7 @@ fn expand(
         segments: segments.collect(),
         source: Source {
             file: Some(file.to_owned()),
+            format: Some(FileFormat::Xacro),
             anchor: None,
             included: files.included(),
             beside: files.beside(),

@@ -27,6 +27,24 @@ const MOST_ATTRIBUTES: usize = 128;
 /// Maximum number of namespace declarations: an element that declares one copies all outer ones.
 const MOST_NAMESPACES: usize = 64;
 
+/// True if the root element of a text begins so.
+pub(super) fn begins_with(text: &str, tag: &str) -> bool {
+    let mut rest = text.trim_start_matches('\u{feff}').trim_start();
+    loop {
+        let end = match rest {
+            _ if rest.starts_with("<!--") => "-->",
+            _ if rest.starts_with("<?") => "?>",
+            _ if rest.starts_with("<!") => ">",
+            _ => break,
+        };
+        let Some(at) = rest.find(end) else {
+            return false;
+        };
+        rest = rest[at + end.len()..].trim_start();
+    }
+    rest.starts_with(tag)
+}
+
 /// Parses a text, or reports one error. `positions` are those of the file; `begins` is the hint for a text that is not
 /// XML: the beginning of a file of the format.
 pub(super) fn parse<'t>(

@@ -104,14 +104,15 @@ const SETTING: Setting = Setting {
 
 /// All keys, in the order of help, heads of files and messages.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 35] = [
+pub const SETTINGS: [Setting; 36] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
     Setting { key: "mjcf", form: SettingForm::File, example: r#"mjcf = "arm.xml""#, ..SETTING },
+    Setting { key: "sdf", form: SettingForm::File, example: r#"sdf = "arm.sdf""#, ..SETTING },
     Setting { key: "dh", form: SettingForm::File, example: r#"dh = "arm.dh""#, ..SETTING },
     Setting { key: "arguments", form: SettingForm::Arguments, example: r#"arguments(ur_type = "ur5e", safety_limits = true)"#, group: SOURCE, value: "NAME=VALUE",
         help: "An argument of a xacro file; it stands for the environment variable of the same name, too", ..SETTING },
     Setting { key: "packages", form: SettingForm::Packages, example: r#"packages(ur_description = "../ur_description")"#, group: SOURCE, value: "NAME=FOLDER",
-        help: "The folder of a ROS package, for $(find NAME) in a xacro file [default: near the file]", ..SETTING },
+        help: "The folder of a ROS package, for $(find NAME) in a xacro file, or of a model, for model://NAME in an SDF file [default: near the file]", ..SETTING },
     Setting { key: "base", form: SettingForm::Name(|asked| &mut asked.base), example: r#"base = "link""#, group: SCOPE, value: "LINK",
         help: "The fixed link [default: the root]", ..SETTING },
     Setting { key: "floating", form: SettingForm::Switch(|asked| &mut asked.floating), example: "floating", group: SCOPE,

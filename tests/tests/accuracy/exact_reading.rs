@@ -23,7 +23,7 @@ const BASE_PARAMETERS: &str = "chain/base_parameters";
 const XACRO: &str = "description/xacro/expression";
 
 /// File, part of a line, reason why it is allowed.
-const ALLOWED: [(&str, &str, &str); 30] = [
+const ALLOWED: [(&str, &str, &str); 31] = [
     ("chain/angle.rs", ".value", "decides what digits mean"),
     (
         "chain/merge/reader.rs",
@@ -70,17 +70,22 @@ const ALLOWED: [(&str, &str, &str); 30] = [
         "chooses a formula",
     ),
     (
-        "description/mjcf/spatial.rs",
+        "description/sdf/gearbox.rs",
+        ".sign().to_f64()",
+        "decides which way a hinge turns",
+    ),
+    (
+        "description/spatial.rs",
         ".sign().to_f64()",
         "chooses a formula",
     ),
     (
-        "description/mjcf/spatial.rs",
+        "description/spatial.rs",
         "h.to_f64() < 0.0",
         "chooses a root",
     ),
     (
-        "description/mjcf/spatial.rs",
+        "description/spatial.rs",
         "d[i][j].to_f64()",
         "decides when to stop",
     ),

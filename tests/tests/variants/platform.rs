@@ -44,7 +44,7 @@ const ALLOWED: [(&str, &str, &str); 31] = [
         "of a double and its error",
     ),
     ("description/mjcf/orientation.rs", "sin_cos", "of a double"),
-    ("description/mjcf/spatial.rs", "sin_cos", "of a double"),
+    ("description/spatial.rs", "sin_cos", "of a double"),
     (
         "description/xacro/expression/elementary.rs",
         "atan2",

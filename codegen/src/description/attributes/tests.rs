@@ -159,7 +159,7 @@ fn all_mistakes_are_reported_at_once() {
     );
     let functions = list(Function::names());
     let expected = format!(
-        "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, mjcf, dh, arguments, packages, base, floating, tip, \
+        "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, mjcf, sdf, dh, arguments, packages, base, floating, tip, \
          path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, reproducible, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\

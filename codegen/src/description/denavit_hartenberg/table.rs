@@ -20,7 +20,8 @@ use crate::description::kind;
 use crate::description::number::{self, Refusal};
 use crate::description::position::Positions;
 use crate::description::{
-    Description, Inertial, Limits, Name, Number, Source, Step, Unmodelled, constant, names,
+    Description, FileFormat, Inertial, Limits, Name, Number, Source, Step, Unmodelled, constant,
+    names,
 };
 use crate::error::{Errors, Place};
 use crate::joint::JointKind;
@@ -117,10 +118,10 @@ pub fn read(
         },
         source: Source {
             file: Some(file.to_owned()),
+            format: Some(FileFormat::Table),
             anchor,
-            included: Vec::new(),
-            beside: Vec::new(),
             hash: fingerprint(text.as_bytes()),
+            ..Source::default()
         },
         links,
         joints,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use super::element::Element;
-use super::spatial::{Matrix, Vector};
+use crate::description::spatial::{Matrix, Vector};
 use crate::expression::Double;
 
 /// Inertia of a mesh at density 1.

@@ -8,8 +8,10 @@ use super::assets::Measured;
 use super::orientation::z_along;
 use super::reading::Mjcf;
 use super::shape::Shape;
-use super::spatial::{self, Matrix, Pose, Solid, Vector, diagonal, exactly, to_number};
 use super::values::Attributes;
+use crate::description::spatial::{
+    self, Matrix, Pose, Solid, Vector, diagonal, exactly, to_number,
+};
 use crate::description::{Number, Step};
 use crate::error::Place;
 use crate::expression::Double;

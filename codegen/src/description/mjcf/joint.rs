@@ -8,9 +8,9 @@ mod actuator;
 
 use super::orientation::rotation_about;
 use super::reading::Mjcf;
-use super::spatial::{Pose, dot, to_number};
 use super::tree::{Item, WORLD};
 use super::values::Attributes;
+use crate::description::spatial::{Pose, dot, to_number};
 use crate::description::{Joint, Limits, Link, Name, Number, Step, axis, number};
 use crate::error::Place;
 use crate::expression::Double;

@@ -2,14 +2,13 @@
 //!
 //! In MJCF few bodies and joints have a name; here each one needs one.
 
-use std::collections::HashSet;
-
 use super::element::Element;
+use crate::description::fresh::FreshNames;
 
 /// The names of one kind that are in use.
 #[derive(Default)]
 pub(super) struct Names {
-    taken: HashSet<String>,
+    taken: FreshNames,
 }
 
 impl Names {
@@ -18,9 +17,10 @@ impl Names {
         let mut names = Self::default();
         let mut waiting = vec![root];
         while let Some(element) = waiting.pop() {
-            if tags.contains(&element.tag()) {
-                let name = element.node.attribute("name");
-                names.taken.extend(name.map(str::to_owned));
+            if tags.contains(&element.tag())
+                && let Some(name) = element.node.attribute("name")
+            {
+                names.take(name);
             }
             waiting.extend(element.children());
         }
@@ -29,12 +29,12 @@ impl Names {
 
     /// Reserves a name.
     pub(super) fn take(&mut self, name: &str) {
-        self.taken.insert(name.to_owned());
+        self.taken.take(name);
     }
 
     /// Reserves a name for the link of a site: the site's own name, unless a body has it.
     pub(super) fn of_site(&mut self, site: &str) -> String {
-        if self.taken.contains(site) {
+        if self.taken.has(site) {
             self.fresh(&format!("{site}_site"))
         } else {
             self.fresh(site)
@@ -43,12 +43,6 @@ impl Names {
 
     /// Reserves the wanted name, or the first unused one of `wanted_2`, `wanted_3`, ….
     pub(super) fn fresh(&mut self, wanted: &str) -> String {
-        let mut name = wanted.to_owned();
-        let mut count = 1;
-        while !self.taken.insert(name.clone()) {
-            count += 1;
-            name = format!("{wanted}_{count}");
-        }
-        name
+        self.taken.fresh(wanted)
     }
 }

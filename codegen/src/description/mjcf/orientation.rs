@@ -5,8 +5,8 @@
 
 use super::element::Written;
 use super::reading::Mjcf;
-use super::spatial::{self, Matrix, Vector, exactly, to_number};
 use super::values::Attributes;
+use crate::description::spatial::{self, Matrix, Vector, exactly, to_number};
 use crate::description::{Axis, Number, Step};
 use crate::error::Place;
 use crate::expression::Double;

@@ -4,7 +4,7 @@
 //! ellipsoid is the layer between it and one that is 1 µm larger, and its area is Thomsen's approximation. Results are
 //! in 106 bits.
 
-use super::spatial::{Vector, exactly};
+use crate::description::spatial::{Vector, exactly};
 use crate::expression::Double;
 
 /// A shape, with the sizes that it has.

@@ -9,8 +9,8 @@ mod joints;
 mod placement;
 mod survey;
 
-use super::spatial::Pose;
 use super::*;
+use crate::description::spatial::Pose;
 use crate::description::{Inertial, Joint, Link, Modelled, Step};
 use crate::expression::Double as Exact;
 

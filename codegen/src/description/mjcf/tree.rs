@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::class::Class;
 use super::element::Element;
 use super::names::Names;
-use super::spatial::inverse;
+use crate::description::spatial::inverse;
 use crate::description::{Joint, JointId, Link, Number, Step};
 use crate::list::List;
 

@@ -242,17 +242,64 @@ impl<'t> Reader<'_, 't> {
         subject: &str,
     ) -> Option<Vec<Number>> {
         let (start, text) = self.raw(attribute);
-        if is_xacro(&text) {
+        let is_verbatim = matches!(text, Cow::Borrowed(_));
+        self.numbers_of(start, &text, is_verbatim, counts, subject)
+    }
+
+    /// A list of numbers in the text of an element whose count is within bounds.
+    pub(in crate::description) fn numbers_in_text(
+        &mut self,
+        node: Node<'_, 't>,
+        counts: RangeInclusive<usize>,
+        subject: &str,
+    ) -> Option<Vec<Number>> {
+        let (start, text) = self.raw_text(node);
+        let is_verbatim = matches!(text, Cow::Borrowed(_));
+        self.numbers_of(start, &text, is_verbatim, counts, subject)
+    }
+
+    /// The text of an element, without surrounding white space, and its place.
+    pub(in crate::description) fn text_of(&self, node: Node<'_, 't>) -> Name {
+        let (start, text) = self.raw_text(node);
+        let blanks = text.len() - text.trim_start().len();
+        Name {
+            text: text.trim().replace(['\t', '\n', '\r'], " "),
+            place: self.positions.place(start + blanks),
+        }
+    }
+
+    /// The first text in an element, with the offset of the file.
+    fn raw_text<'a>(&self, node: Node<'a, 't>) -> (usize, Cow<'t, str>) {
+        let Some(text) = node.children().find(Node::is_text) else {
+            return (node.range().start, Cow::Borrowed(""));
+        };
+        let range = text.range();
+        let written = &self.positions.text()[range.clone()];
+        let text = if written.contains('&') {
+            Cow::Owned(unescaped(written))
+        } else {
+            Cow::Borrowed(written)
+        };
+        (range.start, text)
+    }
+
+    /// Reads the numbers of a text that begins at an offset of the file; `is_verbatim` if its characters are those of
+    /// the file.
+    fn numbers_of(
+        &mut self,
+        start: usize,
+        text: &str,
+        is_verbatim: bool,
+        counts: RangeInclusive<usize>,
+        subject: &str,
+    ) -> Option<Vec<Number>> {
+        if is_xacro(text) {
             self.xacro.get_or_insert(self.positions.place(start));
             return None;
         }
-        if let Some((offset, what, hint)) = number::look_alike(&text) {
+        if let Some((offset, what, hint)) = number::look_alike(text) {
             // With character references, offsets in the value are not those of the file.
-            let offset = if matches!(text, Cow::Borrowed(_)) {
-                offset
-            } else {
-                0
-            };
+            let offset = if is_verbatim { offset } else { 0 };
             let place = self.positions.place(start + offset);
             self.errors
                 .push_with_hint(place, format!("{subject} {what}"), hint);
@@ -278,7 +325,7 @@ impl<'t> Reader<'_, 't> {
             return None;
         }
         let mut read = Vec::with_capacity(count);
-        for (offset, word) in words(&text) {
+        for (offset, word) in words(text) {
             let place = self.positions.place(start + offset);
             match number::read(word, place) {
                 Ok(found) => read.push(found),

@@ -11,6 +11,7 @@ fn tells_what_became_of_the_description() {
         "version",
         "robot",
         "file",
+        "format",
         "base",
         "tip",
         "joints",
@@ -29,6 +30,7 @@ fn tells_what_became_of_the_description() {
     assert_eq!(keys(&arm), wanted);
     assert_eq!(arm["robot"], "arm");
     assert_eq!(arm["file"], "<stdin>");
+    assert_eq!(arm["format"], "URDF");
     assert_eq!(arm["base"], "base");
     assert_eq!(arm["tip"], "hand");
     for names in ["joints", "coordinates", "velocities"] {

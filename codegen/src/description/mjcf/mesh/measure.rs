@@ -8,7 +8,7 @@ use std::collections::HashSet;
 
 use super::{InertiaMethod, Mesh};
 use crate::description::mjcf::assets::Measured;
-use crate::description::mjcf::spatial::exactly;
+use crate::description::spatial::exactly;
 
 /// Areas \[m²\] and volumes \[m³\] below this are zero.
 const NOTHING: f64 = 1e-15;

@@ -17,8 +17,7 @@ fn other_formats_are_named() {
     assert_eq!(
         errors("<sdf version=\"1.6\"/>"),
         "error: arm.urdf:1:1: this is SDF, not URDF: the root element is <sdf>\n  \
-         hint: read the URDF that it was made from, or convert it and look at the output of \
-         `homogen check`\n"
+         hint: read it as SDF: #[robot(sdf = \"…\")], Builder::from_sdf, or the command line\n"
     );
     assert!(errors("<mujoco model=\"a\"/>").contains("this is MJCF, not URDF"));
     assert_eq!(

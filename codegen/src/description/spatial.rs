@@ -4,54 +4,54 @@ use crate::description::{Axis, Number, Step, number};
 use crate::error::Place;
 use crate::expression::Double;
 
-pub(super) type Vector = [Double; 3];
-pub(super) type Matrix = [[Double; 3]; 3];
+pub(crate) type Vector = [Double; 3];
+pub(crate) type Matrix = [[Double; 3]; 3];
 
 /// Pose of a frame relative to another.
 #[derive(Clone, Copy)]
-pub(super) struct Pose {
+pub(crate) struct Pose {
     /// Columns are the axes of the frame.
-    pub(super) rotation: Matrix,
-    pub(super) position: Vector,
+    pub(crate) rotation: Matrix,
+    pub(crate) position: Vector,
 }
 
 /// Mass, centre of mass, and inertia tensor about it.
 #[derive(Clone, Copy)]
-pub(super) struct Solid {
-    pub(super) mass: Double,
-    pub(super) center: Vector,
-    pub(super) tensor: Matrix,
+pub(crate) struct Solid {
+    pub(crate) mass: Double,
+    pub(crate) center: Vector,
+    pub(crate) tensor: Matrix,
 }
 
 /// The exact value of an `f64`.
-pub(super) fn exactly(value: f64) -> Double {
+pub(crate) fn exactly(value: f64) -> Double {
     Double::from(value)
 }
 
 /// A number of the description; rounding residues below 106 bits become exactly 0.
-pub(super) fn to_number(value: Double, place: Place) -> Number {
+pub(crate) fn to_number(value: Double, place: Place) -> Number {
     let value = if value.is_zero() { Double::ZERO } else { value };
     number::computed(value, place)
 }
 
-pub(super) fn dot(a: Vector, b: Vector) -> Double {
+pub(crate) fn dot(a: Vector, b: Vector) -> Double {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     let entry = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [entry(1, 2), entry(2, 0), entry(0, 1)]
 }
 
-pub(super) fn minus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
-pub(super) fn plus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn plus(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] + b[k])
 }
 
-pub(super) fn times(a: Vector, factor: Double) -> Vector {
+pub(crate) fn times(a: Vector, factor: Double) -> Vector {
     a.map(|entry| entry * factor)
 }
 
@@ -69,12 +69,12 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
 }
 
 /// The matrix with these entries on its diagonal.
-pub(super) fn diagonal(entries: Vector) -> Matrix {
+pub(crate) fn diagonal(entries: Vector) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { entries[i] } else { Double::ZERO }))
 }
 
 /// The rotation matrix of a quaternion x, y, z, w of any length but 0.
-pub(super) fn of_quaternion([x, y, z, w]: [Double; 4]) -> Matrix {
+pub(crate) fn of_quaternion([x, y, z, w]: [Double; 4]) -> Matrix {
     let two = exactly(2.0) / (x * x + y * y + z * z + w * w);
     let one = exactly(1.0);
     [
@@ -97,7 +97,7 @@ pub(super) fn of_quaternion([x, y, z, w]: [Double; 4]) -> Matrix {
 }
 
 /// A quaternion x, y, z, w of a rotation, of any length, computed from its largest entry.
-pub(super) fn quaternion(r: &Matrix) -> [Double; 4] {
+pub(crate) fn quaternion(r: &Matrix) -> [Double; 4] {
     let one = exactly(1.0);
     let squares = [
         one + r[0][0] - r[1][1] - r[2][2],
@@ -124,7 +124,7 @@ pub(super) fn quaternion(r: &Matrix) -> [Double; 4] {
 }
 
 impl Pose {
-    pub(super) fn identity() -> Self {
+    pub(crate) fn identity() -> Self {
         Self {
             rotation: diagonal([exactly(1.0); 3]),
             position: [Double::ZERO; 3],
@@ -132,7 +132,7 @@ impl Pose {
     }
 
     /// The product of elementary motions.
-    pub(super) fn of(steps: &[Step]) -> Self {
+    pub(crate) fn of(steps: &[Step]) -> Self {
         steps
             .iter()
             .fold(Self::identity(), |pose, step| match step {
@@ -155,17 +155,17 @@ impl Pose {
     }
 
     /// Coordinates of a point of the frame, in the other frame.
-    pub(super) fn point(&self, point: Vector) -> Vector {
+    pub(crate) fn point(&self, point: Vector) -> Vector {
         plus(applied(&self.rotation, point), self.position)
     }
 
     /// Coordinates of a direction of the frame, in the other frame.
-    pub(super) fn direction(&self, direction: Vector) -> Vector {
+    pub(crate) fn direction(&self, direction: Vector) -> Vector {
         applied(&self.rotation, direction)
     }
 
     /// A tensor of the frame, in the axes of the other frame.
-    pub(super) fn tensor(&self, tensor: &Matrix) -> Matrix {
+    pub(crate) fn tensor(&self, tensor: &Matrix) -> Matrix {
         product(
             &product(&self.rotation, tensor),
             &transposed(&self.rotation),
@@ -184,7 +184,7 @@ fn about(axis: Axis, angle: Double) -> Matrix {
 }
 
 /// The inverse placement: the steps in reverse order, each inverted.
-pub(super) fn inverse(steps: &[Step]) -> Vec<Step> {
+pub(crate) fn inverse(steps: &[Step]) -> Vec<Step> {
     let negated = |number: Number| Number {
         value: -number.value,
         rest: -number.rest,
@@ -202,7 +202,7 @@ pub(super) fn inverse(steps: &[Step]) -> Vec<Step> {
 }
 
 /// The inertia of several solids together.
-pub(super) fn together(solids: &[Solid]) -> Solid {
+pub(crate) fn together(solids: &[Solid]) -> Solid {
     let mut mass = Double::ZERO;
     let mut moment = [Double::ZERO; 3];
     for solid in solids {
@@ -229,7 +229,7 @@ pub(super) fn together(solids: &[Solid]) -> Solid {
 }
 
 /// Principal moments and axes (columns) of a symmetric tensor, by Jacobi rotations.
-pub(super) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
+pub(crate) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
     /// Each sweep squares the off-diagonal entries: ten suffice for 106 bits.
     const SWEEPS: usize = 20;
     /// 2⁻¹⁰³: rounding errors of off-diagonal entries, relative to the diagonal.
@@ -263,7 +263,7 @@ pub(super) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
 }
 
 /// The entries of a tensor as numbers of the description: xx, xy, xz, yy, yz, zz.
-pub(super) fn entries(tensor: &Matrix, place: Place) -> [Number; 6] {
+pub(crate) fn entries(tensor: &Matrix, place: Place) -> [Number; 6] {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = *tensor;
     [xx, xy, xz, yy, yz, zz].map(|entry| to_number(entry, place))
 }

@@ -203,8 +203,10 @@ class Robot:
         ]
         with tempfile.TemporaryDirectory() as room:
             name = self._recipe.file
-            file = Path(room) / ("robot" if name == TEXT else name)
-            file.write_bytes(self._recipe.bytes)
+            file = self._recipe.path()
+            if file is None:
+                file = Path(room) / ("robot" if name == TEXT else name)
+                file.write_bytes(self._recipe.bytes)
             output, remarks, status = _engine.answer([command, str(file), *flags, *words])
         if status in (1, 2):
             raise ValueError(remarks.removeprefix("error: ").rstrip().replace(f"{room}/", ""))

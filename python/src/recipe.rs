@@ -1,14 +1,19 @@
 //! A robot as it was asked for: the bytes of its description, options, fields and their values.
 //!
 //! In: what `homogen.load` was called with. Out: facts about the robot, the signatures of its functions, and LLVM IR. It is
-//! read again for each of them, so that it can be shared between threads and processes.
+//! read again for each of them, so that it can be shared between threads and processes. Files that the description names,
+//! included files and meshes, stay where they are, and may not change meanwhile.
 
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::num::NonZero;
+use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, RwLock};
 
 use super::states::Fields;
 use homogen_codegen::builder::Builder;
 use homogen_codegen::chain::Chain;
+use homogen_codegen::description::xacro::Given;
 use homogen_codegen::description::{self, Description, inline};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
@@ -31,11 +36,16 @@ use pyo3::types::{PyBytes, PyDict, PyTuple};
 /// A field: its name, what it takes the place of, and its range.
 type Field = (String, String, Option<(f64, f64)>);
 
+/// The folder that paths in a description begin at, and a hash of the files that it names, once they are read.
+type Folder = (PathBuf, Option<u64>);
+
 /// A robot as it was asked for.
 #[pyclass(frozen, module = "homogen._engine")]
 pub struct Recipe {
     name: String,
     bytes: Vec<u8>,
+    /// `None` for a description that names no other files.
+    folder: Option<Folder>,
     options: Vec<(String, String)>,
     fields: Vec<Field>,
     order: Order,
@@ -55,18 +65,21 @@ const PREFIX: &str = "robot_";
 #[pymethods]
 impl Recipe {
     #[new]
+    #[expect(clippy::too_many_arguments, reason = "it is what `load` is called with")]
     fn new(
         name: String,
         bytes: Vec<u8>,
+        folder: Option<Folder>,
         options: Vec<(String, String)>,
         fields: Vec<Field>,
         order: &str,
         threads: Option<NonZero<usize>>,
         values: Option<Vec<f64>>,
     ) -> PyResult<Self> {
-        let recipe = Self {
+        let mut recipe = Self {
             name,
             bytes,
+            folder,
             options,
             fields,
             order: order_of(order)?,
@@ -77,6 +90,9 @@ impl Recipe {
             values
         } else {
             let chain = recipe.chain(Vec::new()).map_err(refused)?;
+            let beside = &chain.description.source.beside;
+            let folder = recipe.folder.take().filter(|_| !beside.is_empty());
+            recipe.folder = folder.map(|(folder, _)| (folder, Some(hash(beside))));
             chain.nominal.iter().flatten().copied().collect()
         };
         Ok(Self {
@@ -91,6 +107,7 @@ impl Recipe {
         let given = (
             &of.name,
             bytes,
+            of.folder.clone(),
             &of.options,
             &of.fields,
             of.order(),
@@ -105,7 +122,8 @@ impl Recipe {
         let bytes = PyBytes::new(py, &self.bytes);
         let options = PyTuple::new(py, &self.options)?;
         let fields = PyTuple::new(py, &self.fields)?;
-        (bytes, options, fields, self.order()).into_pyobject(py)
+        let beside = self.folder.as_ref().and_then(|(_, hash)| *hash);
+        (bytes, beside, options, fields, self.order()).into_pyobject(py)
     }
 
     /// True if results have the same bits on every processor.
@@ -133,6 +151,20 @@ impl Recipe {
     #[getter]
     fn bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         PyBytes::new(py, &self.bytes)
+    }
+
+    /// The path of a description that names other files; `None` for one that is whole without them.
+    fn path(&self) -> PyResult<Option<PathBuf>> {
+        let Some((folder, _)) = &self.folder else {
+            return Ok(None);
+        };
+        let path = folder.join(&self.name);
+        if fs::read(&path).ok().as_ref() != Some(&self.bytes) {
+            return Err(refused(changed(&self.name)));
+        }
+        // Reading compares the other files.
+        self.chain(Vec::new()).map_err(refused)?;
+        Ok(Some(path))
     }
 
     /// The options, each a keyword and a value of the command line.
@@ -361,10 +393,17 @@ impl Recipe {
 
     fn description(&self, request: &Request) -> Result<Description, Errors> {
         let mut errors = Errors::new();
-        let read = description::read_bytes(&self.bytes, &self.name, None, &mut errors);
+        let given = Given::of(request, Path::new(""));
+        let folder = self.folder.as_ref().map(|(folder, _)| folder.as_path());
+        let (bytes, name) = (&self.bytes, &self.name);
+        let read = description::read_bytes_in(bytes, name, folder, &given, None, &mut errors);
         let Some(mut description) = read else {
             return Err(errors);
         };
+        let known = self.folder.as_ref().and_then(|(_, hash)| *hash);
+        if known.is_some_and(|known| known != hash(&description.source.beside)) {
+            return Err(changed(&self.name));
+        }
         let loops = request.loops.iter().map(String::as_str);
         inline::close(&mut description, loops, &mut errors);
         errors.into_result(description)
@@ -409,6 +448,23 @@ impl Recipe {
         request.functions = functions;
         errors.into_result(request)
     }
+}
+
+/// Hash of the bytes of files.
+fn hash(files: &[PathBuf]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for file in files {
+        fs::read(file).unwrap_or_default().hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// The error of a robot whose files are not those any more that it was loaded from.
+fn changed(name: &str) -> Errors {
+    let mut errors = Errors::new();
+    let message = format!("{name} or a file that it names has changed since it was loaded");
+    errors.push_with_hint(Place::Unknown, message, "load it again");
+    errors
 }
 
 const LINEAR_FIRST: &str = "linear_first";

@@ -16,6 +16,7 @@ pub(super) mod closure;
 pub(super) mod composite;
 pub(super) mod joint;
 pub(super) mod table;
+pub(super) mod text;
 
 use std::path::Path;
 

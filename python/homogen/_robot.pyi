@@ -29,6 +29,17 @@ class Robot:
     max_velocity: NDArray[np.float64]
     max_effort: NDArray[np.float64]
     masses: NDArray[np.float64]
+    # Functions by name, of the types of other libraries.
+    @property
+    def plain(self) -> Any: ...
+    @property
+    def torch(self) -> Any: ...
+    @property
+    def jax(self) -> Any: ...
+    @property
+    def casadi(self) -> Any: ...
+    @property
+    def numba(self) -> Any: ...
     @property
     def fields(self) -> dict[str, float | NDArray[np.float64]]: ...
     @property
@@ -43,7 +54,7 @@ class Robot:
     def inspect(self, function: str, frame: str | None = None) -> str: ...
     def generate(
         self,
-        language: Literal["rust", "c", "llvm"] = "rust",
+        language: Literal["rust", "c", "llvm", "python"] = "rust",
         *functions: str,
         output: str | PathLike[str] | None = None,
         scalar: Literal["f64", "f32"] = "f64",

@@ -174,6 +174,23 @@ impl Function {
         (names.collect(), keywords.map(|(_, name)| name).collect())
     }
 
+    /// The names of arguments and of results, each with the shape of one state.
+    fn arrays(&self) -> (Vec<(String, Vec<usize>)>, Vec<(String, Vec<usize>)>) {
+        let of = |arrays: &[Array]| {
+            let arrays = arrays.iter();
+            arrays
+                .map(|of| (of.name.clone(), of.shape.clone()))
+                .collect()
+        };
+        (of(&self.signature.arguments), of(&self.signature.results))
+    }
+
+    /// The constant row below each result that has one.
+    fn below(&self) -> Vec<Option<[f64; 4]>> {
+        let results = self.signature.results.iter();
+        results.map(|of| of.below).collect()
+    }
+
     /// Compiles what a call with these options and so many states would wait for.
     #[pyo3(signature = (*, frame = None, order = None, single = false, many = false))]
     fn compile(

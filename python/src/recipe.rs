@@ -18,18 +18,19 @@ use homogen_codegen::description::{self, Description, inline};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::function::Function;
-use homogen_codegen::module::Module;
+use homogen_codegen::module::{DataMotion, Module};
 use homogen_codegen::name::Name;
 use homogen_codegen::print::arrays::{self, Order, Signature};
 use homogen_codegen::print::c::own;
 use homogen_codegen::print::described;
 use homogen_codegen::print::llvm::{self, Steps, Writing};
+use homogen_codegen::print::plain_python;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{SETTINGS, text};
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::{Kind, Space};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyAttributeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
 
@@ -224,6 +225,10 @@ impl Recipe {
             Kind::Quaternion => "quaternion",
             _ => "turn",
         });
+        let is_manifold = |motion: &DataMotion| matches!(motion, DataMotion::Manifold(_));
+        let is_euclidean = !module.data.motions.iter().any(is_manifold);
+        let is_euclidean = is_euclidean.into_pyobject(py)?;
+        set("euclidean", is_euclidean.to_owned().into_any())?;
         set("kinds", kinds.collect::<Vec<_>>().into_pyobject(py)?)?;
         let names = |space| spaces.names(space).map(str::to_owned).collect::<Vec<_>>();
         set("constraints", names(Space::Constraints).into_pyobject(py)?)?;
@@ -277,6 +282,25 @@ impl Recipe {
         py.detach(|| {
             let code = self.llvm(name, frame, order, scalar, lanes, fused);
             code.map_err(refused)
+        })
+    }
+
+    /// A function in plain Python, as a module that defines it by its name.
+    fn plain(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        frame: Option<&str>,
+        order: &str,
+    ) -> PyResult<String> {
+        let order = order_of(order)?;
+        let function = Function::from_name(name).ok_or_else(|| {
+            PyAttributeError::new_err(format!("{name:?} is no function in plain Python"))
+        })?;
+        py.detach(|| {
+            let module = self.module(function, frame, Real::F64).map_err(refused)?;
+            let asked = "Made in the process.";
+            Ok(plain_python::print(&module, &plain_python::Writing { asked, order }))
         })
     }
 }
@@ -339,7 +363,14 @@ impl Recipe {
         fused: bool,
     ) -> Result<(String, String, usize), Errors> {
         let (module, steps) = if let Some(function) = Function::from_name(name) {
-            (self.module(function, frame, order, scalar)?, Steps::None)
+            let mut module = self.module(function, frame, scalar)?;
+            let Module {
+                functions, spaces, ..
+            } = &mut module;
+            for generated in functions {
+                arrays::arrange(generated, spaces, order);
+            }
+            (module, Steps::None)
         } else {
             let mut request = self.request(Vec::new())?;
             request.scalar = scalar;
@@ -364,12 +395,11 @@ impl Recipe {
         Ok((entry, llvm::print(&module, &writing), operations))
     }
 
-    /// The robot with one function.
+    /// The robot with one function, whose results are in the order of Rust.
     fn module(
         &self,
         function: Function,
         frame: Option<&str>,
-        order: Order,
         scalar: Real,
     ) -> Result<Module, Errors> {
         let mut request = self.request(vec![vec![function]])?;
@@ -381,7 +411,6 @@ impl Recipe {
         module.functions.drain(..last);
         for generated in &mut module.functions {
             generated.frame = None;
-            arrays::arrange(generated, &module.spaces, order);
         }
         Ok(module)
     }

@@ -6,9 +6,9 @@ use std::path::Path;
 
 use proc_macro2::Span;
 
+use super::inline::text as inline;
 use super::load::load;
 use super::xacro::{self, Given};
-use super::inline::text as inline;
 use super::{Description, denavit_hartenberg, mjcf, urdf};
 use crate::error::{Diagnostic, Errors, Place};
 

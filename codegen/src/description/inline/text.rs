@@ -98,7 +98,10 @@ fn in_tokens(text: &str, errors: &mut Errors) -> Option<Description> {
     for setting in &contents.settings.seen {
         errors.push_with_hint(
             Place::Token(setting.span()),
-            format!("the setting {} stands in a text", quoted(&setting.to_string())),
+            format!(
+                "the setting {} stands in a text",
+                quoted(&setting.to_string())
+            ),
             "a text has links, joints and loops; give settings as options where it is read",
         );
     }
@@ -173,7 +176,10 @@ fn each_place(description: &mut Description, change: &mut impl FnMut(&mut Place)
         }
     }
     for joint in &mut description.joints {
-        names([&mut joint.name, &mut joint.parent, &mut joint.child], change);
+        names(
+            [&mut joint.name, &mut joint.parent, &mut joint.child],
+            change,
+        );
         steps(&mut joint.origin, change);
         numbers(joint.axis.iter_mut().chain(&mut joint.second_axis), change);
         if let Some(mimic) = &mut joint.mimic {
@@ -189,7 +195,10 @@ fn each_place(description: &mut Description, change: &mut impl FnMut(&mut Place)
         change(&mut joint.place);
     }
     for closing in &mut description.loops {
-        names([&mut closing.name, &mut closing.from, &mut closing.to], change);
+        names(
+            [&mut closing.name, &mut closing.from, &mut closing.to],
+            change,
+        );
         steps(&mut closing.at, change);
         steps(&mut closing.to_at, change);
         numbers(closing.axes.iter_mut().flatten(), change);
@@ -262,21 +271,32 @@ mod tests {
 
     #[test]
     fn a_text_is_a_robot_with_or_without_a_struct() {
-        let parts = "link ceiling; joint hinge: revolute(y);\nlink bob { mass: 1.0, com: [0, 0, -0.5] }";
+        let parts = "link ceiling; joint hinge: revolute(y);\nlink bob { mass: 1.0, com: [0, 0, -0.5], inertia: [0, 0, 0] }";
         let alone = chain(parts).unwrap();
         let named = chain(&format!("/// Swings.\npub struct Pendulum;\n{parts}")).unwrap();
-        let names = [alone, named].map(|chain| chain.description.name.text);
+        let names = [alone, named].map(|chain| chain.description.name.text.clone());
         assert_eq!(names, ["robot", "Pendulum"]);
     }
 
     #[test]
     fn friction_is_modelled_on_request_as_that_of_a_file() {
-        let text = "link a;\njoint j: revolute(y) { damping: 0.1, armature: 0.2 }\nlink b { mass: 1.0 }";
+        let text = "link a;\njoint j: revolute(y) { damping: 0.1, armature: 0.2 }\nlink b { mass: 1.0, inertia: [0, 0, 0] }";
         let chain = chain(text).unwrap();
-        let warnings: Vec<&str> = chain.report.warnings.iter().map(|of| &*of.message).collect();
+        let warnings: Vec<&str> = chain
+            .report
+            .warnings
+            .iter()
+            .map(|of| &*of.message)
+            .collect();
         let found = warnings.join("\n");
-        assert!(found.contains("not modelled: damping of joint \"j\""), "{found}");
-        assert!(found.contains("not modelled: the armature of joint \"j\""), "{found}");
+        assert!(
+            found.contains("not modelled: damping of joint \"j\""),
+            "{found}"
+        );
+        assert!(
+            found.contains("not modelled: the armature of joint \"j\""),
+            "{found}"
+        );
     }
 
     #[test]

@@ -130,7 +130,7 @@ class Robot:
 
     @property
     def jax(self):
-        """The functions for JAX, of arrays (..., n): `jit`, `vmap` and all derivatives apply."""
+        """The functions for JAX, of arrays (..., n): `jit`, `vmap`, `jvp` and `vjp` apply."""
         from ._jax import Jax
 
         return self._of(Jax)

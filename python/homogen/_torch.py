@@ -22,11 +22,21 @@ _keys = map(str, itertools.count())
 class Torch(Library):
     """The functions of a robot for PyTorch, of tensors (..., n) on the CPU, with the values that fields have at the call."""
 
+    def __init__(self, robot):
+        super().__init__(robot)
+        self._operations = {}
+
     def _make(self, name, frame, order):
-        operation = Operation(self._robot, name, frame, order)
         if name in DERIVATIVES and self._robot._is_euclidean:
-            return operation
+            return self.compiled(name, frame, order)
         return plain(self._robot, name, frame, order)
+
+    def compiled(self, name, frame, order):
+        """A function by compiled code, whether it can be differentiated or not."""
+        key = name, frame, order
+        if key not in self._operations:
+            self._operations[key] = Operation(self._robot, *key)
+        return self._operations[key]
 
 
 class Operation:
@@ -66,7 +76,7 @@ class Operation:
 
     def other(self, name, *tensors, frame=None, order=None):
         """The result of another function of the robot."""
-        return Operation(self.robot, name, frame, order or self.order)(*tensors)
+        return self.robot.torch.compiled(name, frame, order or self.order)(*tensors)
 
 
 def same_type(values):

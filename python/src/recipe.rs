@@ -66,7 +66,10 @@ const PREFIX: &str = "robot_";
 #[pymethods]
 impl Recipe {
     #[new]
-    #[expect(clippy::too_many_arguments, reason = "it is what `load` is called with")]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "it is what `load` is called with"
+    )]
     fn new(
         name: String,
         bytes: Vec<u8>,
@@ -300,7 +303,10 @@ impl Recipe {
         py.detach(|| {
             let module = self.module(function, frame, Real::F64).map_err(refused)?;
             let asked = "Made in the process.";
-            Ok(plain_python::print(&module, &plain_python::Writing { asked, order }))
+            Ok(plain_python::print(
+                &module,
+                &plain_python::Writing { asked, order },
+            ))
         })
     }
 }

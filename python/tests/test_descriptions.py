@@ -14,9 +14,9 @@ import homogen
 INLINE = """
 // The two-link arm.
 link base;
-joint shoulder: revolute(z) { at: rpy(pi/2, 0, 0), limits: [-3.14, 3.14], velocity: 4.0, effort: 50.0 }
+joint shoulder: revolute(z) { at: rpy(pi/2, 0, 0), limits: [-3.14, 3.14], velocity: 4.0 }
 link upper { mass: 2.0, com: [0.2, 0, 0], inertia: [0.002, 0.03, 0.03] }
-joint elbow: revolute(z) { at: xyz(0.4, 0, 0), limits: [-2.8, 2.8], velocity: 4.0, effort: 20.0 }
+joint elbow: revolute(z) { at: xyz(0.4, 0, 0), limits: [-2.8, 2.8], velocity: 4.0 }
 link fore { mass: 1.0, com: [0.15, 0, 0], inertia: [0.001, 0.01, 0.01] }
 joint tip: fixed { at: xyz(0.3, 0, 0) }
 link tool;
@@ -75,7 +75,7 @@ def test_a_text_of_links_and_joints_is_a_robot(urdf):
 
 
 def test_friction_of_a_text_is_modelled_on_request():
-    text = INLINE.replace("effort: 20.0", "effort: 20.0, damping: 0.5")
+    text = INLINE.replace("[-2.8, 2.8],", "[-2.8, 2.8], damping: 0.5,")
     with pytest.warns(homogen.DescriptionWarning, match='not modelled: damping of joint "elbow"'):
         rigid = homogen.load(text)
     of = homogen.load(text, friction=True)
@@ -118,17 +118,18 @@ def test_included_files_and_meshes_are_found(pendulum, monkeypatch):
 @pytest.mark.parametrize("name", ["bob.obj", "parts/body.xml"])
 def test_files_that_have_changed_are_not_used(pendulum, name):
     of = homogen.load(pendulum)
-    before = torques(of)
+    arguments = states(of, ["q", "qd", "qdd"], 20, float)
+    before = of.inverse_dynamics(*arguments)
     file = pendulum.parent / name
     text = file.read_text()
     file.write_text(text.replace("0.3", "0.4").replace("1000", "2000"))
-    assert same(torques(of), before)
+    assert same(of.inverse_dynamics(*arguments), before)
     for use in (lambda: of.gravity([0.1]), of.check, lambda: pickle.loads(pickle.dumps(of))):
         with pytest.raises(ValueError, match="pendulum.xml or a file that it names has changed since it was loaded"):
             use()
     assert homogen.load(pendulum) != of
     file.unlink()
-    with pytest.raises(ValueError, match=file.name):
+    with pytest.raises(ValueError, match="has changed|cannot include"):
         of.gravity([0.1])
 
 
@@ -156,7 +157,7 @@ def test_xacro_files_find_packages(tmp_path, monkeypatch):
     shutil.copy(ROBOTS / "two_link.urdf.xacro", tmp_path / "arms/arm.xacro")
     text = """<robot name="held" xmlns:xacro="http://www.ros.org/wiki/xacro">
       <xacro:arg name="is_held" default="false"/>
-      <xacro:if value="$(arg is_held)"><link name="world"/></xacro:if>
+      <xacro:if value="$(arg is_held)"><link name="hand"/><joint name="grip" type="continuous"><parent link="hand"/><child link="thing"/></joint><link name="thing"/></xacro:if>
       <xacro:unless value="$(arg is_held)"><xacro:include filename="$(find arms)/arm.xacro"/></xacro:unless>
     </robot>"""
     (tmp_path / "elsewhere").mkdir()
@@ -166,4 +167,4 @@ def test_xacro_files_find_packages(tmp_path, monkeypatch):
     monkeypatch.chdir("/")
     assert of.joint_names == ("shoulder", "elbow") and torques(of).shape == (20, 2)
     held = homogen.load(tmp_path / "elsewhere/held.xacro", packages={"arms": tmp_path / "arms"}, arguments={"is_held": True})
-    assert held.NQ == 0
+    assert held.joint_names == ("grip",)

@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident, Token, Visibility, token};
 
-use super::{Contents, add, assemble, entries};
+use super::contents::{Contents, add, assemble, entries};
 use crate::description::fingerprint::fingerprint;
 use crate::description::tokens::{self, Parsed};
 use crate::description::{Description, Inertial, Name, Number, Source, Step};

@@ -17,7 +17,7 @@ pub(super) const SIGN_OF_A_NUMBER: &str = "
 
 def _sign(a, library):
     \"\"\"The sign of a: -1, 0 or 1.\"\"\"
-    return (a > 0) - (a < 0) if library is math else library.sign(a)
+    return float(a > 0) - float(a < 0) if library is math else library.sign(a)
 ";
 
 /// Comments, documentation and imports.

@@ -16,6 +16,7 @@ from homogen import _engine  # noqa: E402
 HEAD = '''# Written by stub.py from the engine's table of functions.
 from collections.abc import Sequence
 from os import PathLike
+from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -76,6 +77,7 @@ class Robot:
         frames: Sequence[str] = (),
         name: str | None = None,
     ) -> str | None: ...
+    def show(self, *functions: str, output: str | PathLike[str] | None = None) -> Path: ...
     # Fields, by the names that `homogen.load` was called with.
     def __getattr__(self, name: str) -> Any: ...
     def __setattr__(self, name: str, value: ArrayLike) -> None: ...

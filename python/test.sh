@@ -5,14 +5,14 @@
 #   test.sh [--libraries] [arguments of pytest]
 #
 # Maturin, llvmlite, NumPy, pytest and mypy come from PyPI, crates from crates.io; with --libraries PyTorch, JAX, CasADi,
-# SymPy and Numba as well, of gigabytes, and only the tests of these run. Where there is no Python from 3.10 on with
+# SymPy, Numba and Pinocchio as well, of gigabytes, and only the tests of these run. Where there is no Python from 3.10 on with
 # `venv`, the last line says so and nothing is checked.
 set -euo pipefail
 libraries=()
 tests=()
 if [ "${1:-}" = --libraries ]; then
     shift
-    libraries=(casadi jax numba sympy torch)
+    libraries=(casadi jax numba pin sympy torch)
     tests=(test_plain.py test_libraries.py)
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,7 +1,9 @@
 """A robot: its functions, its fields, and what it says of itself."""
 
+import html
 import json
 import tempfile
+import webbrowser
 from pathlib import Path
 
 import numpy as np
@@ -235,6 +237,23 @@ class Robot:
         if output is not None:
             words.append(f"--output={Path(output).absolute()}")
         return self._answer("generate", *words) or None
+
+    def show(self, *functions, output=None):
+        """Opens a page in the browser: the robot as a skeleton to move, and functions with cost, bound and code, all of them
+        where none is named. Returns the path of the page.
+
+        output: the file of the page; otherwise one in a new folder of the system's folder for temporary files
+        """
+        path = Path(output) if output is not None else Path(tempfile.mkdtemp(prefix="homogen-")) / "robot.html"
+        named = [f"--functions={','.join(functions)}"] if functions else []
+        path.write_text(self._answer("show", *named), encoding="utf-8")
+        webbrowser.open(path.absolute().as_uri())
+        return path
+
+    def _repr_html_(self):
+        """The skeleton with joints to move, in a frame of its own, for notebooks."""
+        page = html.escape(self._answer("show", "--functions=potential_energy"))
+        return f'<iframe srcdoc="{page}" sandbox="allow-scripts" style="width: 100%; height: 40em; border: 0"></iframe>'
 
     def _answer(self, command, *words):
         """What the command line answers about this robot."""

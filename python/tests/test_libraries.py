@@ -12,7 +12,7 @@ from conftest import ROBOTS, robot, same, states
 
 import homogen
 
-DEMANDED = os.environ.get("HOMOGEN_LIBRARIES", "").split(",")
+DEMANDED = os.environ.get("HOMOGEN_LIBRARIES", "").replace("pin", "pinocchio").split(",")
 
 
 def library(name):
@@ -331,3 +331,40 @@ def test_torch_keeps_no_robots(torch):
     del torques
     gc.collect()
     assert len(_torch._alive) < alive
+
+
+# --- Pinocchio ------------------------------------------------------------------------------------
+
+
+def test_pinocchio_computes_the_same(arm):
+    pin = library("pinocchio")
+    model = pin.buildModelFromUrdf(str(ROBOTS / "panda_class.urdf"))
+    data = model.createData()
+    assert tuple(model.names)[1:] == arm.joint_names
+    q, v, a = (array[0] for array in states(arm, ["q", "qd", "qdd"], 1, float))
+
+    def close(found, wanted):
+        return np.allclose(found, wanted, rtol=1e-9, atol=1e-9 * (1 + np.abs(wanted).max()))
+
+    assert close(arm.inverse_dynamics(q, v, a), pin.rnea(model, data, q, v, a))
+    assert close(arm.forward_dynamics(q, v, a), pin.aba(model, data, q, v, a))
+    assert close(arm.bias(q, v), pin.nonLinearEffects(model, data, q, v))
+    mass = np.triu(pin.crba(model, data, q))
+    assert close(np.triu(arm.mass_matrix(q)), mass)
+    dq, dqd, _ = pin.computeRNEADerivatives(model, data, q, v, a)
+    found = arm.inverse_dynamics_derivatives(q, v, a)
+    assert close(found.dq, dq) and close(found.dqd, dqd)
+    for one, other in zip(arm.forward_dynamics_derivatives(q, v, a), pin.computeABADerivatives(model, data, q, v, a)):
+        assert close(one, other)
+    frame = model.getFrameId("link5")
+    pin.framesForwardKinematics(model, data, q)
+    assert close(arm.forward_kinematics(q, frame="link5"), data.oMf[frame].homogeneous)
+    for jacobian, reference in [
+        (arm.body_jacobian, pin.LOCAL),
+        (arm.spatial_jacobian, pin.WORLD),
+        (arm.geometric_jacobian, pin.LOCAL_WORLD_ALIGNED),
+    ]:
+        assert close(jacobian(q, frame="link5"), pin.computeFrameJacobian(model, data, q, frame, reference))
+    ahead = pin.integrate(model, q, v)
+    assert close(arm.integrate(q, v), ahead) and close(arm.difference(q, ahead), pin.difference(model, q, ahead))
+    assert close(arm.neutral(), pin.neutral(model))

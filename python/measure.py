@@ -16,6 +16,10 @@ from pathlib import Path
 
 import numpy as np
 
+# Beside this file the package has no engine: the installed one is meant.
+if str(Path(__file__).resolve().parent) in sys.path:
+    sys.path.remove(str(Path(__file__).resolve().parent))
+
 FILE = sys.argv[1] if len(sys.argv) > 1 else str(Path(__file__).parents[1] / "robots" / "panda_class.urdf")
 TIP = sys.argv[2] if len(sys.argv) > 2 else "link8"
 STATES = 1_000_000

@@ -80,11 +80,14 @@ def leading(arguments, shapes):
     rank = max(map(len, axes), default=0)
     result = []
     for lengths in zip(*((1,) * (rank - len(one)) + one for one in axes)):
-        other = set(lengths) - {1}
-        if len(other) > 1:
-            told = ", ".join(f"{name} {one}" for (name, _), one in zip(arguments, axes))
-            raise ValueError(f"leading axes cannot be broadcast together: {told}")
-        result.append(other.pop() if other else 1)
+        length = 1
+        for one in lengths:
+            if length == 1:
+                length = one
+            elif one != 1 and one != length:
+                shown = ", ".join(f"{name} {own}" for (name, _), own in zip(arguments, axes))
+                raise ValueError(f"leading axes cannot be broadcast together: {shown}")
+        result.append(length)
     return tuple(result)
 
 

@@ -282,6 +282,8 @@ def test_torch_has_the_gradients_of_finite_differences_and_of_plain_python(torch
             assert torch.allclose(one, another, rtol=1e-8, atol=1e-8), name
 
 
+# The check of PyTorch looks at gradients of tensors that have none.
+@pytest.mark.filterwarnings("ignore:The .grad attribute")
 def test_torch_functions_are_operators(torch, arm):
     given = tensors(torch, arm, arm.inverse_dynamics, 4)
     operation = arm.torch.inverse_dynamics

@@ -138,7 +138,7 @@ def test_options_are_those_of_the_command_line():
         ("external", "fore"),
         ("formulation", "unfused"),
     ]
-    with pytest.raises(TypeError, match="no option 'tool'; there are base, floating, tip"):
+    with pytest.raises(TypeError, match="no option 'tool'; there are arguments, packages, base, floating, tip"):
         homogen.load(PANDA, tool="link8")
     with pytest.raises(ValueError, match='"link9"'):
         homogen.load(PANDA, tip="link9")

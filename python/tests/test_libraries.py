@@ -287,10 +287,15 @@ def test_torch_has_the_gradients_of_finite_differences_and_of_plain_python(torch
 def test_torch_functions_are_operators(torch, arm):
     given = tensors(torch, arm, arm.inverse_dynamics, 4)
     operation = arm.torch.inverse_dynamics
-    torch.library.opcheck(torch.ops.homogen.compute.default, (given, operation._key))
+    torch.library.opcheck(torch.ops.homogen.compute.default, (given, operation.key))
     q, qd, qdd = given
     several = torch.func.vmap(operation, (0, 0, None))(q, qd, qdd[0])
     assert torch.allclose(several, operation(q, qd, qdd[0]))
+    found = operation(q[0], qd[0], qdd[0])
+    pull = torch.func.vmap(lambda row: torch.autograd.grad(found, q, row, retain_graph=True)[0])
+    rows = pull(torch.eye(7, dtype=q.dtype))
+    wanted = arm.inverse_dynamics_derivatives(*(tensor[0].detach().numpy() for tensor in given))
+    assert np.allclose(rows[:, 0].numpy(), wanted.dq)
     single = operation(*(tensor.detach().float() for tensor in given))
     assert single.dtype == torch.float32
     wide = operation(q[:, None], qd, qdd[0])
@@ -303,7 +308,7 @@ def test_torch_functions_are_operators(torch, arm):
 def test_torch_takes_second_derivatives_from_plain_python(torch, arm):
     (q,) = tensors(torch, arm, arm.gravity, 2)
     (slope,) = torch.autograd.grad(arm.torch.gravity(q).sum(), q, create_graph=True)
-    with pytest.raises(NotImplementedError, match="gravity_derivative has no generated derivative"):
+    with pytest.raises(NotImplementedError, match="the gradient of gravity has no generated derivative"):
         torch.autograd.grad(slope.sum(), q)
     from homogen._torch import plain
 

@@ -39,6 +39,9 @@ struct Variant {
     many: bool,
 }
 
+/// An array's name, and its shape for one state.
+type Shape = (String, Vec<usize>);
+
 /// Compiled code.
 struct Kernel {
     address: usize,
@@ -175,14 +178,14 @@ impl Function {
     }
 
     /// The names of arguments and of results, each with the shape of one state.
-    fn arrays(&self) -> (Vec<(String, Vec<usize>)>, Vec<(String, Vec<usize>)>) {
+    fn arrays(&self) -> [Vec<Shape>; 2] {
         let of = |arrays: &[Array]| {
             let arrays = arrays.iter();
             arrays
                 .map(|of| (of.name.clone(), of.shape.clone()))
                 .collect()
         };
-        (of(&self.signature.arguments), of(&self.signature.results))
+        [&self.signature.arguments, &self.signature.results].map(|arrays| of(arrays))
     }
 
     /// The constant row below each result that has one.

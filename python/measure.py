@@ -3,7 +3,7 @@
     python measure.py [FILE [TIP]]     robots/panda_class.urdf and link8 where nothing else is named
 
 Each figure is the least of several runs: what the machine does besides only adds. Where `pin` is installed, Pinocchio does
-the same beside it (`pip install pin`). Nothing cached and cached are processes of their own, without their imports.
+the same beside it (`pip install pin`). So do PyTorch, JAX and CasADi with the functions for them. Nothing cached and cached are processes of their own, without their imports.
 """
 
 import json
@@ -15,6 +15,10 @@ import time
 from pathlib import Path
 
 import numpy as np
+
+# Beside this file the package has no engine: the installed one is meant.
+if str(Path(__file__).resolve().parent) in sys.path:
+    sys.path.remove(str(Path(__file__).resolve().parent))
 
 FILE = sys.argv[1] if len(sys.argv) > 1 else str(Path(__file__).parents[1] / "robots" / "panda_class.urdf")
 TIP = sys.argv[2] if len(sys.argv) > 2 else "link8"
@@ -56,6 +60,45 @@ def show(what, value, unit):
     print(f"{what:58} {value:10.3f} {unit}")
 
 
+def libraries(of):
+    """Other libraries, as far as they are installed."""
+    count = 100_000
+    states = [of.random(0, count), *np.random.default_rng(0).uniform(-1, 1, (2, count, of.NV))]
+    try:
+        import torch
+    except ImportError:
+        print("not measured: PyTorch is not installed")
+    else:
+        tensors = [torch.tensor(array, requires_grad=True) for array in states]
+        dynamics = of.torch.inverse_dynamics
+        forward = least(lambda: dynamics(*tensors), 1, 9)
+        show(f"PyTorch: inverse dynamics, {count} states", 1e9 * forward / count, "ns a state")
+        torques = dynamics(*tensors)
+        weights = torch.ones_like(torques)
+        backward = least(lambda: torch.autograd.grad(torques, tensors, weights, retain_graph=True), 1, 9)
+        show("    backward, in parts of the forward pass", backward / forward, "")
+    try:
+        import jax
+    except ImportError:
+        print("not measured: JAX is not installed")
+    else:
+        jax.config.update("jax_enable_x64", True)
+        for size in (1024, count):
+            arrays = [jax.numpy.asarray(array[:size]) for array in states]
+            dynamics = jax.jit(of.jax.inverse_dynamics)
+            forward = least(lambda: dynamics(*arrays).block_until_ready(), 1, 9)
+            show(f"JAX: inverse dynamics, {size} states", 1e9 * forward / size, "ns a state")
+            gradient = jax.jit(jax.grad(lambda *given: of.jax.inverse_dynamics(*given).sum(), (0, 1, 2)))
+            backward = least(lambda: jax.block_until_ready(gradient(*arrays)), 1, 9)
+            show("    value and gradient, in parts of that", backward / forward, "")
+    try:
+        import casadi  # noqa: F401
+    except ImportError:
+        print("not measured: CasADi is not installed")
+    else:
+        show("CasADi: instructions of inverse dynamics on SX", of.casadi.inverse_dynamics.n_instructions(), "")
+
+
 def main():
     import homogen
 
@@ -93,6 +136,7 @@ def main():
         columns = [np.asfortranarray(array) for array in states]
         seconds = least(lambda: alone.inverse_dynamics(*columns, out=out), 1, 9)
         show("    the same by columns, one thread", 1e9 * seconds / STATES, "ns a state")
+    libraries(of)
 
 
 if __name__ == "__main__":

@@ -2,11 +2,19 @@
 # The package, from its sources to its tests: builds the wheel, installs it in a fresh environment with neither cargo nor a
 # C compiler on the path, and runs the tests there.
 #
-#   test.sh [arguments of pytest]
+#   test.sh [--libraries] [arguments of pytest]
 #
-# Maturin, llvmlite, NumPy, pytest and mypy come from PyPI, crates from crates.io. Where there is no Python from 3.10 on with
+# Maturin, llvmlite, NumPy, pytest and mypy come from PyPI, crates from crates.io; with --libraries PyTorch, JAX, CasADi,
+# SymPy, Numba and Pinocchio as well, of gigabytes, and only the tests of these run. Where there is no Python from 3.10 on with
 # `venv`, the last line says so and nothing is checked.
 set -euo pipefail
+libraries=()
+tests=()
+if [ "${1:-}" = --libraries ]; then
+    shift
+    libraries=(casadi jax numba pin sympy torch)
+    tests=(test_plain.py test_libraries.py)
+fi
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 if ! python3 -c 'import sys, ensurepip; assert sys.version_info >= (3, 10)' 2>/dev/null; then
@@ -27,7 +35,7 @@ python3 -m venv "$folder/build"
 "$folder/build/bin/maturin" build --quiet --release --manifest-path python/Cargo.toml --out "$folder/wheels"
 
 python3 -m venv "$folder/python"
-"$folder/python/bin/pip" install --quiet --disable-pip-version-check "$folder"/wheels/*.whl 'pytest>=7' mypy
+"$folder/python/bin/pip" install --quiet --disable-pip-version-check "$folder"/wheels/*.whl 'pytest>=7' mypy "${libraries[@]}"
 # Beside Python there are the tools of a shell, and no others.
 mkdir "$folder/bin"
 for tool in dirname uname; do
@@ -35,6 +43,7 @@ for tool in dirname uname; do
 done
 cp -r python/tests "$folder/tests"
 cd "$folder/tests"
-export PATH="$folder/python/bin:$folder/bin" HOMOGEN="$homogen" HOMOGEN_REPOSITORY="$OLDPWD" HOMOGEN_CACHE="$folder/cache"
+HOMOGEN_LIBRARIES="$(IFS=, && echo "${libraries[*]}")"
+export HOMOGEN_LIBRARIES PATH="$folder/python/bin:$folder/bin" HOMOGEN="$homogen" HOMOGEN_REPOSITORY="$OLDPWD" HOMOGEN_CACHE="$folder/cache"
 python -c 'import shutil; assert not any(map(shutil.which, ["cargo", "rustc", "cc", "gcc", "clang"]))'
-python -m pytest -q -W error -W ignore::homogen.DescriptionWarning "$@"
+python -m pytest -q -W error -W ignore::homogen.DescriptionWarning "$@" "${tests[@]}"

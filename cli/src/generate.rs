@@ -1,4 +1,4 @@
-//! `homogen generate`: a file in Rust that needs only `core`, one in C with its header, or LLVM IR.
+//! `homogen generate`: a file in Rust that needs only `core`, one in C with its header, LLVM IR, or plain Python.
 //!
 //! The output is that of the builder of a build script. Nothing is written if there are errors.
 
@@ -14,6 +14,7 @@ use super::{Answer, Outcome};
 use homogen_codegen::builder::{Builder, header_beside};
 use homogen_codegen::error::Errors;
 use homogen_codegen::module::Module;
+use homogen_codegen::print::arrays::Order;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::FILE;
@@ -24,26 +25,39 @@ enum Language {
     Rust,
     C,
     Llvm,
+    Python,
 }
 
-/// Write the functions of a robot as a file of Rust that needs only core, or of C or LLVM IR
+/// Order of six numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Halves {
+    LinearFirst,
+    AngularFirst,
+}
+
+/// Write the functions of a robot as a file of Rust that needs only core, or of C, LLVM IR or Python
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
   homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
   homogen generate arm.urdf --language c -o arm.c
+  homogen generate arm.urdf --language python -o arm.py
 
 Exit status: 0; 1 for an error in the input; 2 for one in the arguments; 3 if all functions were requested and one was
 left out because of a fault of homogen, which standard error and the head of the file report; the others are written.")]
 pub(super) struct Generate {
     #[command(flatten)]
     generated: Generated,
-    /// The language; c is C99, with a header beside the file (arm.h beside arm.c); llvm is LLVM IR
+    /// The language; c is C99, with a header beside the file (arm.h beside arm.c); llvm is LLVM IR; python is a module
+    /// for numbers of any library
     #[arg(long, value_enum, default_value = "rust")]
     language: Language,
     /// Number of states in a vector of LLVM IR
     #[arg(long, value_name = "COUNT", default_value = "8")]
     lanes: NonZeroUsize,
+    /// In Python the first half of twists, wrenches and momenta
+    #[arg(long, value_enum, default_value = "linear-first")]
+    order: Halves,
     /// The type of numbers [default: f64, or any with --runtime]
     #[arg(long, value_enum)]
     scalar: Option<Scalar>,
@@ -94,6 +108,7 @@ impl Generate {
             Language::Rust => self.rust(&builder)?,
             Language::C => self.c(&builder)?,
             Language::Llvm => self.llvm(&builder)?,
+            Language::Python => self.python(&builder)?,
         };
         Ok(Answer {
             output,
@@ -134,6 +149,16 @@ impl Generate {
         let module = builder.c_module()?;
         let text = builder.llvm(&module, self.lanes);
         Ok((self.put(text)?, module))
+    }
+
+    /// Writes a module of Python, or returns its text.
+    fn python(&self, builder: &Builder) -> Result<(String, Module), Errors> {
+        let module = builder.plain_python_module()?;
+        let order = match self.order {
+            Halves::LinearFirst => Order::LinearFirst,
+            Halves::AngularFirst => Order::AngularFirst,
+        };
+        Ok((self.put(builder.plain_python(&module, order))?, module))
     }
 
     /// Writes a file of C and its header, or returns both as one text.

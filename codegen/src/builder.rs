@@ -9,6 +9,7 @@ mod command;
 mod file;
 mod llvm;
 mod output;
+mod plain_python;
 mod python;
 #[cfg(test)]
 mod tests;

@@ -33,7 +33,9 @@ pub mod words;
 pub mod xacro;
 mod xml;
 
-pub use self::file::{expand_file, is_utf_16, read_bytes, read_file, read_file_with, read_text};
+pub use self::file::{
+    expand_file, is_utf_16, read_bytes, read_bytes_in, read_file, read_file_with, read_text,
+};
 pub use self::item::Item;
 pub use self::robot::{
     Axis, Description, FileFormat, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic,

@@ -182,6 +182,16 @@ impl Errors {
         self
     }
 
+    /// The same errors and warnings at other places.
+    #[must_use]
+    pub(crate) fn placed(mut self, place: impl Fn(Place) -> Place) -> Self {
+        let warnings = self.warnings.iter_mut();
+        for diagnostic in self.diagnostics.iter_mut().chain(warnings) {
+            diagnostic.place = place(diagnostic.place);
+        }
+        self
+    }
+
     /// Adds a [`Diagnostic`] as an error.
     pub fn record(&mut self, diagnostic: Diagnostic) {
         if self.diagnostics.len() < KEPT {

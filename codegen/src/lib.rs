@@ -14,8 +14,8 @@
 //! # Ok::<(), homogen_codegen::error::Errors>(())
 //! ```
 //!
-//! [`Builder`] is the front end for build scripts and writes Rust for `core` alone, C99 ([`Builder::write_c`]), LLVM IR
-//! and Python packages. The command line `homogen` is in the crate `homogen-cli`, the derive and the macro in the crate
+//! [`Builder`] is the front end for build scripts and writes Rust for `core` alone, C99 ([`Builder::write_c`]), LLVM IR,
+//! plain Python and Python packages. The command line `homogen` is in the crate `homogen-cli`, the derive and the macro in the crate
 //! `homogen`. [`Function`] lists the functions, [`Formulation`] the algorithms and [`Processor`] the targets.
 //!
 //! The engine is a pipeline of stages; each uses the one before it, and [`expand`] connects them:

@@ -15,6 +15,8 @@ mod large;
 #[cfg(feature = "files")]
 pub mod llvm;
 #[cfg(feature = "files")]
+pub mod plain_python;
+#[cfg(feature = "files")]
 pub mod python;
 #[cfg(feature = "files")]
 mod review;

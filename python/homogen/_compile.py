@@ -48,7 +48,7 @@ def compiled(recipe, name, frame, order, single, many):
     fused = FUSES and not recipe.reproducible
     lanes = _VECTOR // (4 if single else 8) if many else 1
     entry, ir, operations = recipe.code(name, frame, order, single, lanes, fused)
-    code = _code(entry, ir)
+    code = loaded(entry, ir)
     return code.address, operations, code
 
 
@@ -67,7 +67,8 @@ class _Code:
             raise RuntimeError(f"the code of {entry} cannot be linked")
 
 
-def _code(entry, ir):
+def loaded(entry, ir):
+    """The code of an entry, from memory, from disk, or compiled."""
     about = (VERSION, llvmlite.__version__, *llvm.llvm_version_info, _TRIPLE, _CPU, _FEATURES.flatten(), _EFFORT, entry, ir)
     key = _HASH("\0".join(map(str, about)).encode()).hexdigest()
     code = _loaded.get(key)

@@ -1,6 +1,7 @@
 """`homogen.load`: from a description and options to a robot."""
 
 import numbers
+import os
 import warnings
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -26,8 +27,9 @@ def load(
 ):
     """The robot of a description.
 
-    source: the path of a URDF file or of a Denavit-Hartenberg table; or the description itself: `bytes`, or a `str` that
-        contains a line break or begins with `<`
+    source: the path of a URDF, xacro or MJCF file or of a Denavit-Hartenberg table; or the description itself: `bytes`,
+        or a `str` that contains a line break or begins with `<`, which may be links and joints in the grammar of Rust's
+        `chain!`. Included files and meshes are found from the folder of a file, and may not change while it is loaded
     order: what six numbers that turn and move begin with, in results and in external forces: "linear_first", as Pinocchio
         and ROS have it and as the velocities of a floating base stand, or "angular_first", as Featherstone has it
     fields: numbers that stay free at run time, as attributes: `{"payload": "mass_of:hand"}`
@@ -35,7 +37,8 @@ def load(
     threads: how many threads share a call with many states [default: all cores]
 
     A switch is `True`; a link or a joint is a name, several are a list; joints with numbers are a dict:
-    `lock={"finger": 0.02}`, `friction={"elbow": 0.1}`. Options, as on the command line:
+    `lock={"finger": 0.02}`, `friction={"elbow": 0.1}`; and so are arguments of xacro files and folders of packages:
+    `arguments={"ur_type": "ur5e"}`, `packages={"ur_description": "../ur_description"}`. Options, as on the command line:
 
     """
     given = list(_said(options))
@@ -45,8 +48,8 @@ def load(
             raise ValueError(f"ranges: there is no field {field!r}")
     if threads is not None and threads < 1:
         raise ValueError(f"threads is a number from 1 on, and not {threads}")
-    name, text = _text(source)
-    recipe = Recipe(name, text, given, described, order, threads, None)
+    name, text, folder = _text(source)
+    recipe = Recipe(name, text, folder and (folder, None), given, described, order, threads, None)
     robot = Robot(recipe)
     for warning in robot.warnings:
         warnings.warn(warning, DescriptionWarning, stacklevel=2)
@@ -57,14 +60,14 @@ load.__doc__ += "\n".join(f"    {key}: {help}" for key, help in _OPTIONS.items()
 
 
 def _text(source):
-    """The name and the bytes of a description."""
+    """The name and the bytes of a description, and the folder of its file."""
     if isinstance(source, (bytes, bytearray)):
-        return TEXT, bytes(source)
+        return TEXT, bytes(source), None
     if isinstance(source, str) and ("\n" in source or source.lstrip().startswith("<")):
-        return TEXT, source.encode()
+        return TEXT, source.encode(), None
     path = Path(source)
     try:
-        return path.name, path.read_bytes()
+        return path.name, path.read_bytes(), path.absolute().parent
     except OSError as reason:
         raise type(reason)(reason.errno, f"cannot read {path}: {reason.strerror}") from None
 
@@ -93,8 +96,8 @@ def _words(key, value):
     elif isinstance(value, str):
         yield value
     elif isinstance(value, Mapping):
-        for name, number in value.items():
-            yield name if number is None else f"{name}={_numbers(number)}"
+        for name, of in value.items():
+            yield name if of is None else f"{name}={_VALUES.get(key, _numbers)(of)}"
     elif isinstance(value, numbers.Real):
         yield _numbers(value)
     elif isinstance(value, Iterable):
@@ -108,6 +111,13 @@ def _words(key, value):
         raise TypeError(f"{key} cannot be {value!r}")
 
 
+def _argument(value):
+    """The value of an argument, as xacro reads it."""
+    if isinstance(value, str):
+        return value
+    return str(value).lower() if isinstance(value, bool) else _numbers(value)
+
+
 def _numbers(value):
     """A number, or several with commas between them."""
     if isinstance(value, numbers.Integral):
@@ -115,3 +125,7 @@ def _numbers(value):
     if isinstance(value, numbers.Real):
         return repr(float(value))
     return ",".join(_numbers(item) for item in value)
+
+
+# How the values of a dict are written, where they are no numbers.
+_VALUES = {"arguments": _argument, "packages": os.path.abspath}

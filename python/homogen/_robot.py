@@ -1,7 +1,9 @@
 """A robot: its functions, its fields, and what it says of itself."""
 
+import html
 import json
 import tempfile
+import webbrowser
 from pathlib import Path
 
 import numpy as np
@@ -9,14 +11,12 @@ import numpy as np
 from . import _engine, results
 from ._compile import compiled
 from ._function import Function
+from ._library import STEPS, Plain
 
 _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
 _OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
 #: The name, in messages, of a description that is no file.
 TEXT = "<text>"
-
-_STEPS = ("integrate", "difference", "normalize")
-
 
 class Robot:
     """A robot, made by `homogen.load`.
@@ -50,11 +50,14 @@ class Robot:
             own[name].flags.writeable = False
         own["_neutral"] = np.array(facts["neutral"], float)
         own["_kinds"] = np.array(facts["kinds"])
+        # Each coordinate is added to and has a velocity of its own: there are no quaternions and no planar joints.
+        own["_is_euclidean"] = facts["euclidean"]
         own["_fields"] = _places(recipe, facts["fields"])
-        names = [*_STEPS, *_FUNCTIONS]
+        names = [*STEPS, *_FUNCTIONS]
         if not self.constraint_names:
             names = [name for name in names if name not in _OF_LOOPS]
         own["_functions"] = tuple(names)
+        own["_libraries"] = {}
 
     def __getattr__(self, name):
         own = self.__dict__
@@ -116,6 +119,46 @@ class Robot:
         return self.__copy__()
 
     @property
+    def plain(self):
+        """The functions in plain Python, for numbers of any library: `panda.plain.gravity(q, library=numpy)`."""
+        return self._of(Plain)
+
+    @property
+    def torch(self):
+        """The functions for PyTorch, of tensors (..., n), with gradients."""
+        from ._torch import Torch
+
+        return self._of(Torch)
+
+    @property
+    def jax(self):
+        """The functions for JAX, of arrays (..., n): `jit`, `vmap`, `jvp` and `vjp` apply."""
+        from ._jax import Jax
+
+        return self._of(Jax)
+
+    @property
+    def casadi(self):
+        """The functions as functions of CasADi."""
+        from ._casadi import Casadi
+
+        return self._of(Casadi)
+
+    @property
+    def numba(self):
+        """The functions for code that Numba compiles, of one state."""
+        from ._numba import Numba
+
+        return self._of(Numba)
+
+    def _of(self, library):
+        """The functions for a library, made once."""
+        own = self._libraries
+        if library not in own:
+            own[library] = library(self)
+        return own[library]
+
+    @property
     def fields(self):
         """The fields and their values."""
         return {name: getattr(self, name) for name in self._fields}
@@ -175,12 +218,14 @@ class Robot:
         return self._answer("inspect", f"--function={function}", *([f"--frame={frame}"] if frame else []))
 
     def generate(self, language="rust", *functions, output=None, scalar="f64", frames=(), name=None):
-        """The functions as a file: `rust`, `c` or `llvm`; all of them where none is named.
+        """The functions as a file: `rust`, `c`, `llvm` or `python`; all of them where none is named.
 
         output: the file, a header beside it in C; without it the text is returned
         scalar: `f64` or `f32`
         """
         words = [f"--language={language}", f"--scalar={scalar}", *(f"--frames={frame}" for frame in frames)]
+        if language == "python":
+            words.append(f"--order={self._recipe.order.replace('_', '-')}")
         if functions:
             words.append(f"--functions={','.join(functions)}")
         if name is not None:
@@ -193,6 +238,23 @@ class Robot:
             words.append(f"--output={Path(output).absolute()}")
         return self._answer("generate", *words) or None
 
+    def show(self, *functions, output=None):
+        """Opens a page in the browser: the robot as a skeleton to move, and functions with cost, bound and code, all of them
+        where none is named. Returns the path of the page.
+
+        output: the file of the page; otherwise one in a new folder of the system's folder for temporary files
+        """
+        path = Path(output) if output is not None else Path(tempfile.mkdtemp(prefix="homogen-")) / "robot.html"
+        named = [f"--functions={','.join(functions)}"] if functions else []
+        path.write_text(self._answer("show", *named), encoding="utf-8")
+        webbrowser.open(path.absolute().as_uri())
+        return path
+
+    def _repr_html_(self):
+        """The skeleton with joints to move, in a frame of its own, for notebooks."""
+        page = html.escape(self._answer("show", "--functions=potential_energy"))
+        return f'<iframe srcdoc="{page}" sandbox="allow-scripts" style="width: 100%; height: 40em; border: 0"></iframe>'
+
     def _answer(self, command, *words):
         """What the command line answers about this robot."""
         names = dict(_engine.options())
@@ -203,8 +265,10 @@ class Robot:
         ]
         with tempfile.TemporaryDirectory() as room:
             name = self._recipe.file
-            file = Path(room) / ("robot" if name == TEXT else name)
-            file.write_bytes(self._recipe.bytes)
+            file = self._recipe.path()
+            if file is None:
+                file = Path(room) / ("robot" if name == TEXT else name)
+                file.write_bytes(self._recipe.bytes)
             output, remarks, status = _engine.answer([command, str(file), *flags, *words])
         if status in (1, 2):
             raise ValueError(remarks.removeprefix("error: ").rstrip().replace(f"{room}/", ""))
@@ -218,7 +282,7 @@ def _places(recipe, counts):
     """Where the numbers of each field stand, and how many they are."""
     places, first = {}, 0
     for (name, *_), count in zip(recipe.fields, counts):
-        if name in _FUNCTIONS or hasattr(Robot, name) or name in _STEPS or not name.isidentifier():
+        if name in _FUNCTIONS or hasattr(Robot, name) or name in STEPS or not name.isidentifier():
             raise ValueError(f"no field can be called {name!r}: a robot has that name already; choose another")
         places[name] = first, count
         first += count

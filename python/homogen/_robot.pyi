@@ -1,6 +1,7 @@
 # Written by stub.py from the engine's table of functions.
 from collections.abc import Sequence
 from os import PathLike
+from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -29,6 +30,17 @@ class Robot:
     max_velocity: NDArray[np.float64]
     max_effort: NDArray[np.float64]
     masses: NDArray[np.float64]
+    # Functions by name, of the types of other libraries.
+    @property
+    def plain(self) -> Any: ...
+    @property
+    def torch(self) -> Any: ...
+    @property
+    def jax(self) -> Any: ...
+    @property
+    def casadi(self) -> Any: ...
+    @property
+    def numba(self) -> Any: ...
     @property
     def fields(self) -> dict[str, float | NDArray[np.float64]]: ...
     @property
@@ -43,13 +55,14 @@ class Robot:
     def inspect(self, function: str, frame: str | None = None) -> str: ...
     def generate(
         self,
-        language: Literal["rust", "c", "llvm"] = "rust",
+        language: Literal["rust", "c", "llvm", "python"] = "rust",
         *functions: str,
         output: str | PathLike[str] | None = None,
         scalar: Literal["f64", "f32"] = "f64",
         frames: Sequence[str] = (),
         name: str | None = None,
     ) -> str | None: ...
+    def show(self, *functions: str, output: str | PathLike[str] | None = None) -> Path: ...
     # Fields, by the names that `homogen.load` was called with.
     def __getattr__(self, name: str) -> Any: ...
     def __setattr__(self, name: str, value: ArrayLike) -> None: ...

@@ -39,6 +39,9 @@ struct Variant {
     many: bool,
 }
 
+/// An array's name, and its shape for one state.
+type Shape = (String, Vec<usize>);
+
 /// Compiled code.
 struct Kernel {
     address: usize,
@@ -172,6 +175,23 @@ impl Function {
         ];
         let keywords = keywords.into_iter().filter(|(has, _)| *has);
         (names.collect(), keywords.map(|(_, name)| name).collect())
+    }
+
+    /// The names of arguments and of results, each with the shape of one state.
+    fn arrays(&self) -> [Vec<Shape>; 2] {
+        let of = |arrays: &[Array]| {
+            let arrays = arrays.iter();
+            arrays
+                .map(|of| (of.name.clone(), of.shape.clone()))
+                .collect()
+        };
+        [&self.signature.arguments, &self.signature.results].map(|arrays| of(arrays))
+    }
+
+    /// The constant row below each result that has one.
+    fn below(&self) -> Vec<Option<[f64; 4]>> {
+        let results = self.signature.results.iter();
+        results.map(|of| of.below).collect()
     }
 
     /// Compiles what a call with these options and so many states would wait for.

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 mod _engine {
     use homogen_codegen::function::Function as Name;
     use homogen_codegen::print::arrays::has_order;
-    use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS};
+    use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, SOURCE};
     use pyo3::prelude::*;
 
     #[pymodule_export]
@@ -26,11 +26,11 @@ mod _engine {
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-    /// The options of a robot: each keyword, and a sentence about it.
+    /// The options of a robot and of its file: each keyword, and a sentence about it.
     #[pyfunction]
     fn options() -> Vec<(&'static str, &'static str)> {
         let rows = SETTINGS.iter();
-        let rows = rows.filter(|setting| setting.group & (SCOPE | ROBOT) != 0);
+        let rows = rows.filter(|setting| setting.group & (SOURCE | SCOPE | ROBOT) != 0);
         rows.map(|setting| (setting.key, setting.help)).collect()
     }
 

@@ -1,41 +1,52 @@
 //! A robot as it was asked for: the bytes of its description, options, fields and their values.
 //!
 //! In: what `homogen.load` was called with. Out: facts about the robot, the signatures of its functions, and LLVM IR. It is
-//! read again for each of them, so that it can be shared between threads and processes.
+//! read again for each of them, so that it can be shared between threads and processes. Files that the description names,
+//! included files and meshes, stay where they are, and may not change meanwhile.
 
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::num::NonZero;
+use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, RwLock};
 
 use super::states::Fields;
 use homogen_codegen::builder::Builder;
 use homogen_codegen::chain::Chain;
+use homogen_codegen::description::xacro::Given;
 use homogen_codegen::description::{self, Description, inline};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::function::Function;
-use homogen_codegen::module::Module;
+use homogen_codegen::module::{DataMotion, Module};
 use homogen_codegen::name::Name;
 use homogen_codegen::print::arrays::{self, Order, Signature};
 use homogen_codegen::print::c::own;
 use homogen_codegen::print::described;
 use homogen_codegen::print::llvm::{self, Steps, Writing};
+use homogen_codegen::print::plain_python;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{SETTINGS, text};
 use homogen_codegen::schedule::Program;
 use homogen_codegen::space::{Kind, Space};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyAttributeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
 
 /// A field: its name, what it takes the place of, and its range.
 type Field = (String, String, Option<(f64, f64)>);
 
+/// The folder that paths in a description begin at, and a hash of the files that it names, once they are read.
+type Folder = (PathBuf, Option<u64>);
+
 /// A robot as it was asked for.
 #[pyclass(frozen, module = "homogen._engine")]
 pub struct Recipe {
     name: String,
     bytes: Vec<u8>,
+    /// `None` for a description that names no other files.
+    folder: Option<Folder>,
     options: Vec<(String, String)>,
     fields: Vec<Field>,
     order: Order,
@@ -55,18 +66,24 @@ const PREFIX: &str = "robot_";
 #[pymethods]
 impl Recipe {
     #[new]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "it is what `load` is called with"
+    )]
     fn new(
         name: String,
         bytes: Vec<u8>,
+        folder: Option<Folder>,
         options: Vec<(String, String)>,
         fields: Vec<Field>,
         order: &str,
         threads: Option<NonZero<usize>>,
         values: Option<Vec<f64>>,
     ) -> PyResult<Self> {
-        let recipe = Self {
+        let mut recipe = Self {
             name,
             bytes,
+            folder,
             options,
             fields,
             order: order_of(order)?,
@@ -77,6 +94,9 @@ impl Recipe {
             values
         } else {
             let chain = recipe.chain(Vec::new()).map_err(refused)?;
+            let beside = &chain.description.source.beside;
+            let folder = recipe.folder.take().filter(|_| !beside.is_empty());
+            recipe.folder = folder.map(|(folder, _)| (folder, Some(hash(beside))));
             chain.nominal.iter().flatten().copied().collect()
         };
         Ok(Self {
@@ -91,6 +111,7 @@ impl Recipe {
         let given = (
             &of.name,
             bytes,
+            of.folder.clone(),
             &of.options,
             &of.fields,
             of.order(),
@@ -105,7 +126,8 @@ impl Recipe {
         let bytes = PyBytes::new(py, &self.bytes);
         let options = PyTuple::new(py, &self.options)?;
         let fields = PyTuple::new(py, &self.fields)?;
-        (bytes, options, fields, self.order()).into_pyobject(py)
+        let beside = self.folder.as_ref().and_then(|(_, hash)| *hash);
+        (bytes, beside, options, fields, self.order()).into_pyobject(py)
     }
 
     /// True if results have the same bits on every processor.
@@ -133,6 +155,20 @@ impl Recipe {
     #[getter]
     fn bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         PyBytes::new(py, &self.bytes)
+    }
+
+    /// The path of a description that names other files; `None` for one that is whole without them.
+    fn path(&self) -> PyResult<Option<PathBuf>> {
+        let Some((folder, _)) = &self.folder else {
+            return Ok(None);
+        };
+        let path = folder.join(&self.name);
+        if fs::read(&path).ok().as_ref() != Some(&self.bytes) {
+            return Err(refused(changed(&self.name)));
+        }
+        // Reading compares the other files.
+        self.chain(Vec::new()).map_err(refused)?;
+        Ok(Some(path))
     }
 
     /// The options, each a keyword and a value of the command line.
@@ -192,6 +228,10 @@ impl Recipe {
             Kind::Quaternion => "quaternion",
             _ => "turn",
         });
+        let is_manifold = |motion: &DataMotion| matches!(motion, DataMotion::Manifold(_));
+        let is_euclidean = !module.data.motions.iter().any(is_manifold);
+        let is_euclidean = is_euclidean.into_pyobject(py)?;
+        set("euclidean", is_euclidean.to_owned().into_any())?;
         set("kinds", kinds.collect::<Vec<_>>().into_pyobject(py)?)?;
         let names = |space| spaces.names(space).map(str::to_owned).collect::<Vec<_>>();
         set("constraints", names(Space::Constraints).into_pyobject(py)?)?;
@@ -245,6 +285,28 @@ impl Recipe {
         py.detach(|| {
             let code = self.llvm(name, frame, order, scalar, lanes, fused);
             code.map_err(refused)
+        })
+    }
+
+    /// A function in plain Python, as a module that defines it by its name.
+    fn plain(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        frame: Option<&str>,
+        order: &str,
+    ) -> PyResult<String> {
+        let order = order_of(order)?;
+        let function = Function::from_name(name).ok_or_else(|| {
+            PyAttributeError::new_err(format!("{name:?} is no function in plain Python"))
+        })?;
+        py.detach(|| {
+            let module = self.module(function, frame, Real::F64).map_err(refused)?;
+            let asked = "Made in the process.";
+            Ok(plain_python::print(
+                &module,
+                &plain_python::Writing { asked, order },
+            ))
         })
     }
 }
@@ -307,7 +369,14 @@ impl Recipe {
         fused: bool,
     ) -> Result<(String, String, usize), Errors> {
         let (module, steps) = if let Some(function) = Function::from_name(name) {
-            (self.module(function, frame, order, scalar)?, Steps::None)
+            let mut module = self.module(function, frame, scalar)?;
+            let Module {
+                functions, spaces, ..
+            } = &mut module;
+            for generated in functions {
+                arrays::arrange(generated, spaces, order);
+            }
+            (module, Steps::None)
         } else {
             let mut request = self.request(Vec::new())?;
             request.scalar = scalar;
@@ -332,12 +401,11 @@ impl Recipe {
         Ok((entry, llvm::print(&module, &writing), operations))
     }
 
-    /// The robot with one function.
+    /// The robot with one function, whose results are in the order of Rust.
     fn module(
         &self,
         function: Function,
         frame: Option<&str>,
-        order: Order,
         scalar: Real,
     ) -> Result<Module, Errors> {
         let mut request = self.request(vec![vec![function]])?;
@@ -349,7 +417,6 @@ impl Recipe {
         module.functions.drain(..last);
         for generated in &mut module.functions {
             generated.frame = None;
-            arrays::arrange(generated, &module.spaces, order);
         }
         Ok(module)
     }
@@ -361,10 +428,17 @@ impl Recipe {
 
     fn description(&self, request: &Request) -> Result<Description, Errors> {
         let mut errors = Errors::new();
-        let read = description::read_bytes(&self.bytes, &self.name, None, &mut errors);
+        let given = Given::of(request, Path::new(""));
+        let folder = self.folder.as_ref().map(|(folder, _)| folder.as_path());
+        let (bytes, name) = (&self.bytes, &self.name);
+        let read = description::read_bytes_in(bytes, name, folder, &given, None, &mut errors);
         let Some(mut description) = read else {
             return Err(errors);
         };
+        let known = self.folder.as_ref().and_then(|(_, hash)| *hash);
+        if known.is_some_and(|known| known != hash(&description.source.beside)) {
+            return Err(changed(&self.name));
+        }
         let loops = request.loops.iter().map(String::as_str);
         inline::close(&mut description, loops, &mut errors);
         errors.into_result(description)
@@ -409,6 +483,23 @@ impl Recipe {
         request.functions = functions;
         errors.into_result(request)
     }
+}
+
+/// Hash of the bytes of files.
+fn hash(files: &[PathBuf]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for file in files {
+        fs::read(file).unwrap_or_default().hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// The error of a robot whose files are not those any more that it was loaded from.
+fn changed(name: &str) -> Errors {
+    let mut errors = Errors::new();
+    let message = format!("{name} or a file that it names has changed since it was loaded");
+    errors.push_with_hint(Place::Unknown, message, "load it again");
+    errors
 }
 
 const LINEAR_FIRST: &str = "linear_first";

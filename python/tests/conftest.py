@@ -48,7 +48,7 @@ def functions(of):
     for name in dir(of):
         try:
             function = getattr(of, name)
-        except ValueError:
+        except (ImportError, ValueError):
             continue
         if type(function).__name__ == "Function" and name not in ("integrate", "difference", "normalize"):
             yield name, function

@@ -2,6 +2,7 @@
 
 import copy
 import gc
+import html
 import inspect
 import json
 import pickle
@@ -137,7 +138,7 @@ def test_options_are_those_of_the_command_line():
         ("external", "fore"),
         ("formulation", "unfused"),
     ]
-    with pytest.raises(TypeError, match="no option 'tool'; there are base, floating, tip"):
+    with pytest.raises(TypeError, match="no option 'tool'; there are arguments, packages, base, floating, tip"):
         homogen.load(PANDA, tool="link8")
     with pytest.raises(ValueError, match='"link9"'):
         homogen.load(PANDA, tip="link9")
@@ -207,3 +208,20 @@ print(json.dumps(resident() - before))
     grown = json.loads(subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True).stdout)
     assert grown < 500 * 4096
     gc.collect()
+
+
+def test_a_notebook_shows_the_robot_that_moves(arm):
+    frame = arm._repr_html_()
+    assert frame.startswith('<iframe srcdoc="') and frame.count('"') == 6
+    page = html.unescape(frame.split('"')[1])
+    assert page.lstrip().lower().startswith("<!doctype html>") and "panda_class" in page
+    assert homogen.load(ROBOTS / "quadruped.urdf", floating=True)._repr_html_().startswith("<iframe")
+
+
+def test_show_opens_a_page(arm, tmp_path, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    path = arm.show("gravity", output=tmp_path / "arm.html")
+    assert opened == [path.as_uri()] and "gravity" in path.read_text(encoding="utf-8")
+    with pytest.raises(ValueError, match="gravty"):
+        arm.show("gravty", output=path)

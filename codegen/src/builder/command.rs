@@ -10,6 +10,7 @@ use crate::description::fingerprint::fingerprint;
 use crate::description::{Name, Number};
 use crate::joint::actuator::Part;
 use crate::module::Module;
+use crate::print::arrays::Order;
 use crate::request::Parameter;
 use crate::request::setting::SETTINGS;
 use crate::request::setting::text::{numbers, spelled};
@@ -26,6 +27,8 @@ pub(super) enum Language<'a> {
     C(&'a str),
     /// With the number of lanes of a vector.
     Llvm(NonZeroUsize),
+    /// With the order of six numbers.
+    Python(Order),
 }
 
 impl Builder {
@@ -84,6 +87,12 @@ impl Builder {
             Language::Llvm(lanes) => {
                 command.option("language", "llvm");
                 command.option("lanes", &lanes.to_string());
+            }
+            Language::Python(order) => {
+                command.option("language", "python");
+                if order == Order::AngularFirst {
+                    command.option("order", "angular-first");
+                }
             }
         }
         let Command(text) = command;

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use proc_macro2::Span;
 
+use super::inline::text as inline;
 use super::load::load;
 use super::xacro::{self, Given};
 use super::{Description, denavit_hartenberg, mjcf, sdf, urdf};
@@ -16,9 +17,9 @@ pub fn read_file(path: &Path, anchor: Option<Span>, errors: &mut Errors) -> Opti
     read_file_with(path, &Given::default(), anchor, errors)
 }
 
-/// Reads a file: `.dh` as a table; `.urdf`, `.xml` and `.xacro` as XML; other endings as what the text looks like. XML
-/// with the root element of MuJoCo is MJCF, that of Gazebo SDF, other XML is URDF, and xacro is expanded first. `given` has the arguments
-/// of a xacro file and the folders of packages.
+/// Reads a file: `.dh` as a table; `.urdf`, `.xml` and `.xacro` as XML; other endings as what the text looks like, which
+/// may be an inline description, too. XML with the root element of MuJoCo is MJCF, that of Gazebo SDF, other XML is URDF,
+/// and xacro is expanded first. `given` has the arguments of a xacro file and the folders of packages.
 pub fn read_file_with(
     path: &Path,
     given: &Given,
@@ -44,7 +45,7 @@ pub fn read_file_with(
             return None;
         }
     };
-    bytes_in(&bytes, &name, path.parent(), given, anchor, errors)
+    read_bytes_in(&bytes, &name, path.parent(), given, anchor, errors)
 }
 
 /// The URDF that a xacro file expands to.
@@ -72,11 +73,12 @@ pub fn read_bytes(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
-    bytes_in(bytes, file, None, &Given::default(), anchor, errors)
+    read_bytes_in(bytes, file, None, &Given::default(), anchor, errors)
 }
 
-/// The same, for a file in a folder that its relative paths begin at.
-fn bytes_in(
+/// The same, for a file in a folder that its relative paths begin at, with the arguments of a xacro file and the folders
+/// of packages.
+pub fn read_bytes_in(
     bytes: &[u8],
     file: &str,
     folder: Option<&Path>,
@@ -128,17 +130,8 @@ fn text_in(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
-    let is_table = match file.rsplit_once('.') {
-        Some((_, "dh")) => true,
-        Some((_, "urdf" | "xml" | "xacro")) => false,
-        _ => !text
-            .trim_start_matches('\u{feff}')
-            .trim_start()
-            .starts_with('<'),
-    };
-    let is_other = mjcf::is_mjcf(text) || sdf::is_sdf(text);
-    let is_xacro = !is_table && !is_other && xacro::is_xacro(text, file);
-    if !is_xacro && !given.arguments.is_empty() {
+    let form = Form::of(text, file, anchor);
+    if form != Form::Xacro && !given.arguments.is_empty() {
         errors.set_file(file, anchor);
         errors.push_with_hint(
             anchor.map_or(Place::Unknown, Place::Token),
@@ -146,16 +139,52 @@ fn text_in(
             "a xacro file declares xmlns:xacro=\"http://www.ros.org/wiki/xacro\" and uses it, or its name ends in .xacro",
         );
     }
-    if is_table {
-        denavit_hartenberg::read(text, file, anchor, errors)
-    } else if mjcf::is_mjcf(text) {
-        mjcf::read(text, file, folder, anchor, errors)
-    } else if sdf::is_sdf(text) {
-        sdf::read(text, file, folder, given, anchor, errors)
-    } else if is_xacro {
-        xacro::read(text, file, folder, given, anchor, errors)
-    } else {
-        urdf::read(text, file, anchor, errors)
+    match form {
+        Form::Inline => inline::read(text, file, errors),
+        Form::Table => denavit_hartenberg::read(text, file, anchor, errors),
+        Form::Mjcf => mjcf::read(text, file, folder, anchor, errors),
+        Form::Sdf => sdf::read(text, file, folder, given, anchor, errors),
+        Form::Xacro => xacro::read(text, file, folder, given, anchor, errors),
+        Form::Urdf => urdf::read(text, file, anchor, errors),
+    }
+}
+
+/// Form of a text.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Inline,
+    Table,
+    Mjcf,
+    Sdf,
+    Xacro,
+    Urdf,
+}
+
+impl Form {
+    /// The form of a file, by its ending and its text.
+    fn of(text: &str, file: &str, anchor: Option<Span>) -> Self {
+        let is_xml = || {
+            let text = text.trim_start_matches('\u{feff}');
+            text.trim_start().starts_with('<')
+        };
+        // A macro has its inline descriptions in its own tokens.
+        let is_inline = || anchor.is_none() && inline::is_inline(text);
+        match file.rsplit_once('.') {
+            Some((_, "dh")) => return Self::Table,
+            Some((_, "urdf" | "xml" | "xacro")) => {}
+            _ if is_xml() => {}
+            _ if is_inline() => return Self::Inline,
+            _ => return Self::Table,
+        }
+        if mjcf::is_mjcf(text) {
+            Self::Mjcf
+        } else if sdf::is_sdf(text) {
+            Self::Sdf
+        } else if xacro::is_xacro(text, file) {
+            Self::Xacro
+        } else {
+            Self::Urdf
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use super::steps::Step;
 use crate::expression::Input;
 use crate::function::Function;
 use crate::module::{GeneratedFunction, Module, arguments};
-use crate::schedule::Operand;
+use crate::schedule::{Operand, Program};
 use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
 
 /// Order of the two halves of six numbers that turn and move.
@@ -122,6 +122,14 @@ pub fn steps(module: &Module) -> impl Iterator<Item = Signature> {
 
 /// Puts results into the order of their shapes, and reads arguments in that order.
 pub fn arrange(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order) {
+    arrange_results(generated, spaces, order);
+    if order == Order::LinearFirst {
+        read_linear_first(&mut generated.program);
+    }
+}
+
+/// Puts results into the order of their shapes.
+pub fn arrange_results(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order) {
     let mut first = 0;
     let mut places = Vec::new();
     let results = generated.functions.iter().map(|function| function.result());
@@ -134,9 +142,10 @@ pub fn arrange(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order)
         .into_iter()
         .map(|place| program.results[place])
         .collect();
-    if order == Order::AngularFirst {
-        return;
-    }
+}
+
+/// Reads external wrenches with the force first.
+fn read_linear_first(program: &mut Program) {
     let read = |operand: Operand| match operand {
         Operand::Input(Input::Variable(Variable::Actions, entry)) => {
             let each = u16::try_from(ACTION.len()).expect("six");

@@ -21,7 +21,9 @@ use crate::module::Module;
 use crate::real::Real;
 use described::Class;
 
+pub(super) use literals::{docstring, string};
 pub use names::module;
+pub(super) use names::unscoped;
 
 /// Package as texts.
 #[derive(Clone, Debug)]

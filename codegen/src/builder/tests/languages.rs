@@ -1,8 +1,11 @@
 //! Files in C and packages for Python by the builder.
 
+use std::num::NonZeroUsize;
+
 use super::{arm, as_asked, text};
 use crate::builder::{Builder, c};
 use crate::function::Function;
+use crate::print::arrays::Order;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::Target;
@@ -24,6 +27,44 @@ fn c_has_names_of_its_own_and_no_runtime() {
     assert!(header.contains(asked), "{header}");
     let none = arm(as_asked).to_c_header().expect("no mistakes");
     assert_eq!(none, "");
+}
+
+#[test]
+fn python_is_a_module_for_any_library() {
+    let builder = arm(as_asked).generate([Function::Gravity]).tip("rod-2");
+    let text = |order| builder.to_plain_python(order).expect("no mistakes");
+    let [linear, angular] = [Order::LinearFirst, Order::AngularFirst].map(text);
+    let asked = "--tip rod-2 --functions gravity --language python` ";
+    assert!(linear.contains(asked), "{linear}");
+    let asked = "--language python --order angular-first` ";
+    assert!(angular.contains(asked), "{angular}");
+    assert!(linear.contains("def gravity(q, library=math):"), "{linear}");
+    let other = builder
+        .clone()
+        .name("Arm")
+        .ascii()
+        .prepare()
+        .section(NonZeroUsize::MIN);
+    let other = other
+        .runtime("::homogen")
+        .sin_cos("crate::sin_cos")
+        .extern_c("arm_");
+    let other = other.processor(Processor::CortexM4);
+    let errors = other.to_plain_python(Order::LinearFirst);
+    let errors = errors.expect_err("eight mistakes").to_string();
+    for option in [
+        "name",
+        "ascii",
+        "prepare",
+        "section",
+        "runtime",
+        "sin_cos",
+        "extern_c",
+        "processor",
+    ] {
+        let message = format!("`{option}` is for compiled languages, and not for Python");
+        assert!(errors.contains(&message), "{errors}");
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use crate::wording::visible;
 
 /// Lines as a docstring; all lines but the first begin with `indent`.
-pub(super) fn docstring(lines: &[String], indent: &str) -> String {
+pub(in crate::print) fn docstring(lines: &[String], indent: &str) -> String {
     let indented = lines
         .iter()
         .enumerate()
@@ -26,7 +26,7 @@ pub(super) fn docstring(lines: &[String], indent: &str) -> String {
 }
 
 /// Text in quotes with all its characters, for Python and TOML.
-pub(super) fn string(text: &str) -> String {
+pub(in crate::print) fn string(text: &str) -> String {
     let mut literal = String::from("\"");
     for letter in text.chars() {
         match letter {

@@ -6,7 +6,7 @@ use super::standard;
 use crate::schedule::{Names, sanitize};
 
 /// Names of a new scope.
-pub(super) fn unscoped() -> Names {
+pub(in crate::print) fn unscoped() -> Names {
     Names::beside(&KEYWORDS)
 }
 

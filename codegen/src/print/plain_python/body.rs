@@ -1,0 +1,144 @@
+//! Statements of Python for a routine.
+//!
+//! In: statements. Out: an assignment for each. Nothing is an array: every name is a number.
+
+use std::fmt::Write;
+
+use super::names::{LIBRARY, SIGN};
+use crate::print::review::filled;
+use crate::print::walk::Language;
+use crate::schedule::{Angle, Loop, Operation, Value};
+
+/// Indentation of a level.
+const LEVEL: &str = "    ";
+
+/// Printer of routines.
+#[derive(Default)]
+pub(super) struct Writer {
+    pub(super) text: String,
+    /// True if a sign was printed.
+    pub(super) has_signs: bool,
+    /// Number of loops around the statement.
+    loops: usize,
+}
+
+impl Writer {
+    pub(super) fn line(&mut self, statement: &str) {
+        let indent = LEVEL.repeat(1 + self.loops);
+        for line in statement.lines() {
+            // Writing to a string cannot fail.
+            let _ = writeln!(self.text, "{indent}{line}");
+        }
+    }
+
+    fn bind(&mut self, name: &str, value: &str) {
+        self.line(&format!("{name} = {value}"));
+    }
+}
+
+/// Value as an expression that binds tighter than any operator but the sign.
+pub(super) fn read(value: &Value) -> String {
+    match value {
+        Value::Literal(value) => literal(*value),
+        Value::Name(name) => name.clone(),
+        Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
+        Value::Work(_) => unreachable!("functions of Python have no sections"),
+    }
+}
+
+/// The shortest decimal of a number.
+pub(super) fn literal(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// −a, in parentheses where two signs would follow each other.
+fn negative(value: &str) -> String {
+    if value.starts_with('-') {
+        format!("-({value})")
+    } else {
+        format!("-{value}")
+    }
+}
+
+/// Items in brackets, as many on a line as fit.
+pub(super) fn list(items: &[String]) -> String {
+    filled(("[", " "), items, "]")
+}
+
+impl Language for Writer {
+    fn operation(&mut self, name: &str, operation: &Operation<Value>) {
+        let value = match operation.clone().map(|value| read(&value)) {
+            Operation::Add(a, b) => format!("{a} + {b}"),
+            Operation::Sub(a, b) => format!("{a} - {b}"),
+            Operation::Mul(a, b) => format!("{a} * {b}"),
+            Operation::Div(a, b) => format!("{a} / {b}"),
+            Operation::Sqrt(a) => format!("{LIBRARY}.sqrt({a})"),
+            Operation::Sign(a) => {
+                self.has_signs = true;
+                format!("{SIGN}({a}, {LIBRARY})")
+            }
+            Operation::Neg(a) => negative(&a),
+            Operation::MulAdd(a, b, c) => format!("{a} * {b} + {c}"),
+            Operation::MulSub(a, b, c) => format!("{a} * {b} - {c}"),
+            Operation::NegMulAdd(a, b, c) => format!("{c} - {a} * {b}"),
+        };
+        self.bind(name, &value);
+    }
+
+    fn sines_and_cosines(&mut self, angles: &[Angle]) {
+        for angle in angles {
+            let of = read(&angle.value);
+            for (name, function) in [(&angle.sine, "sin"), (&angle.cosine, "cos")] {
+                if let Some(name) = name {
+                    self.bind(name, &format!("{LIBRARY}.{function}({of})"));
+                }
+            }
+        }
+    }
+
+    fn put(&mut self, _: usize, _: &Value) {
+        unreachable!("functions of Python have no sections");
+    }
+
+    fn store(&mut self, _: usize, _: &Value) {
+        unreachable!("results of Python are returned at the end");
+    }
+
+    fn begin_loop(&mut self, each: &Loop) {
+        let Loop { table, column, .. } = each;
+        let rows = each.rows.iter().map(|row| {
+            let row: Vec<String> = row.iter().map(read).collect();
+            list(&row)
+        });
+        let rows: Vec<String> = rows.collect();
+        let text = nested(&rows);
+        self.bind(table, &text);
+        self.line(&format!("for {column} in range({}):", each.count()));
+        self.loops += 1;
+        for (row, name) in each.loads.iter().enumerate() {
+            self.bind(name, &format!("{table}[{row}][{column}]"));
+        }
+    }
+
+    fn end_loop(&mut self, each: &Loop) {
+        let Loop { table, column, .. } = each;
+        for (row, name) in each.stores.iter().enumerate() {
+            self.bind(&format!("{table}[{row}][{column}]"), name);
+        }
+        self.loops -= 1;
+    }
+}
+
+/// Rows in brackets, each on lines of its own.
+pub(super) fn nested(rows: &[String]) -> String {
+    let mut text = "[\n".to_owned();
+    for row in rows {
+        for line in row.lines() {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{LEVEL}{line}");
+        }
+        text.truncate(text.trim_end().len());
+        text.push_str(",\n");
+    }
+    text + "]"
+}

@@ -1,0 +1,353 @@
+"""Functions of a robot for JAX: a primitive over compiled code, which XLA calls by its address, with derivatives and batches.
+
+On the CPU a call is one of XLA's foreign functions; on other devices, and where there are no generated derivatives, JAX traces
+plain Python, so that functions can be differentiated as often as one likes. Code that a program of JAX calls is kept until
+the process ends, as such programs may outlive the robot; the robot is kept as long as JAX keeps what it has compiled.
+"""
+
+import ctypes
+import math
+import re
+from functools import partial
+from pathlib import Path
+
+import numpy
+
+from . import results
+from ._compile import compiled, loaded
+from ._library import Library, counted, flat, imported, leading
+
+jax = imported("jax", "jax", "robot.jax")
+np = imported("jax.numpy", "jax", "robot.jax")
+ad = imported("jax.interpreters.ad", "jax", "robot.jax")
+batching = imported("jax.interpreters.batching", "jax", "robot.jax")
+core = imported("jax.extend.core", "jax", "robot.jax")
+mlir = imported("jax.interpreters.mlir", "jax", "robot.jax")
+
+#: The least count of states that are computed in the lanes of vectors.
+_MANY = 16
+
+# Code that programs of JAX call.
+_held = {}
+
+
+class Jax(Library):
+    """The functions of a robot for JAX, of arrays (..., n). Fields are keywords, by default with their values."""
+
+    def _make(self, name, frame, order):
+        return Operation(self._robot, name, frame, order)
+
+
+class Operation:
+    """A function of a robot for arrays of JAX."""
+
+    def __init__(self, robot, name, frame, order):
+        self.robot, self.name, self.frame, self.order = robot, name, frame, order
+        function = getattr(robot, name)
+        self.arguments, self.shapes = function.arrays()
+        self.below = function.below()
+        self._several = results.of(name)
+        self.__name__, self.__doc__ = name, function.__doc__
+
+    def __call__(self, *values, **fields):
+        counted(self.name, self.arguments, values)
+        values = [np.asarray(value) for value in values]
+        number = np.result_type(*values, numpy.float32)
+        parts = []
+        for field, value in self.robot.fields.items():
+            parts.append(np.ravel(np.asarray(fields.pop(field, value), number)))
+        if fields:
+            raise TypeError(f"{self.name}: there are no fields {', '.join(fields)}")
+        vector = np.concatenate(parts) if parts else np.zeros(0, number)
+        found = _compute.bind(vector, *(np.asarray(value, number) for value in values), operation=self)
+        return self._several(*found) if self._several else found[0]
+
+    def leading(self, values):
+        return leading(self.arguments, [value.shape for value in values])
+
+    def other(self, name, frame=None, order=None):
+        """Another function of the robot."""
+        return self.robot.jax.of(name, frame, order or self.order)
+
+
+def _by_code(fields, *values, operation):
+    """The results by compiled code."""
+    axes, number = operation.leading(values), fields.dtype
+    count = math.prod(axes)
+    if count == 0:
+        return [np.zeros((*axes, *shape), number) for _, shape in operation.shapes]
+    single, many = number == numpy.float32, count >= _MANY
+    address, _, code = compiled(operation.robot._recipe, operation.name, operation.frame, operation.order, single, many)
+    _held[address] = code
+    rows = [
+        np.broadcast_to(value, (*axes, *own)).reshape(count, math.prod(own))
+        for value, (_, own) in zip(values, operation.arguments)
+    ]
+    # Code does not write the constant row below some matrices.
+    sizes = [math.prod(shape) - (0 if row is None else len(row)) for row, (_, shape) in zip(operation.below, operation.shapes)]
+    places = [row.shape[1] for row in rows] + sizes
+    head = numpy.array([address, count, len(rows), len(sizes), *places], numpy.int64)
+    types = [jax.ShapeDtypeStruct((count, size), number) for size in sizes]
+    # Integers of 64 bits are not to be had everywhere.
+    found = jax.ffi.ffi_call(_target(), types)(head.view(numpy.uint32), fields, *rows)
+    arrays = []
+    for array, row, (_, shape) in zip(found, operation.below, operation.shapes):
+        if row is not None:
+            array = np.concatenate([array, np.broadcast_to(np.asarray(row, number), (count, len(row)))], axis=1)
+        arrays.append(array.reshape(*axes, *shape))
+    return arrays
+
+
+def _by_plain(fields, *values, operation):
+    """The results by plain Python."""
+    function = operation.robot.plain.of(operation.name, operation.frame, operation.order)
+    axes, number = operation.leading(values), fields.dtype
+    given, first = {}, 0
+    for field, value in operation.robot.fields.items():
+        count = numpy.size(value)
+        given[field] = fields[first : first + count].reshape(numpy.shape(value))
+        first += count
+    # Entries stand along the first axes.
+    ranks = [len(own) for _, own in operation.arguments]
+    columns = [np.moveaxis(value, range(-rank, 0), range(rank)) for value, rank in zip(values, ranks)]
+    found = function(*columns, library=np, **given)
+    arrays = []
+    for result, (_, shape) in zip(found if operation._several else [found], operation.shapes):
+        entries = [np.broadcast_to(np.asarray(entry, number), axes) for entry in flat(result)]
+        stacked = np.stack(entries, axis=-1) if entries else np.zeros((*axes, 0), number)
+        arrays.append(stacked.reshape(*axes, *shape))
+    return arrays
+
+
+def _types(fields, *values, operation):
+    axes = operation.leading(values)
+    return [jax.core.ShapedArray((*axes, *shape), fields.dtype) for _, shape in operation.shapes]
+
+
+def _batched(values, places, *, operation):
+    """Leading axes are broadcast, so that a batch is one more of them."""
+    fields, *values = values
+    of_fields, *places = places
+    if of_fields is not None:
+        mapped = jax.vmap(partial(_by_plain, operation=operation), in_axes=(of_fields, *places))
+        return mapped(fields, *values), [0] * len(operation.shapes)
+    ranks = [len(own) for _, own in operation.arguments]
+    axes = max(value.ndim - (place is not None) - rank for value, place, rank in zip(values, places, ranks))
+    moved = []
+    for value, place, rank in zip(values, places, ranks):
+        if place is not None:
+            value = np.moveaxis(value, place, 0)
+            missing = axes - (value.ndim - 1 - rank)
+            value = value.reshape(value.shape[0], *[1] * missing, *value.shape[1:])
+        moved.append(value)
+    return _compute.bind(fields, *moved, operation=operation), [0] * len(operation.shapes)
+
+
+def _pushed(primals, tangents, *, operation):
+    """Values and their change along tangents."""
+    fields, *values = primals
+    of_fields, *of_values = tangents
+    found = _compute.bind(*primals, operation=operation)
+    rule = DERIVATIVES.get(operation.name) if operation.robot._is_euclidean else None
+    if rule is None or type(of_fields) is not ad.Zero:
+        made = tuple(map(ad.instantiate_zeros, tangents))
+        _, changes = jax.jvp(partial(_by_plain, operation=operation), tuple(primals), made)
+        return found, changes
+    given = [None if type(tangent) is ad.Zero else tangent for tangent in of_values]
+
+    def other(name, *arguments, frame=None, order=None):
+        several = _compute.bind(fields, *arguments, operation=operation.other(name, frame, order))
+        return several if len(several) > 1 else several[0]
+
+    change = rule(operation, other, values, given)
+    return found, [np.broadcast_to(change, found[0].shape)]
+
+
+_compute = core.Primitive("homogen")
+_compute.multiple_results = True
+_compute.def_abstract_eval(_types)
+_compute.def_impl(jax.jit(lambda *values, operation: _compute.bind(*values, operation=operation), static_argnames="operation"))
+batching.primitive_batchers[_compute] = _batched
+ad.primitive_jvps[_compute] = _pushed
+mlir.register_lowering(_compute, mlir.lower_fun(_by_plain, multiple_results=True))
+mlir.register_lowering(_compute, mlir.lower_fun(_by_code, multiple_results=True), platform="cpu")
+
+
+def _along(*pairs):
+    """The sum of matrices times tangents, of those that are not zero."""
+    terms = [np.einsum("...ij,...j->...i", matrix, tangent) for matrix, tangent in pairs if tangent is not None]
+    return sum(terms[1:], terms[0])
+
+
+def _wrenches(operation, other, q, wrenches):
+    """Jᵀ times the change of each external wrench."""
+    options = operation.robot._recipe.options
+    name = "spatial_jacobian" if any(key == "external_in_frame_0" for key, _ in options) else "body_jacobian"
+    links = [link for key, link in options if key == "external"]
+    terms = [np.einsum("...ij,...i->...j", other(name, q, frame=link), wrenches[..., k, :]) for k, link in enumerate(links)]
+    return sum(terms[1:], terms[0])
+
+
+def _inverse_dynamics(operation, other, values, tangents):
+    q, qd, qdd, *actions = values
+    dq, dqd = other("inverse_dynamics_derivatives", *values)
+    pairs = [(dq, tangents[0]), (dqd, tangents[1]), (other("mass_matrix", q), tangents[2])]
+    if actions and tangents[3] is not None:
+        identity = np.eye(operation.robot.NV, dtype=q.dtype)
+        pairs.append((-identity, _wrenches(operation, other, q, tangents[3])))
+    return _along(*pairs)
+
+
+def _forward_dynamics(operation, other, values, tangents):
+    dq, dqd, dtau = other("forward_dynamics_derivatives", *values)
+    pairs = [(dq, tangents[0]), (dqd, tangents[1]), (dtau, tangents[2])]
+    if len(values) > 3 and tangents[3] is not None:
+        pairs.append((dtau, _wrenches(operation, other, values[0], tangents[3])))
+    return _along(*pairs)
+
+
+def _bias(operation, other, values, tangents):
+    q, qd = values
+    # External wrenches enter inverse dynamics alone.
+    links = sum(key == "external" for key, _ in operation.robot._recipe.options)
+    actions = [np.zeros((links, 6), q.dtype)] * bool(links)
+    dq, dqd = other("inverse_dynamics_derivatives", q, qd, np.zeros_like(qd), *actions)
+    return _along((dq, tangents[0]), (dqd, tangents[1]))
+
+
+def _gravity(operation, other, values, tangents):
+    return _along((other("gravity_derivative", *values), tangents[0]))
+
+
+def _potential_energy(operation, other, values, tangents):
+    return np.einsum("...j,...j->...", other("gravity", *values), tangents[0])
+
+
+def _center_of_mass(operation, other, values, tangents):
+    return _along((other("center_of_mass_jacobian", *values), tangents[0]))
+
+
+def _forward_kinematics(operation, other, values, tangents):
+    """Along a screw L a pose M changes by L M."""
+    jacobian = other("spatial_jacobian", *values, frame=operation.frame, order="linear_first")
+    twist = _along((jacobian, tangents[0]))
+    pose = other("forward_kinematics", *values, frame=operation.frame)
+    linear, angular = twist[..., :3], twist[..., 3:]
+    turned = np.cross(angular[..., None, :], np.swapaxes(pose[..., :3, :], -1, -2))
+    change = np.swapaxes(turned, -1, -2).at[..., 3].add(linear)
+    return np.concatenate([change, np.zeros_like(change[..., :1, :])], axis=-2)
+
+
+#: For each function its change along tangents, of which those that are zero are `None`.
+DERIVATIVES = {
+    "inverse_dynamics": _inverse_dynamics,
+    "forward_dynamics": _forward_dynamics,
+    "bias": _bias,
+    "gravity": _gravity,
+    "potential_energy": _potential_energy,
+    "center_of_mass": _center_of_mass,
+    "forward_kinematics": _forward_kinematics,
+}
+
+
+# --- the foreign function -------------------------------------------------------------------------
+
+#: A handler of XLA's foreign functions (`xla/ffi/api/c_api.h`). Its first argument holds the address of the code, the number
+#: of states, of arguments and of results, and for each of these how many numbers a state has; its second the fields.
+_HANDLER = """
+define ptr @homogen_xla(ptr %frame) nounwind {
+  %extension.at = getelementptr i8, ptr %frame, i64 8
+  %extension = load ptr, ptr %extension.at
+  %is.call = icmp eq ptr %extension, null
+  br i1 %is.call, label %call, label %extended
+extended:
+  %type.at = getelementptr i8, ptr %extension, i64 8
+  %type = load i32, ptr %type.at
+  %is.question = icmp eq i32 %type, 1
+  br i1 %is.question, label %question, label %call
+question:
+  %metadata.at = getelementptr i8, ptr %extension, i64 24
+  %metadata = load ptr, ptr %metadata.at
+  %major.at = getelementptr i8, ptr %metadata, i64 24
+  store i32 MAJOR, ptr %major.at
+  %minor.at = getelementptr i8, ptr %metadata, i64 28
+  store i32 MINOR, ptr %minor.at
+  ret ptr null
+call:
+  %arguments.at = getelementptr i8, ptr %frame, i64 72
+  %arguments = load ptr, ptr %arguments.at
+  %results.at = getelementptr i8, ptr %frame, i64 112
+  %results = load ptr, ptr %results.at
+  %head = call ptr @data(ptr %arguments, i64 0)
+  %fields = call ptr @data(ptr %arguments, i64 1)
+  %code = load ptr, ptr %head
+  %states.at = getelementptr i64, ptr %head, i64 1
+  %states = load i64, ptr %states.at
+  %given.at = getelementptr i64, ptr %head, i64 2
+  %given = load i64, ptr %given.at
+  %made.at = getelementptr i64, ptr %head, i64 3
+  %made = load i64, ptr %made.at
+  %all = add i64 %given, %made
+  %arrays = alloca { ptr, i64, i64 }, i64 %all
+  br label %next
+next:
+  %k = phi i64 [ 0, %call ], [ %k.next, %filled ]
+  %more = icmp ult i64 %k, %all
+  br i1 %more, label %which, label %compute
+which:
+  %is.argument = icmp ult i64 %k, %given
+  br i1 %is.argument, label %argument, label %result
+argument:
+  %k.argument = add i64 %k, 2
+  %start.argument = call ptr @data(ptr %arguments, i64 %k.argument)
+  br label %filled
+result:
+  %k.result = sub i64 %k, %given
+  %start.result = call ptr @data(ptr %results, i64 %k.result)
+  br label %filled
+filled:
+  %start = phi ptr [ %start.argument, %argument ], [ %start.result, %result ]
+  %k.head = add i64 %k, 4
+  %stride.at = getelementptr i64, ptr %head, i64 %k.head
+  %stride = load i64, ptr %stride.at
+  %start.at = getelementptr { ptr, i64, i64 }, ptr %arrays, i64 %k, i32 0
+  store ptr %start, ptr %start.at
+  %state.at = getelementptr { ptr, i64, i64 }, ptr %arrays, i64 %k, i32 1
+  store i64 %stride, ptr %state.at
+  %entry.at = getelementptr { ptr, i64, i64 }, ptr %arrays, i64 %k, i32 2
+  store i64 1, ptr %entry.at
+  %k.next = add i64 %k, 1
+  br label %next
+compute:
+  call void %code(i64 %states, ptr %fields, ptr %arrays)
+  ret ptr null
+}
+
+define internal ptr @data(ptr %buffers, i64 %k) nounwind {
+  %buffer.at = getelementptr ptr, ptr %buffers, i64 %k
+  %buffer = load ptr, ptr %buffer.at
+  %data.at = getelementptr i8, ptr %buffer, i64 24
+  %data = load ptr, ptr %data.at
+  ret ptr %data
+}
+"""
+
+#: The type of a capsule with a handler.
+_CAPSULE = b"xla._CUSTOM_CALL_TARGET"
+
+
+def _target():
+    """The name of the foreign function."""
+    name = "homogen"
+    if name not in _held:
+        header = (Path(jax.ffi.include_dir()) / "xla/ffi/api/c_api.h").read_text()
+        text = _HANDLER
+        for part in ("MAJOR", "MINOR"):
+            number = re.search(rf"#define XLA_FFI_API_{part} (\d+)", header)
+            text = text.replace(f"i32 {part}", f"i32 {number[1]}")
+        code = loaded("homogen_xla", text)
+        capsule = ctypes.pythonapi.PyCapsule_New
+        capsule.restype, capsule.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
+        jax.ffi.register_ffi_target(name, capsule(code.address, _CAPSULE, None), platform="cpu")
+        _held[name] = code
+    return name

@@ -16,6 +16,7 @@ mod external;
 mod factor;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gravity;
+mod hessian;
 pub(crate) mod jacobian;
 pub(crate) mod jacobian_rate;
 pub(crate) mod loops;
@@ -235,6 +236,27 @@ impl<'s, 'g> Scene<'s, 'g> {
             derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &rotating);
         derivatives::add_constant_wrenches(&mut by_coordinate, &joints, &constant);
         [by_coordinate, by_rate].map(|matrix| self.by_velocities(matrix))
+    }
+
+    /// The second derivatives of λᵀτ at the given q̈, with the external wrenches.
+    pub(crate) fn torque_hessian(
+        &self,
+        qdd: &List<VelocityId, Term<'g>>,
+    ) -> [Square<VelocityId, Term<'g>>; 4] {
+        let weights = self
+            .velocities()
+            .map(|k| self.state.of_velocity(Variable::Lambda, k));
+        let [qdd, weights] =
+            [qdd, &weights.collect()].map(|of| velocities::shared(&self.state, self.bodies, of));
+        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let external = self.external(self.algorithm.frame);
+        let hessian::Hessian {
+            by_q_q,
+            by_q_qd,
+            by_qd_qd,
+            by_q_qdd,
+        } = hessian::inverse_dynamics(&joints, gravity, &self.state, &qdd, &weights, &external);
+        [by_q_q, by_q_qd, by_qd_qd, by_q_qdd].map(|matrix| self.by_velocities(matrix))
     }
 
     /// ∂τ/∂q at rest, by rows.

@@ -159,7 +159,7 @@ fn contracted(
     along_velocity: impl Fn(&Graph, VelocityId) -> BTreeMap<Input, Expr>,
 ) -> Vec<Vec<Double>> {
     let (graph, results) = expressions(chain, function);
-    let velocities = chain.spaces().velocities;
+    let velocities = &chain.spaces().velocities;
     let size = velocities.len();
     let results = &results[block * size * size..][..size * size];
     let directions = velocities.ids().map(|velocity| {

@@ -14,6 +14,8 @@
 //! couple G = Σ 2 skew\[Y Λᵗ\]. A second derivative, by the coordinate of a joint a that carries joint b, is the scalar
 //! product of Ψλₐ, Ψ̇ₐ and Ψ̈ₐ with columns of joint b. The columns that belong to Ψ̇ₐ are couples: their forces cancel.
 
+use std::collections::BTreeMap;
+
 use super::carry::{Joint, Joints};
 use super::derivatives::{Rates, Whole, rates};
 use super::newton_euler::{Moving, motion};
@@ -75,6 +77,7 @@ pub fn inverse_dynamics<'g>(
                 found.by_qd_qd.set_both((k, other), entry);
             }
         }
+        let weights = &weighted.carried[k];
         let mut seen = own;
         let mut at = k;
         while let Some(parent) = joints[at].parent {
@@ -83,7 +86,7 @@ pub fn inverse_dynamics<'g>(
             if joint.carries_screw(at, joints) {
                 continue;
             }
-            let of = Motion::of(&joints[at], &rates[at], weighted.rates[at]);
+            let of = Motion::of(&joints[at], &rates[at], weights[&at]);
             found.by_q_q.set_both((k, at), seen.by_q(&of));
             found.by_q_qd[(at, k)] = seen.by_q_of_rate(&of);
             found.by_q_qd[(k, at)] = of.screw.u.dot(seen.turn) + seen.second.along(of.twice);
@@ -99,6 +102,8 @@ pub fn inverse_dynamics<'g>(
 struct Weighted<'g> {
     /// Ψλ = Λ L − L Λ, with Λ of the joint's parent body.
     rates: List<BodyId, Screw<Term<'g>>>,
+    /// Ψλ of each joint that carries a joint, in the frame of the latter.
+    carried: List<BodyId, BTreeMap<BodyId, Screw<Term<'g>>>>,
     /// P = Σ skew\[Λ J\].
     momenta: List<BodyId, Action<Term<'g>>>,
     /// 2 Σ Λ J.
@@ -169,12 +174,26 @@ impl<'g> Weighted<'g> {
             momenta[parent] = momenta[parent] + momentum;
             couples[parent] = couples[parent] + couple;
         }
+        let rates: List<BodyId, _> = joints
+            .iter()
+            .zip(&outer)
+            .map(|(joint, w)| w.rate_of(joint.screw))
+            .collect();
+        let mut carried: List<BodyId, BTreeMap<BodyId, Screw<Term<'g>>>> = List::new();
+        for joint in joints {
+            let mut own = BTreeMap::new();
+            if let Some(parent) = joint.parent {
+                let inboard = carried[parent].iter().chain([(&parent, &rates[parent])]);
+                own.extend(inboard.map(|(&of, &rate)| {
+                    let rate = Velocity { omega: rate.u, v: rate.b };
+                    (of, screw(joint.motion_outboard(rate)))
+                }));
+            }
+            carried.push(own);
+        }
         Self {
-            rates: joints
-                .iter()
-                .zip(&outer)
-                .map(|(joint, w)| w.rate_of(joint.screw))
-                .collect(),
+            rates,
+            carried,
             momenta,
             flows,
             couples,
@@ -280,12 +299,10 @@ impl<'g> Columns<'g> {
         let mut own = self;
         for (pose, faster) in steps {
             own = Self {
-                by_q: own.by_q.change_frame(pose),
-                by_rate: own.by_rate.change_frame(pose),
-                inertia: own.inertia.change_frame(pose),
                 second: own.second.change_frame(pose),
                 turn: pose.rotation * own.turn,
                 rate: pose.rotation * own.rate,
+                ..own
             }
             .seen_by(faster);
         }

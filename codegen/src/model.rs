@@ -226,12 +226,7 @@ impl<'s, 'g> Scene<'s, 'g> {
     ) -> [Square<VelocityId, Term<'g>>; 2] {
         let qdd = velocities::shared(&self.state, self.bodies, qdd);
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
-        let external = self.external(self.algorithm.frame);
-        let (constant, rotating) = if self.bodies.external_in_frame_0 {
-            (external, Vec::new())
-        } else {
-            (Vec::new(), external)
-        };
+        let [constant, rotating] = self.external_wrenches();
         let [mut by_coordinate, by_rate] =
             derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &rotating);
         derivatives::add_constant_wrenches(&mut by_coordinate, &joints, &constant);
@@ -243,20 +238,27 @@ impl<'s, 'g> Scene<'s, 'g> {
         &self,
         qdd: &List<VelocityId, Term<'g>>,
     ) -> [Square<VelocityId, Term<'g>>; 4] {
-        let weights = self
-            .velocities()
-            .map(|k| self.state.of_velocity(Variable::Lambda, k));
-        let [qdd, weights] =
-            [qdd, &weights.collect()].map(|of| velocities::shared(&self.state, self.bodies, of));
+        let weights = |k| self.state.of_velocity(Variable::Lambda, k);
+        let weights: List<VelocityId, Term<'g>> = self.velocities().map(weights).collect();
+        let arguments = [qdd, &weights].map(|of| velocities::shared(&self.state, self.bodies, of));
+        let arguments = arguments.each_ref();
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let [constant, rotating] = self.external_wrenches();
+        let mut found =
+            hessian::inverse_dynamics(&joints, gravity, &self.state, arguments, &rotating);
+        let [_, weights] = arguments;
+        hessian::add_constant_wrenches(&mut found.q_q, &joints, weights, &constant);
+        [found.q_q, found.q_qd, found.qd_qd, found.q_qdd].map(|block| self.by_velocities(block))
+    }
+
+    /// The external wrenches that are constant in frame 0, and those that rotate with their bodies.
+    fn external_wrenches(&self) -> [Vec<(BodyId, Action<Term<'g>>)>; 2] {
         let external = self.external(self.algorithm.frame);
-        let hessian::Hessian {
-            by_q_q,
-            by_q_qd,
-            by_qd_qd,
-            by_q_qdd,
-        } = hessian::inverse_dynamics(&joints, gravity, &self.state, &qdd, &weights, &external);
-        [by_q_q, by_q_qd, by_qd_qd, by_q_qdd].map(|matrix| self.by_velocities(matrix))
+        if self.bodies.external_in_frame_0 {
+            [external, Vec::new()]
+        } else {
+            [Vec::new(), external]
+        }
     }
 
     /// ∂τ/∂q at rest, by rows.

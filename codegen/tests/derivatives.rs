@@ -192,7 +192,7 @@ fn assert_hessian(name: &str, chain: &Chain) {
     };
     let first = Function::InverseDynamicsDerivatives;
     let blocks = [
-        transposed(&contracted(chain, first, 0, configuration)),
+        contracted(chain, first, 0, configuration),
         contracted(chain, first, 1, configuration),
         contracted(chain, first, 1, rate),
         contracted(chain, Function::MassMatrix, 0, configuration),

@@ -131,7 +131,7 @@ pub(super) const WORK_HESSIAN: Outcome = Outcome::Parts(
     &[
         Part {
             name: "dq_dq",
-            about: "∂²(λᵀτ)/∂q∂q, by rows; J, J/m, J/m².",
+            about: "∂²(λᵀτ)/∂q∂q; J, J/m, J/m².",
             quantity: matrix(|of| vec![by_two(of, ["J", "J/m", "J/m²"])]),
         },
         Part {
@@ -141,7 +141,7 @@ pub(super) const WORK_HESSIAN: Outcome = Outcome::Parts(
         },
         Part {
             name: "dqd_dqd",
-            about: "∂²(λᵀτ)/∂q̇∂q̇, by rows; J s², J s²/m, J s²/m².",
+            about: "∂²(λᵀτ)/∂q̇∂q̇; J s², J s²/m, J s²/m².",
             quantity: WORKS,
         },
         Part {

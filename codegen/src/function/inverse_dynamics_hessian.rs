@@ -3,6 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::tally::{Size, Tally};
 use super::{inverse_dynamics_derivatives, quantities};
+use crate::dense::Dense;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -13,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd, Variable::Lambda],
     result: quantities::WORK_HESSIAN,
     properties: &[Property::Mass, Property::External],
-    truth: Truth::Value(|_, _| Vec::new()),
+    truth: Truth::Directional(Dense::torque_hessian),
     algorithms: Definition::one_way,
     dense,
     build,

@@ -21,7 +21,6 @@ def load(
     order="linear_first",
     fields=None,
     ranges=None,
-    reproducible=False,
     threads=None,
     **options,
 ):
@@ -33,7 +32,6 @@ def load(
         and ROS have it and as the velocities of a floating base stand, or "angular_first", as Featherstone has it
     fields: numbers that stay free at run time, as attributes: `{"payload": "mass_of:hand"}`
     ranges: the least and the greatest number of a field, for bounds of errors: `{"payload": (0, 3)}`
-    reproducible: the same bits on every processor, which are those of `homogen eval`; no product fuses with a sum
     threads: how many threads share a call with many states [default: all cores]
 
     A switch is `True`; a link or a joint is a name, several are a list; joints with numbers are a dict:
@@ -48,7 +46,7 @@ def load(
     if threads is not None and threads < 1:
         raise ValueError(f"threads is a number from 1 on, and not {threads}")
     name, text = _text(source)
-    recipe = Recipe(name, text, given, described, bool(reproducible), order, threads, None)
+    recipe = Recipe(name, text, given, described, order, threads, None)
     robot = Robot(recipe)
     for warning in robot.warnings:
         warnings.warn(warning, DescriptionWarning, stacklevel=2)

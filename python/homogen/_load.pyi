@@ -12,7 +12,6 @@ def load(
     order: Literal["linear_first", "angular_first"] = "linear_first",
     fields: Mapping[str, str] | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
-    reproducible: bool = False,
     threads: int | None = None,
     base: str | None = None,
     floating: bool = False,
@@ -35,4 +34,5 @@ def load(
     strict: bool = False,
     processor: str | None = None,
     formulation: str | Sequence[str] | None = None,
+    reproducible: bool = False,
 ) -> Robot: ...

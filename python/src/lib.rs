@@ -30,10 +30,7 @@ mod _engine {
     #[pyfunction]
     fn options() -> Vec<(&'static str, &'static str)> {
         let rows = SETTINGS.iter();
-        // The package compiles, and so has `reproducible` itself.
-        let rows = rows.filter(|setting| {
-            setting.group & (SCOPE | ROBOT) != 0 && setting.key != "reproducible"
-        });
+        let rows = rows.filter(|setting| setting.group & (SCOPE | ROBOT) != 0);
         rows.map(|setting| (setting.key, setting.help)).collect()
     }
 

@@ -38,9 +38,6 @@ pub struct Recipe {
     bytes: Vec<u8>,
     options: Vec<(String, String)>,
     fields: Vec<Field>,
-    /// Results have the same bits on every processor.
-    #[pyo3(get)]
-    reproducible: bool,
     order: Order,
     /// Maximum number of threads that share the states of a call; `None` for one a core.
     #[pyo3(get)]
@@ -58,16 +55,11 @@ const PREFIX: &str = "robot_";
 #[pymethods]
 impl Recipe {
     #[new]
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "each is a keyword of `homogen.load`"
-    )]
     fn new(
         name: String,
         bytes: Vec<u8>,
         options: Vec<(String, String)>,
         fields: Vec<Field>,
-        reproducible: bool,
         order: &str,
         threads: Option<NonZero<usize>>,
         values: Option<Vec<f64>>,
@@ -77,7 +69,6 @@ impl Recipe {
             bytes,
             options,
             fields,
-            reproducible,
             order: order_of(order)?,
             threads,
             values: RwLock::default(),
@@ -102,7 +93,6 @@ impl Recipe {
             bytes,
             &of.options,
             &of.fields,
-            of.reproducible,
             of.order(),
             of.threads,
             Some(of.values()),
@@ -115,7 +105,13 @@ impl Recipe {
         let bytes = PyBytes::new(py, &self.bytes);
         let options = PyTuple::new(py, &self.options)?;
         let fields = PyTuple::new(py, &self.fields)?;
-        (bytes, options, fields, self.reproducible, self.order()).into_pyobject(py)
+        (bytes, options, fields, self.order()).into_pyobject(py)
+    }
+
+    /// True if results have the same bits on every processor.
+    #[getter]
+    fn reproducible(&self) -> bool {
+        self.options.iter().any(|(key, _)| key == "reproducible")
     }
 
     /// The order of six numbers that turn and move.

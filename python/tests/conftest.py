@@ -67,11 +67,11 @@ def states(of, names, count, dtype, seed=0):
 
 
 def evaluated(case, name, arguments, results, dtype, room):
-    """What `homogen eval` computes: an array for each result, as it lays them out."""
+    """The results of `homogen eval --reproducible`: an array for each, as it lays them out."""
     file, options = CASES[case]
     if "actions" not in arguments:
         options = {key: value for key, value in options.items() if key != "external"}
-    words = [HOMOGEN, "eval", str(ROBOTS / file), *flags(options), f"--function={name}"]
+    words = [HOMOGEN, "eval", str(ROBOTS / file), *flags(options), "--reproducible", f"--function={name}"]
     words += ["--scalar", {"float32": "f32", "float64": "f64"}[np.dtype(dtype).name]]
     for argument, array in arguments.items():
         path = room / f"{argument}.npy"

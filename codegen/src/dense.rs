@@ -346,7 +346,7 @@ impl Dense {
         direction: &List<VelocityId, Approximate>,
     ) -> Vec<Approximate> {
         let rates = self.rates(Motion::Accelerated);
-        let lambda = self.state.of_velocities(Variable::Lambda);
+        let lambda = self.state.of_velocities(Variable::Weights);
         let along = |direction: Direction<'_>| {
             let actions = &self.state.arguments[Variable::Actions];
             self.configuration

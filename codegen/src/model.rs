@@ -238,7 +238,7 @@ impl<'s, 'g> Scene<'s, 'g> {
         &self,
         qdd: &List<VelocityId, Term<'g>>,
     ) -> [Square<VelocityId, Term<'g>>; 4] {
-        let weights = |k| self.state.of_velocity(Variable::Lambda, k);
+        let weights = |k| self.state.of_velocity(Variable::Weights, k);
         let weights: List<VelocityId, Term<'g>> = self.velocities().map(weights).collect();
         let arguments = [qdd, &weights].map(|of| velocities::shared(&self.state, self.bodies, of));
         let arguments = arguments.each_ref();

@@ -170,7 +170,7 @@ fn contracted(
         let changes = numbers(chain, &graph, &changes);
         let mut sums = vec![Double::ZERO; size];
         for (row, weight) in changes.chunks(size).zip(velocities.ids()) {
-            let weight = number(chain, input(Variable::Lambda, weight));
+            let weight = number(chain, input(Variable::Weights, weight));
             for (sum, &entry) in sums.iter_mut().zip(row) {
                 *sum = *sum + weight * entry;
             }

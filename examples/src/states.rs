@@ -19,7 +19,7 @@ pub struct State<T, const N: usize> {
     /// τ.
     pub tau: [T; N],
     /// Weights λ of torques.
-    pub lambda: [T; N],
+    pub weights: [T; N],
 }
 
 impl<const N: usize> State<f32, N> {
@@ -31,7 +31,7 @@ impl<const N: usize> State<f32, N> {
             qd: self.qd.map(f64::from),
             qdd: self.qdd.map(f64::from),
             tau: self.tau.map(f64::from),
-            lambda: self.lambda.map(f64::from),
+            weights: self.weights.map(f64::from),
         }
     }
 }
@@ -48,7 +48,7 @@ pub fn random<const N: usize>(count: usize, seed: u64) -> Vec<State<f32, N>> {
             qd: within(2.0),
             qdd: within(10.0),
             tau,
-            lambda: tau.map(|entry| entry / 20.0),
+            weights: tau.map(|entry| entry / 20.0),
         }
     };
     (0..count).map(state).collect()

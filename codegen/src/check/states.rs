@@ -49,13 +49,13 @@ fn state(chain: &Chain, random: &mut Random) -> State {
     let variables: [&[Variable]; 3] = [
         &[Variable::Qd, Variable::Qdd, Variable::Tau],
         &[Variable::Actions],
-        &[Variable::Lambda],
+        &[Variable::Weights],
     ];
     for variables in variables {
         for _ in spaces.entries(variables[0].space()) {
             for &variable in variables {
                 let size = match variable {
-                    Variable::Lambda => 1.0,
+                    Variable::Weights => 1.0,
                     Variable::Qd => 2.0,
                     Variable::Qdd => 5.0,
                     _ => 10.0,

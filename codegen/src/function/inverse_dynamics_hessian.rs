@@ -11,7 +11,7 @@ use crate::space::Variable;
 pub(super) const DEFINITION: Definition = Definition {
     name: "inverse_dynamics_hessian",
     sentence,
-    arguments: &[Variable::Q, Variable::Qd, Variable::Qdd, Variable::Lambda],
+    arguments: &[Variable::Q, Variable::Qd, Variable::Qdd, Variable::Weights],
     result: quantities::WORK_HESSIAN,
     properties: &[Property::Mass, Property::External],
     truth: Truth::Directional(Dense::torque_hessian),

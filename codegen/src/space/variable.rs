@@ -18,7 +18,7 @@ pub enum Variable {
     /// Joint torques and forces \[N m or N\].
     Tau,
     /// Weights λ of the joint torques and forces, as a virtual displacement [rad or m].
-    Lambda,
+    Weights,
     /// External wrenches on links \[N m and N\].
     Actions,
 }
@@ -30,7 +30,7 @@ impl Variable {
         Self::Qd,
         Self::Qdd,
         Self::Tau,
-        Self::Lambda,
+        Self::Weights,
         Self::Actions,
     ];
 
@@ -42,7 +42,7 @@ impl Variable {
             Self::Qd => "qd",
             Self::Qdd => "qdd",
             Self::Tau => "tau",
-            Self::Lambda => "lambda",
+            Self::Weights => "weights",
             Self::Actions => "actions",
         }
     }
@@ -55,7 +55,7 @@ impl Variable {
             Self::Qd => "q̇",
             Self::Qdd => "q̈",
             Self::Tau => "τ",
-            Self::Lambda => "λ",
+            Self::Weights => "λ",
             Self::Actions => "Φ",
         }
     }
@@ -65,7 +65,7 @@ impl Variable {
     pub const fn space(self) -> Space {
         match self {
             Self::Q => Space::Coordinates,
-            Self::Qd | Self::Qdd | Self::Tau | Self::Lambda => Space::Velocities,
+            Self::Qd | Self::Qdd | Self::Tau | Self::Weights => Space::Velocities,
             Self::Actions => Space::Actions,
         }
     }
@@ -74,8 +74,8 @@ impl Variable {
     #[must_use]
     pub const fn unit(self, kind: Kind) -> &'static str {
         match (self, kind) {
-            (Self::Q | Self::Lambda, Kind::Rotation) => "rad",
-            (Self::Q | Self::Lambda, Kind::Translation) => "m",
+            (Self::Q | Self::Weights, Kind::Rotation) => "rad",
+            (Self::Q | Self::Weights, Kind::Translation) => "m",
             (_, Kind::Quaternion) => "1",
             (Self::Qd, Kind::Rotation) => "rad/s",
             (Self::Qd, Kind::Translation) => "m/s",
@@ -103,7 +103,7 @@ impl Variable {
             (Self::Q, Kind::Rotation) => Some(PI),
             (Self::Q, Kind::Translation | Kind::Quaternion)
             | (Self::Qd, Kind::Translation)
-            | (Self::Lambda, _) => Some(1.0),
+            | (Self::Weights, _) => Some(1.0),
             (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Actuator { .. }) => None,
             (Self::Qd | Self::Qdd, _) => Some(10.0),
             (Self::Actions, _) => Some(100.0),

@@ -16,7 +16,7 @@ use nalgebra::{Matrix4, RealField};
 
 /// Second derivatives of λᵀτ, where τ are the torques [N m] and forces \[N\] that produce q̈.
 ///
-/// `lambda` are the weights of the torques; as a virtual displacement [rad or m] they make λᵀτ a work \[J\]. Damping,
+/// `weights` are λ; as a virtual displacement [rad or m] they make λᵀτ a work \[J\]. Damping,
 /// armature and Coulomb friction have no second derivatives.
 #[must_use]
 pub fn inverse_dynamics_hessian<
@@ -30,10 +30,10 @@ pub fn inverse_dynamics_hessian<
     q: &[T; Q],
     qd: &[T; N],
     qdd: &[T; N],
-    lambda: &[T; N],
+    weights: &[T; N],
 ) -> TorqueHessian<N, T> {
     let motion = Motion::at(chain, q, qd, qdd);
-    let sums = Sums::of(chain, &motion, lambda);
+    let sums = Sums::of(chain, &motion, weights);
     let zero = || [[T::zero(); N]; N];
     let mut found = TorqueHessian {
         dq_dq: zero(),

@@ -85,7 +85,7 @@ struct States<T, const N: usize, const Q: usize> {
     qd: Vec<[T; N]>,
     qdd: Vec<[T; N]>,
     tau: Vec<[T; N]>,
-    lambda: Vec<[T; N]>,
+    weights: Vec<[T; N]>,
 }
 
 /// Random states; the sixth has NaN coordinates, the twelfth angles of 7e6 rad.
@@ -100,13 +100,13 @@ fn states<T: Copy, const N: usize, const Q: usize>(number: fn(f64) -> T) -> Stat
         let state = |_| std::array::from_fn(|_| number(4.0 * random.unit() - 2.0));
         (0..COUNT).map(state).collect()
     };
-    let [qd, qdd, tau, lambda] = [(); 4].map(|()| list());
+    let [qd, qdd, tau, weights] = [(); 4].map(|()| list());
     States {
         q,
         qd,
         qdd,
         tau,
-        lambda,
+        weights,
     }
 }
 

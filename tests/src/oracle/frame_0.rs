@@ -43,11 +43,11 @@ pub fn functions() -> impl Iterator<Item = Function> {
 #[must_use]
 pub fn hessian_along(robot: &Robot, arguments: &Arguments, direction: &[f64]) -> Vec<Big> {
     let mut state = exact(arguments, robot.quaternions());
-    let variables = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Lambda];
-    let [q, qd, qdd, lambda] = variables.map(|variable| mem::take(&mut state[variable]));
+    let variables = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Weights];
+    let [q, qd, qdd, weights] = variables.map(|variable| mem::take(&mut state[variable]));
     let positions = Positions::at(robot, &q);
     let actions = &arguments[Variable::Actions];
-    derivatives::hessian_along(robot, &positions, [&qd, &qdd, &lambda], actions, direction)
+    derivatives::hessian_along(robot, &positions, [&qd, &qdd, &weights], actions, direction)
 }
 
 /// The true value of a function; `frame` is the index of its frame, for functions of a frame.

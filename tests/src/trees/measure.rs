@@ -296,7 +296,7 @@ impl Measure {
     fn second_changes(&self, at: &Arguments) -> [f64; 4] {
         let [by_q, by_qd] = [Change::Coordinate, Change::Rate].map(|of| self.change(at, of));
         let inertia = self.gain * self.gain * (self.mass * self.arm * self.arm + self.second);
-        let weights = self.gain * sum(&at[Variable::Lambda]) * sum(&at[Variable::Tau]);
+        let weights = self.gain * sum(&at[Variable::Weights]) * sum(&at[Variable::Tau]);
         [by_q, by_qd, inertia, inertia].map(|size| size * weights)
     }
 

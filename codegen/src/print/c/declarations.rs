@@ -108,7 +108,7 @@ pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
         let variables = Variable::ALL.into_iter();
         let variables = variables.filter(|of| of.space() == space);
         let variables: Vec<_> = variables
-            .filter(|&of| of != Variable::Lambda || has_argument(module, of))
+            .filter(|&of| of != Variable::Weights || has_argument(module, of))
             .collect();
         let mut letters: Vec<_> = variables.iter().map(|of| of.letter()).collect();
         if variables.is_empty() {

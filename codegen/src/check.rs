@@ -23,12 +23,12 @@ use crate::description::Source;
 use crate::error::{Errors, Place};
 use crate::expression::{Arithmetic, Input};
 use crate::function::{Function, Given, Truth};
-use crate::list;
+use crate::list::{self, List};
 use crate::module::{ChainData, Module};
 use crate::plan::Planned;
 use crate::real::Real;
 use crate::schedule::{Operand, Program, run};
-use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
+use crate::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces, Variable, VelocityId};
 use crate::wording::quoted;
 pub use base_parameters::judge_base_parameters;
 pub use redundancy::{Redundancy, redundancy};
@@ -327,9 +327,15 @@ fn first_wrong(
     (frame, scalar): (FrameId, Real),
     found: &[Approximate],
 ) -> Option<Wrong> {
-    let expected = match function.truth() {
-        Truth::Value(value) | Truth::OfMass(value) => value(dense, frame),
-        Truth::Constrained(value) => value(dense, scalar.zero_pivot()),
+    let contracted;
+    let (found, expected) = match function.truth() {
+        Truth::Value(value) | Truth::OfMass(value) => (found, value(dense, frame)),
+        Truth::Directional(value) => {
+            let direction = direction(dense);
+            contracted = sums_of_rows(found, &direction);
+            (&*contracted, value(dense, &direction))
+        }
+        Truth::Constrained(value) => (found, value(dense, scalar.zero_pivot())),
         Truth::Solution(Given::Torques) => return solved::first_unsolved(dense, found),
         Truth::Solution(Given::MassMatrix) => return solved::first_not_inverse(dense, found),
         Truth::Solution(Given::TorqueDerivatives) => {
@@ -355,6 +361,29 @@ fn first_wrong(
         let (found, expected) = (found.to_f64(), expected.to_f64());
         wrong(entry, found, expected, distance <= most)
     })
+}
+
+/// A direction with random entries: τ, which no function with a directional reference has as an argument.
+fn direction(dense: &Dense) -> List<VelocityId, Approximate> {
+    dense.state.of_velocities(Variable::Tau)
+}
+
+/// The sums of the rows of some square matrices, one after the other, times the entries of a direction.
+fn sums_of_rows(
+    matrices: &[Approximate],
+    direction: &List<VelocityId, Approximate>,
+) -> Vec<Approximate> {
+    let size = direction.len();
+    let sums = matrices.chunks(size * size).flat_map(|matrix| {
+        let mut sums = vec![Approximate::exact(0.0); size];
+        for (row, &factor) in matrix.chunks(size).zip(direction) {
+            for (sum, &entry) in sums.iter_mut().zip(row) {
+                *sum = *sum + factor * entry;
+            }
+        }
+        sums
+    });
+    sums.collect()
 }
 
 fn wrong(entry: usize, found: f64, expected: f64, right: bool) -> Option<Wrong> {

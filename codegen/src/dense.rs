@@ -19,7 +19,7 @@ pub(crate) use robot::{Body, BodyId, Closed, Columns, DegreeOfFreedom, Moved, Ro
 use crate::expression::{Double, Input};
 use crate::list::{self, Id, List, Square};
 use crate::space::{Arguments, FieldId, FrameId, ParameterId, Variable, VelocityId};
-use configuration::{Configuration, Rates};
+use configuration::{Configuration, Direction, Gradient, Rates};
 
 /// The inputs of a program.
 #[derive(Clone, Debug, Default)]
@@ -337,6 +337,31 @@ impl Dense {
             by_coordinate[place] = by_coordinate[place] - external[place];
         }
         [by_coordinate, by_rate]
+    }
+
+    /// The second derivatives of λᵀτ, of the blocks by q and q, q and q̇, q̇ and q̇, q and q̈: the sum of the rows of
+    /// each, times the entries of a direction.
+    pub(crate) fn torque_hessian(
+        &self,
+        direction: &List<VelocityId, Approximate>,
+    ) -> Vec<Approximate> {
+        let rates = self.rates(Motion::Accelerated);
+        let lambda = self.state.of_velocities(Variable::Weights);
+        let along = |direction: Direction<'_>| {
+            let actions = &self.state.arguments[Variable::Actions];
+            self.configuration
+                .torque_hessian(&rates, &lambda, actions, direction)
+        };
+        let Gradient {
+            by_q,
+            by_qd,
+            by_qdd,
+        } = along(Direction::Coordinates(direction));
+        let of_rates = along(Direction::Rates(direction)).by_qd;
+        [by_q, by_qd, of_rates, by_qdd]
+            .into_iter()
+            .flatten()
+            .collect()
     }
 
     /// The Coriolis matrix C.

@@ -35,6 +35,7 @@ macro_rules! every_function {
             CentroidalMomentumMatrix: centroidal_momentum_matrix, "The centroidal momentum at unit velocity of each degree of freedom.";
             CentroidalMomentumBias: centroidal_momentum_bias, "The rate of change of the centroidal momentum at q̈ = 0.";
             InverseDynamicsDerivatives: inverse_dynamics_derivatives, "Derivatives of inverse dynamics by q and q̇.";
+            InverseDynamicsHessian: inverse_dynamics_hessian, "Second derivatives of λᵀτ by q, q̇ and q̈, for weights λ of the torques.";
             ForwardDynamicsDerivatives: forward_dynamics_derivatives, "Derivatives of forward dynamics by q, q̇ and τ.";
             GravityDerivative: gravity_derivative, "The derivative of gravity torques by q.";
             CoriolisMatrix: coriolis_matrix, "C of τ = M q̈ + C q̇ + gravity, with Ṁ = C + Cᵗ.";
@@ -77,6 +78,7 @@ mod gravity;
 mod gravity_derivative;
 mod inverse_dynamics;
 mod inverse_dynamics_derivatives;
+mod inverse_dynamics_hessian;
 mod kinetic_energy;
 mod mass_matrix;
 mod mass_matrix_inverse;

@@ -16,6 +16,7 @@ mod external;
 mod factor;
 pub(crate) mod forward_dynamics;
 pub(crate) mod gravity;
+mod hessian;
 pub(crate) mod jacobian;
 pub(crate) mod jacobian_rate;
 pub(crate) mod loops;
@@ -225,16 +226,39 @@ impl<'s, 'g> Scene<'s, 'g> {
     ) -> [Square<VelocityId, Term<'g>>; 2] {
         let qdd = velocities::shared(&self.state, self.bodies, qdd);
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
-        let external = self.external(self.algorithm.frame);
-        let (constant, rotating) = if self.bodies.external_in_frame_0 {
-            (external, Vec::new())
-        } else {
-            (Vec::new(), external)
-        };
+        let [constant, rotating] = self.external_wrenches();
         let [mut by_coordinate, by_rate] =
             derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &rotating);
         derivatives::add_constant_wrenches(&mut by_coordinate, &joints, &constant);
         [by_coordinate, by_rate].map(|matrix| self.by_velocities(matrix))
+    }
+
+    /// The second derivatives of λᵀτ at the given q̈, with the external wrenches.
+    pub(crate) fn torque_hessian(
+        &self,
+        qdd: &List<VelocityId, Term<'g>>,
+    ) -> [Square<VelocityId, Term<'g>>; 4] {
+        let weights = |k| self.state.of_velocity(Variable::Weights, k);
+        let weights: List<VelocityId, Term<'g>> = self.velocities().map(weights).collect();
+        let arguments = [qdd, &weights].map(|of| velocities::shared(&self.state, self.bodies, of));
+        let arguments = arguments.each_ref();
+        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let [constant, rotating] = self.external_wrenches();
+        let mut found =
+            hessian::inverse_dynamics(&joints, gravity, &self.state, arguments, &rotating);
+        let [_, weights] = arguments;
+        hessian::add_constant_wrenches(&mut found.q_q, &joints, weights, &constant);
+        [found.q_q, found.q_qd, found.qd_qd, found.q_qdd].map(|block| self.by_velocities(block))
+    }
+
+    /// The external wrenches that are constant in frame 0, and those that rotate with their bodies.
+    fn external_wrenches(&self) -> [Vec<(BodyId, Action<Term<'g>>)>; 2] {
+        let external = self.external(self.algorithm.frame);
+        if self.bodies.external_in_frame_0 {
+            [external, Vec::new()]
+        } else {
+            [Vec::new(), external]
+        }
     }
 
     /// ∂τ/∂q at rest, by rows.

@@ -3,6 +3,7 @@
 //! Both are evaluated in 106 bits, so that only a wrong formula can make a difference: the recursions share no rule
 //! with differentiation node by node.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use homogen_codegen::Function;
@@ -149,6 +150,64 @@ fn assert_dynamics(name: &str, chain: &Chain) {
     assert_same(&format!("{name}: ∂q̈"), &accelerations.concat(), &generated);
 }
 
+/// The derivatives of a matrix over velocities along each velocity, or by each entry of an argument, contracted over
+/// its rows with λ: for each direction, an entry for each column.
+fn contracted(
+    chain: &Chain,
+    function: Function,
+    block: usize,
+    along_velocity: impl Fn(&Graph, VelocityId) -> BTreeMap<Input, Expr>,
+) -> Vec<Vec<Double>> {
+    let (graph, results) = expressions(chain, function);
+    let velocities = &chain.spaces().velocities;
+    let size = velocities.len();
+    let results = &results[block * size * size..][..size * size];
+    let directions = velocities.ids().map(|velocity| {
+        let rates = along_velocity(&graph, velocity);
+        let changes = along(&graph, results, |input| {
+            rates.get(&input).map(|&rate| graph.term(rate))
+        });
+        let changes = numbers(chain, &graph, &changes);
+        let mut sums = vec![Double::ZERO; size];
+        for (row, weight) in changes.chunks(size).zip(velocities.ids()) {
+            let weight = number(chain, input(Variable::Weights, weight));
+            for (sum, &entry) in sums.iter_mut().zip(row) {
+                *sum = *sum + weight * entry;
+            }
+        }
+        sums
+    });
+    directions.collect()
+}
+
+/// Asserts that the Hessian of λᵀτ has the derivatives of the first derivatives.
+fn assert_hessian(name: &str, chain: &Chain) {
+    let configuration = |graph: &Graph, velocity: VelocityId| {
+        let rates = coordinate_rates(graph, chain, velocity);
+        let rates = rates.into_iter().map(|(of, rate)| (of, rate.expr()));
+        rates.collect()
+    };
+    let rate = |graph: &Graph, velocity: VelocityId| {
+        BTreeMap::from([(input(Variable::Qd, velocity), graph.constant(1.0).expr())])
+    };
+    let first = Function::InverseDynamicsDerivatives;
+    let blocks = [
+        contracted(chain, first, 0, configuration),
+        contracted(chain, first, 1, configuration),
+        contracted(chain, first, 1, rate),
+        contracted(chain, Function::MassMatrix, 0, configuration),
+    ];
+    let generated = values(chain, Function::InverseDynamicsHessian);
+    let size = generated.len() / blocks.len();
+    for (k, (block, generated)) in blocks.iter().zip(generated.chunks(size)).enumerate() {
+        assert_same(
+            &format!("{name}: block {k} of ∂²(λᵀτ)"),
+            &block.concat(),
+            generated,
+        );
+    }
+}
+
 /// Asserts the same for Jacobians and momenta: matrices that are stored by velocities.
 fn assert_rates(name: &str, chain: &Chain) {
     let center = by_configuration(chain, Function::CenterOfMass).concat();
@@ -181,6 +240,7 @@ fn arms_have_the_derivatives_of_the_graph() {
     for file in ["two_link", "ur5_class", "panda_class", "scara"] {
         let chain = build(&shipped(&format!("{file}.urdf")), &Request::default());
         assert_dynamics(file, &chain);
+        assert_hessian(file, &chain);
         assert_rates(file, &chain);
     }
 }
@@ -193,5 +253,6 @@ fn a_floating_quadruped_has_the_derivatives_of_the_graph() {
     };
     let chain = build(&shipped("quadruped.urdf"), &request);
     assert_dynamics("quadruped", &chain);
+    assert_hessian("quadruped", &chain);
     assert_rates("quadruped", &chain);
 }

@@ -4,7 +4,7 @@
 
 use homogen::{
     Acceleration, AccelerationDerivatives, Action, Momentum, Point, Pose, Real, Screw,
-    TorqueDerivatives, Velocity,
+    TorqueDerivatives, TorqueHessian, Velocity,
 };
 
 /// The numbers of a result, row by row.
@@ -79,6 +79,14 @@ impl<T: Entries, const N: usize> Entries for TorqueDerivatives<N, T> {
     fn push(&self, numbers: &mut Vec<f64>) {
         self.dq.push(numbers);
         self.dqd.push(numbers);
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for TorqueHessian<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        for block in [&self.dq_dq, &self.dq_dqd, &self.dqd_dqd, &self.dq_dqdd] {
+            block.push(numbers);
+        }
     }
 }
 

@@ -18,6 +18,8 @@ pub struct State<T, const N: usize> {
     pub qdd: [T; N],
     /// τ.
     pub tau: [T; N],
+    /// Weights λ of torques.
+    pub weights: [T; N],
 }
 
 impl<const N: usize> State<f32, N> {
@@ -29,20 +31,25 @@ impl<const N: usize> State<f32, N> {
             qd: self.qd.map(f64::from),
             qdd: self.qdd.map(f64::from),
             tau: self.tau.map(f64::from),
+            weights: self.weights.map(f64::from),
         }
     }
 }
 
-/// States with q in ±π, q̇ in ±2, q̈ in ±10 and τ in ±20.
+/// States with q in ±π, q̇ in ±2, q̈ in ±10, τ in ±20 and λ in ±1.
 #[must_use]
 pub fn random<const N: usize>(count: usize, seed: u64) -> Vec<State<f32, N>> {
     let mut random = Random::new(seed);
     let mut within = |limit: f32| std::array::from_fn(|_| limit * random.coarse());
-    let state = |_| State {
-        q: within(PI),
-        qd: within(2.0),
-        qdd: within(10.0),
-        tau: within(20.0),
+    let state = |_| {
+        let tau = within(20.0);
+        State {
+            q: within(PI),
+            qd: within(2.0),
+            qdd: within(10.0),
+            tau,
+            weights: tau.map(|entry| entry / 20.0),
+        }
     };
     (0..count).map(state).collect()
 }

@@ -8,6 +8,12 @@ class InverseDynamicsDerivatives(NamedTuple):
     dq: NDArray[np.floating[Any]]
     dqd: NDArray[np.floating[Any]]
 
+class InverseDynamicsHessian(NamedTuple):
+    dq_dq: NDArray[np.floating[Any]]
+    dq_dqd: NDArray[np.floating[Any]]
+    dqd_dqd: NDArray[np.floating[Any]]
+    dq_dqdd: NDArray[np.floating[Any]]
+
 class ForwardDynamicsDerivatives(NamedTuple):
     dq: NDArray[np.floating[Any]]
     dqd: NDArray[np.floating[Any]]

@@ -9,5 +9,6 @@ mod closure;
 mod dense;
 mod derivatives;
 pub mod generic;
+mod hessian;
 mod motion;
 mod traits;

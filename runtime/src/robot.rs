@@ -49,6 +49,7 @@ pub use loops::{
 /// |---|---|
 /// | `tip` | of the end effector's frame |
 /// | `whole` | of the whole robot |
+/// | `weighted` | of the whole robot, contracted with weights `weights` |
 /// | `solution` | of the whole robot, by solving linear equations |
 /// | `sized` | of the whole robot, with `P` numbers in a row of the result |
 /// | `chosen` | the same, not implemented for chains, which do not know their base parameters |
@@ -176,6 +177,10 @@ macro_rules! every_function {
             #[doc = "add `inverse_dynamics_derivatives` to `generate(…)` of the robot"]
             /// ∂τ/∂q and ∂τ/∂q̇ of inverse dynamics, a row for each torque or force.
             whole InverseDynamicsDerivatives inverse_dynamics_derivatives(q, qd, qdd) -> $crate::TorqueDerivatives<N, T>;
+            /// The second derivatives of λᵀτ by q, q̇ and q̈.
+            #[doc = "add `inverse_dynamics_hessian` to `generate(…)` of the robot"]
+            /// The Hessian of λᵀτ, with the torques of inverse dynamics and their weights λ.
+            weighted InverseDynamicsHessian inverse_dynamics_hessian(q, qd, qdd, weights) -> $crate::TorqueHessian<N, T>;
             /// The derivatives of forward dynamics by q, q̇ and τ.
             #[doc = "add `forward_dynamics_derivatives` to `generate(…)` of the robot"]
             /// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of forward dynamics, a row for each acceleration.

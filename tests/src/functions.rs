@@ -10,8 +10,8 @@ use homogen::{
 use crate::states::State;
 
 /// Defines, from the list of every function, a trait of those that are compared and a function that evaluates them.
-/// Solutions, whose errors depend on conditioning, and results as wide as the robot has parameters have tests of their
-/// own.
+/// Solutions, whose errors depend on conditioning, functions with weights, and results as wide as the robot has
+/// parameters have tests of their own.
 macro_rules! evaluated {
     (@[] [$($name:ident $method:ident($($argument:ident),*) $as_blocks:ident;)*]) => {
         /// A robot with all functions but solutions and those of parameters: a generated one, or a chain read at run
@@ -45,6 +45,9 @@ macro_rules! evaluated {
         }
     };
     (@[$(#[doc = $about:literal])+ solution $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
+        evaluated!(@[$($rest)*] $found);
+    };
+    (@[$(#[doc = $about:literal])+ weighted $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
         evaluated!(@[$($rest)*] $found);
     };
     (@[$(#[doc = $about:literal])+ chosen $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {

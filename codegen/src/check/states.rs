@@ -11,7 +11,7 @@ use crate::expression::Double;
 use crate::list::Id;
 use crate::quaternion::normalize;
 use crate::random::Random;
-use crate::space::{Entry, Kind, Space, Spaces, Variable};
+use crate::space::{Entry, Kind, Spaces, Variable};
 
 /// A number of states.
 pub(super) fn states(chain: &Chain, count: usize) -> Vec<State> {
@@ -46,10 +46,16 @@ fn state(chain: &Chain, random: &mut Random) -> State {
         state.arguments[Variable::Q].push(q.into());
     }
     of_length_1(&mut state, spaces);
-    for space in [Space::Velocities, Space::Actions] {
-        for _ in spaces.entries(space) {
-            for variable in Variable::ALL.into_iter().filter(|of| of.space() == space) {
+    let variables: [&[Variable]; 3] = [
+        &[Variable::Qd, Variable::Qdd, Variable::Tau],
+        &[Variable::Actions],
+        &[Variable::Weights],
+    ];
+    for variables in variables {
+        for _ in spaces.entries(variables[0].space()) {
+            for &variable in variables {
                 let size = match variable {
+                    Variable::Weights => 1.0,
                     Variable::Qd => 2.0,
                     Variable::Qdd => 5.0,
                     _ => 10.0,

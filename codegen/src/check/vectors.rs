@@ -15,13 +15,13 @@ use crate::chain::Chain;
 use crate::dense::{Approximate, Dense, State};
 use crate::expression::{Double, Input};
 use crate::function::{Function, Given, Truth};
-use crate::list::Id;
+use crate::list::{self, Id, List};
 use crate::module::{GeneratedFunction, Vector};
 use crate::quaternion::{normalize, of_length_1};
 use crate::real::Real;
 use crate::schedule::Program;
 use crate::schedule::bound::{self, Conditions, Found, Reason, Value};
-use crate::space::{Arguments, FrameId, Kind, Variable};
+use crate::space::{Arguments, FrameId, Kind, Variable, VelocityId};
 
 /// Largest number of results for which there are two states; longer ones have one.
 const SHORT: usize = 100;
@@ -270,6 +270,20 @@ fn truth(
     };
     match function.truth() {
         Truth::Value(value) | Truth::OfMass(value) => Some(value(dense, frame)),
+        Truth::Directional(value) => {
+            let unit = |row: VelocityId| {
+                let mut unit = List::filled(Approximate::exact(0.0), count);
+                unit[row] = Approximate::exact(1.0);
+                value(dense, &unit)
+            };
+            let rows: Vec<Vec<Approximate>> = list::ids(count).map(unit).collect();
+            let matrices = 0..rows.first().map_or(0, |row| row.len() / count);
+            let entries = matrices.flat_map(|k| {
+                let rows = rows.iter();
+                rows.flat_map(move |row| row[k * count..][..count].to_vec())
+            });
+            Some(entries.collect())
+        }
         Truth::Constrained(value) => Some(value(dense, scalar.zero_pivot())),
         Truth::Solution(Given::Torques) => acceleration(),
         Truth::Solution(Given::MassMatrix) => Some(inverse()?.concat()),

@@ -4,7 +4,10 @@
 //! and the torques of links and actuators.
 
 mod derivatives;
+mod hessian;
 mod sizes;
+
+pub(super) use hessian::{Direction, Gradient};
 
 use super::{Approximate, BodyId, Closed, Columns, DegreeOfFreedom, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};

@@ -180,6 +180,7 @@ mod tests {
             "inverse_dynamics_batch",
             "forward_dynamics_batch",
             "inverse_dynamics_derivatives_batch",
+            "inverse_dynamics_hessian_batch",
             "forward_dynamics_derivatives_batch",
         ];
         assert_eq!(with_external.functions, expected);

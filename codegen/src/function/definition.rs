@@ -3,8 +3,9 @@
 use super::tally::{Size, Tally};
 use crate::dense::{Approximate, Dense};
 use crate::expression::Term;
+use crate::list::List;
 use crate::model::{Algorithm, Scene};
-use crate::space::{FrameId, Outcome, Variable};
+use crate::space::{FrameId, Outcome, Variable, VelocityId};
 
 /// Reference for the results of a function, independent of the algorithm.
 #[derive(Clone, Copy)]
@@ -16,6 +17,9 @@ pub(crate) enum Truth {
     /// Solution of the dynamics of loops by dense matrices; the number is the relative pivot below which a
     /// residual counts as dependent.
     Constrained(fn(&Dense, f64) -> Vec<Approximate>),
+    /// The parts of the result, matrices over velocities, each multiplied from the left by a direction: fewer
+    /// values than the result has.
+    Directional(fn(&Dense, &List<VelocityId, Approximate>) -> Vec<Approximate>),
     /// Equation that the results solve, with these given data.
     Solution(Given),
 }

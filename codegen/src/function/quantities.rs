@@ -125,6 +125,35 @@ pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(
     ],
 );
 
+/// Second derivatives of λᵀτ, with λ a virtual displacement, so that λᵀτ is a work.
+pub(super) const WORK_HESSIAN: Outcome = Outcome::Parts(
+    "TorqueHessian",
+    &[
+        Part {
+            name: "dq_dq",
+            about: "∂²(λᵀτ)/∂q∂q; J, J/m, J/m².",
+            quantity: matrix(|of| vec![by_two(of, ["J", "J/m", "J/m²"])]),
+        },
+        Part {
+            name: "dq_dqd",
+            about: "∂²(λᵀτ)/∂q∂q̇, a row for each coordinate; J s, J s/m, J s/m².",
+            quantity: matrix(|of| vec![by_two(of, ["J s", "J s/m", "J s/m²"])]),
+        },
+        Part {
+            name: "dqd_dqd",
+            about: "∂²(λᵀτ)/∂q̇∂q̇; J s², J s²/m, J s²/m².",
+            quantity: WORKS,
+        },
+        Part {
+            name: "dq_dqdd",
+            about: "∂²(λᵀτ)/∂q∂q̈ = ∂(M λ)/∂q, a row for each coordinate; J s², J s²/m, J s²/m².",
+            quantity: WORKS,
+        },
+    ],
+);
+
+const WORKS: Quantity = matrix(|of| vec![by_two(of, ["J s²", "J s²/m", "J s²/m²"])]);
+
 /// Derivatives of joint accelerations by coordinates, velocities, and torques and forces.
 pub(super) const ACCELERATION_DERIVATIVES: Outcome = Outcome::Parts(
     "AccelerationDerivatives",

@@ -26,6 +26,7 @@ fn state(input: Input) -> Double {
         Input::Variable(Variable::Qd, k) => entry(k, -0.7),
         Input::Variable(Variable::Qdd, k) => entry(k, 1.9),
         Input::Variable(Variable::Tau, k) => entry(k, 2.3),
+        Input::Variable(Variable::Weights, k) => entry(k, 0.7),
         Input::Variable(Variable::Actions, k) => entry(k, 0.9),
         Input::Parameter(field, k) => entry(3 * field + k, 0.31),
     }
@@ -265,9 +266,8 @@ fn a_locked_joint_is_a_joint_at_rest() {
             Input::Variable(Variable::Qdd, of) => {
                 shift(of).map_or(Double::ZERO, |of| state(Input::Variable(Variable::Qdd, of)))
             }
-            Input::Variable(Variable::Tau | Variable::Actions, _) | Input::Parameter(..) => {
-                state(input)
-            }
+            Input::Variable(Variable::Tau | Variable::Weights | Variable::Actions, _)
+            | Input::Parameter(..) => state(input),
         };
         let terms = Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, algorithm);
         let all: Vec<Expr> = terms

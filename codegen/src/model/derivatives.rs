@@ -116,16 +116,16 @@ pub fn coriolis_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<Bod
 }
 
 /// Derivatives of a joint's screw, for an observer at rest with its pole.
-struct Rates<'g> {
+pub(super) struct Rates<'g> {
     /// L̇ = W L − L W, with W of the body in whose frame L is constant: the last that the joint moves.
-    own: Screw<Term<'g>>,
+    pub(super) own: Screw<Term<'g>>,
     /// Ψ̇, the same with W of the joint's parent body.
-    carried: Screw<Term<'g>>,
+    pub(super) carried: Screw<Term<'g>>,
     /// Ψ̈, the derivative of Ψ̇ on that body.
-    second: Screw<Term<'g>>,
+    pub(super) second: Screw<Term<'g>>,
 }
 
-fn rates<'g>(
+pub(super) fn rates<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     motions: &List<BodyId, Moving<'g>>,
@@ -186,16 +186,16 @@ struct Change<'g> {
 }
 
 /// All bodies that each joint carries: J, and a multiple of Y for an observer who moves with the joint's pole.
-struct Whole<'g> {
-    inertias: List<BodyId, Inertia<Term<'g>>>,
-    flows: List<BodyId, Flow<Term<'g>>>,
+pub(super) struct Whole<'g> {
+    pub(super) inertias: List<BodyId, Inertia<Term<'g>>>,
+    pub(super) flows: List<BodyId, Flow<Term<'g>>>,
     /// The velocity of each joint's pole relative to that of its parent, with the same multiple: from its
     /// displacement, and from its placement.
-    gains: List<BodyId, [Vector<Term<'g>>; 2]>,
+    pub(super) gains: List<BodyId, [Vector<Term<'g>>; 2]>,
 }
 
 impl<'g> Whole<'g> {
-    fn of(
+    pub(super) fn of(
         joints: &Joints<'g>,
         state: &State<'g>,
         motions: &List<BodyId, Moving<'g>>,

@@ -84,7 +84,11 @@ struct Solved {
 pub(super) const fn allowed(function: Function) -> f64 {
     match function.truth() {
         Truth::Solution(Given::TorqueDerivatives) => 10.0,
-        Truth::Value(_) | Truth::OfMass(_) | Truth::Constrained(_) | Truth::Solution(_) => 1.0,
+        Truth::Value(_)
+        | Truth::OfMass(_)
+        | Truth::Directional(_)
+        | Truth::Constrained(_)
+        | Truth::Solution(_) => 1.0,
     }
 }
 

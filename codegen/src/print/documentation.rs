@@ -458,7 +458,8 @@ mod tests {
     fn arguments_have_their_units() {
         assert_eq!(
             arguments(&Variable::ALL),
-            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, Φ (c, f) in N m, N."
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, λ in rad or m, \
+             Φ (c, f) in N m, N."
         );
         assert_eq!(arguments(&[Variable::Q]), "q in rad or m.");
     }

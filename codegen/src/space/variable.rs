@@ -17,13 +17,22 @@ pub enum Variable {
     Qdd,
     /// Joint torques and forces \[N m or N\].
     Tau,
+    /// Weights λ of the joint torques and forces, as a virtual displacement [rad or m].
+    Weights,
     /// External wrenches on links \[N m and N\].
     Actions,
 }
 
 impl Variable {
     /// All arguments, in the order of parameters.
-    pub const ALL: [Self; 5] = [Self::Q, Self::Qd, Self::Qdd, Self::Tau, Self::Actions];
+    pub const ALL: [Self; 6] = [
+        Self::Q,
+        Self::Qd,
+        Self::Qdd,
+        Self::Tau,
+        Self::Weights,
+        Self::Actions,
+    ];
 
     /// Name in generated code and in state files.
     #[must_use]
@@ -33,6 +42,7 @@ impl Variable {
             Self::Qd => "qd",
             Self::Qdd => "qdd",
             Self::Tau => "tau",
+            Self::Weights => "weights",
             Self::Actions => "actions",
         }
     }
@@ -45,6 +55,7 @@ impl Variable {
             Self::Qd => "q̇",
             Self::Qdd => "q̈",
             Self::Tau => "τ",
+            Self::Weights => "λ",
             Self::Actions => "Φ",
         }
     }
@@ -54,7 +65,7 @@ impl Variable {
     pub const fn space(self) -> Space {
         match self {
             Self::Q => Space::Coordinates,
-            Self::Qd | Self::Qdd | Self::Tau => Space::Velocities,
+            Self::Qd | Self::Qdd | Self::Tau | Self::Weights => Space::Velocities,
             Self::Actions => Space::Actions,
         }
     }
@@ -63,8 +74,8 @@ impl Variable {
     #[must_use]
     pub const fn unit(self, kind: Kind) -> &'static str {
         match (self, kind) {
-            (Self::Q, Kind::Rotation) => "rad",
-            (Self::Q, Kind::Translation) => "m",
+            (Self::Q | Self::Weights, Kind::Rotation) => "rad",
+            (Self::Q | Self::Weights, Kind::Translation) => "m",
             (_, Kind::Quaternion) => "1",
             (Self::Qd, Kind::Rotation) => "rad/s",
             (Self::Qd, Kind::Translation) => "m/s",
@@ -90,9 +101,9 @@ impl Variable {
     pub const fn usual(self, kind: Kind) -> Option<f64> {
         match (self, kind) {
             (Self::Q, Kind::Rotation) => Some(PI),
-            (Self::Q, Kind::Translation | Kind::Quaternion) | (Self::Qd, Kind::Translation) => {
-                Some(1.0)
-            }
+            (Self::Q, Kind::Translation | Kind::Quaternion)
+            | (Self::Qd, Kind::Translation)
+            | (Self::Weights, _) => Some(1.0),
             (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Actuator { .. }) => None,
             (Self::Qd | Self::Qdd, _) => Some(10.0),
             (Self::Actions, _) => Some(100.0),

@@ -87,6 +87,7 @@ fn show_torques() {
         qd: [0.5, -0.4, 0.3, 0.6, -0.7, 0.2, 0.9],
         qdd: [1.0, 0.5, -0.5, 2.0, 1.5, -1.0, 3.0],
         tau: [0.0; 7],
+        weights: [0.0; 7],
     };
     let row = |name: &str, unit: &str, numbers: &[f64], digits: usize| {
         print!("  {name:<11}");

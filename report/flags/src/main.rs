@@ -65,13 +65,20 @@ struct States<const N: usize> {
     qd: Vec<[f64; N]>,
     qdd: Vec<[f64; N]>,
     tau: Vec<[f64; N]>,
+    weights: Vec<[f64; N]>,
 }
 
 impl<const N: usize> States<N> {
     fn random() -> Self {
         let mut random = Random(1);
-        let [q, qd, qdd, tau] = [(); 4].map(|()| random.list());
-        Self { q, qd, qdd, tau }
+        let [q, qd, qdd, tau, weights] = [(); 5].map(|()| random.list());
+        Self {
+            q,
+            qd,
+            qdd,
+            tau,
+            weights,
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use super::processor;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::registers::Register;
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
-use crate::robot::derivatives::{AccelerationDerivatives, TorqueDerivatives};
+use crate::robot::derivatives::{AccelerationDerivatives, TorqueDerivatives, TorqueHessian};
 use crate::scalar::{Lane, Pack, Scalar};
 use core::array::from_fn;
 use core::ops::Range;
@@ -328,5 +328,6 @@ macro_rules! of_fields {
 }
 of_fields! {
     TorqueDerivatives: dq, dqd;
+    TorqueHessian: dq_dq, dq_dqd, dqd_dqd, dq_dqdd;
     AccelerationDerivatives: dq, dqd, dtau;
 }

@@ -176,7 +176,13 @@ fn change<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, c
 }
 
 /// The sums over the bodies that each joint carries; children come after their parents.
-fn carried<T: RealField + Copy, const N: usize, const F: usize, const Q: usize, const B: usize>(
+pub(super) fn carried<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
     chain: &Chain<N, F, Q, B>,
     mut each: [Matrix4<T>; B],
 ) -> [Matrix4<T>; B] {
@@ -204,6 +210,6 @@ fn by_velocity<T: RealField + Copy, const N: usize, const B: usize>(
 }
 
 /// A B − B A.
-fn commutator<T: RealField + Copy>(a: &Matrix4<T>, b: &Matrix4<T>) -> Matrix4<T> {
+pub(super) fn commutator<T: RealField + Copy>(a: &Matrix4<T>, b: &Matrix4<T>) -> Matrix4<T> {
     a * b - b * a
 }

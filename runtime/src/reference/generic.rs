@@ -35,6 +35,7 @@ pub use super::closure::{
     constraint_jacobian,
 };
 pub use super::derivatives::{coriolis_matrix, gravity_derivative, inverse_dynamics_derivatives};
+pub use super::hessian::inverse_dynamics_hessian;
 pub use dynamics::{bias, gravity, inverse_dynamics, mass_matrix, regressor, torques_of_wrench};
 pub use energy::{kinetic_energy, potential_energy};
 pub use forward::{forward_dynamics, forward_dynamics_derivatives, mass_matrix_inverse};

@@ -26,6 +26,7 @@ pub(super) struct Positions<T, const B: usize> {
 }
 
 /// The motion of a body at one velocity of its joint. Mimic joints share a velocity with the mimicked joint.
+#[derive(Clone, Copy)]
 pub(super) struct DegreeOfFreedom<T> {
     /// The index of the body.
     pub(super) body: usize,

@@ -10,7 +10,7 @@ use homogen::batch::{Batch, BatchError, ColumnsError, Vectors};
 use homogen::robot::{Batched, InverseDynamics};
 use homogen::{
     Acceleration, AccelerationDerivatives, Action, Momentum, Point, Pose, Robot, Scalar, Screw,
-    TorqueDerivatives, Velocity, chain,
+    TorqueDerivatives, TorqueHessian, Velocity, chain,
 };
 use homogen_random::Random;
 
@@ -85,6 +85,7 @@ struct States<T, const N: usize, const Q: usize> {
     qd: Vec<[T; N]>,
     qdd: Vec<[T; N]>,
     tau: Vec<[T; N]>,
+    weights: Vec<[T; N]>,
 }
 
 /// Random states; the sixth has NaN coordinates, the twelfth angles of 7e6 rad.
@@ -99,8 +100,14 @@ fn states<T: Copy, const N: usize, const Q: usize>(number: fn(f64) -> T) -> Stat
         let state = |_| std::array::from_fn(|_| number(4.0 * random.unit() - 2.0));
         (0..COUNT).map(state).collect()
     };
-    let (qd, qdd, tau) = (list(), list(), list());
-    States { q, qd, qdd, tau }
+    let [qd, qdd, tau, weights] = [(); 4].map(|()| list());
+    States {
+        q,
+        qd,
+        qdd,
+        tau,
+        weights,
+    }
 }
 
 /// The numbers of a result one by one, in the order of columns.
@@ -140,6 +147,7 @@ numbers! {
     Point<f64>: p => p.0;
     TorqueDerivatives<N, f64>: d => d.dq, d.dqd;
     AccelerationDerivatives<N, f64>: d => d.dq, d.dqd, d.dtau;
+    TorqueHessian<N, f64>: h => h.dq_dq, h.dq_dqd, h.dqd_dqd, h.dq_dqdd;
 }
 
 /// The first entries of all states, then the second ones, and so on.

@@ -31,10 +31,23 @@ use regressor::{regressor, with_columns_of_actuators};
 pub use sizes::torque_sizes;
 use torques::{external, mass_matrix, torques};
 
-/// Every function with a true value here: all but the base regressor, whose columns the engine selects.
+/// Every function with a true value here that takes milliseconds: all but the base regressor, whose columns the engine
+/// selects, and the Hessian, of which [`hessian_along`] has the value along a direction.
 pub fn functions() -> impl Iterator<Item = Function> {
+    let others = [Function::BaseRegressor, Function::InverseDynamicsHessian];
     let all = Function::ALL.into_iter();
-    all.filter(|&function| function != Function::BaseRegressor)
+    all.filter(move |function| !others.contains(function))
+}
+
+/// The true value of the Hessian of λᵀτ: for each of its matrices the sum of the rows, times the entries of a direction.
+#[must_use]
+pub fn hessian_along(robot: &Robot, arguments: &Arguments, direction: &[f64]) -> Vec<Big> {
+    let mut state = exact(arguments, robot.quaternions());
+    let variables = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Weights];
+    let [q, qd, qdd, weights] = variables.map(|variable| mem::take(&mut state[variable]));
+    let positions = Positions::at(robot, &q);
+    let actions = &arguments[Variable::Actions];
+    derivatives::hessian_along(robot, &positions, [&qd, &qdd, &weights], actions, direction)
 }
 
 /// The true value of a function; `frame` is the index of its frame, for functions of a frame.
@@ -191,6 +204,19 @@ pub fn evaluate(
             &arguments[Variable::Actions],
         )
         .concat(),
+        Function::InverseDynamicsHessian => {
+            let count = robot.velocities();
+            let units = (0..count).map(|row| {
+                let unit = (0..count).map(|k| if k == row { 1.0 } else { 0.0 });
+                hessian_along(robot, arguments, &unit.collect::<Vec<f64>>())
+            });
+            let rows: Vec<Vec<Big>> = units.collect();
+            let block = |k: usize| {
+                rows.iter()
+                    .flat_map(move |row| row[k * count..][..count].to_vec())
+            };
+            (0..4).flat_map(block).collect()
+        }
         Function::ForwardDynamicsDerivatives => {
             let qdd = evaluate(robot, Function::ForwardDynamics, frame, arguments);
             let motion = [&*qd, &*qdd];

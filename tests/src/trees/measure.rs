@@ -161,6 +161,33 @@ impl Measure {
                 let sizes = self.changes(arguments);
                 compared(&|k| sizes[k / (count * count)])
             }
+            Function::InverseDynamicsHessian => {
+                // Each matrix is multiplied from the left by τ, which is no argument here.
+                let direction = &arguments[Variable::Tau];
+                let expected = frame_0::hessian_along(&self.robot, arguments, direction);
+                let found = found.chunks(count * count).flat_map(|matrix| {
+                    let columns = 0..count;
+                    columns.map(move |column| {
+                        let entries = matrix[column..].iter().step_by(count);
+                        let terms = entries.zip(direction);
+                        let terms = terms.map(|(entry, along)| Big::new(*entry) * Big::new(*along));
+                        terms.fold(Big::zero(), |sum, term| sum + term)
+                    })
+                });
+                let sizes = self.second_changes(arguments);
+                let errors = found
+                    .zip(expected)
+                    .enumerate()
+                    .map(|(k, (found, expected))| {
+                        let error = (found - expected).abs().to_f64();
+                        if error == 0.0 {
+                            0.0
+                        } else {
+                            error / sizes[k / count]
+                        }
+                    });
+                errors.fold(0.0, f64::max)
+            }
             Function::ForwardDynamicsDerivatives => {
                 let (by_motion, inverse) = found.split_at(2 * count * count);
                 let matrix = expected(Function::MassMatrix);
@@ -263,6 +290,14 @@ impl Measure {
             Change::Rate => inertia * rates,
         };
         self.gain * self.gain * size
+    }
+
+    /// Sizes of the second derivatives of λᵀτ along τ as a direction: by q and q, q and q̇, q̇ and q̇, q and q̈.
+    fn second_changes(&self, at: &Arguments) -> [f64; 4] {
+        let [by_q, by_qd] = [Change::Coordinate, Change::Rate].map(|of| self.change(at, of));
+        let inertia = self.gain * self.gain * (self.mass * self.arm * self.arm + self.second);
+        let weights = self.gain * sum(&at[Variable::Weights]) * sum(&at[Variable::Tau]);
+        [by_q, by_qd, inertia, inertia].map(|size| size * weights)
     }
 
     /// Roots of the diagonal of the mass matrix.

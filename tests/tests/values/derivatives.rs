@@ -5,8 +5,8 @@
 
 use std::array::from_fn;
 
-use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives};
-use homogen::{Chain, generic};
+use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives, InverseDynamicsHessian};
+use homogen::{Chain, TorqueHessian, generic};
 use homogen_tests::dual::Dual;
 use homogen_tests::for_every_robot;
 use homogen_tests::functions::{Block, EveryFunction};
@@ -38,6 +38,7 @@ trait Differentiable<const N: usize>:
     + ForwardDynamics<N>
     + ForwardDynamics<N, Dual>
     + ForwardDynamicsDerivatives<N>
+    + InverseDynamicsHessian<N>
 {
 }
 
@@ -47,6 +48,7 @@ impl<R, const N: usize> Differentiable<N> for R where
         + ForwardDynamics<N>
         + ForwardDynamics<N, Dual>
         + ForwardDynamicsDerivatives<N>
+        + InverseDynamicsHessian<N>
 {
 }
 
@@ -98,6 +100,49 @@ fn of_torques<R: Differentiable<N>, const N: usize>(
         &[Block::new("dτ/dt", sum)],
         &[Block::new("dτ/dt", in_time.map(|dual| dual.slope))],
     );
+}
+
+/// The Hessian of λᵀτ, compared with first derivatives on dual numbers and with the generic recursions.
+fn of_weighted_torques<R: Differentiable<N>, const N: usize, const F: usize>(
+    robot: &R,
+    chain: &Chain<N, F>,
+    State { q, qd, qdd }: &State<f64, N>,
+    found: &mut Worst,
+) {
+    let still = [0.0; N];
+    let lambda: [f64; N] = from_fn(|k| q[N - 1 - k] - 0.5 * qd[k]);
+    let weighted = |matrix: [[Dual; N]; N]| {
+        from_fn(|k| {
+            let terms = matrix
+                .iter()
+                .zip(&lambda)
+                .map(|(row, weight)| row[k].slope * weight);
+            terms.sum::<f64>()
+        })
+    };
+    let unit = |k: usize| -> [f64; N] { from_fn(|i| if i == k { 1.0 } else { 0.0 }) };
+    let [fixed, moving, acceleration] = [q, qd, qdd].map(|list| Dual::pairs(list, &still));
+    let by =
+        |q: &[Dual; N], qd: &[Dual; N]| robot.inverse_dynamics_derivatives(q, qd, &acceleration);
+    let along = |k: usize| Dual::pairs(q, &unit(k));
+    let expected = TorqueHessian {
+        dq_dq: from_fn(|k| weighted(by(&along(k), &moving).dq)),
+        dq_dqd: from_fn(|k| weighted(by(&along(k), &moving).dqd)),
+        dqd_dqd: from_fn(|k| weighted(by(&fixed, &Dual::pairs(qd, &unit(k))).dqd)),
+        dq_dqdd: from_fn(|k| weighted(robot.mass_matrix(&along(k)))),
+    };
+    let generated = robot.inverse_dynamics_hessian(q, qd, qdd, &lambda);
+    let generic = generic::inverse_dynamics_hessian(chain, q, qd, qdd, &lambda);
+    let blocks: [(&str, fn(&TorqueHessian<N>) -> &Matrix<N>); 4] = [
+        ("∂²(λᵀτ)/∂q∂q", |of| &of.dq_dq),
+        ("∂²(λᵀτ)/∂q∂q̇", |of| &of.dq_dqd),
+        ("∂²(λᵀτ)/∂q̇∂q̇", |of| &of.dqd_dqd),
+        ("∂²(λᵀτ)/∂q∂q̈", |of| &of.dq_dqdd),
+    ];
+    for (name, block) in blocks {
+        note(found, name, block(&generated), block(&expected));
+        note(found, name, block(&generic), block(&expected));
+    }
 }
 
 /// The Coriolis matrix: Ṁ = C + Cᵗ, C q̇ = bias − gravity, and the Christoffel symbols: 2 C = ∂bias/∂q̇.
@@ -219,6 +264,7 @@ macro_rules! derivatives {
             for _ in 0..STATES {
                 let state = State::random(&mut random);
                 of_torques(&$robot, &state, &mut torques);
+                of_weighted_torques(&$robot, &chain, &state, &mut torques);
                 of_coriolis(&$robot, &state, &mut torques);
                 let found = of_accelerations(&$robot, &chain, &state);
                 accelerations = accelerations.max(found);

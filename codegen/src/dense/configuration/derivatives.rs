@@ -101,7 +101,7 @@ impl Configuration {
     }
 
     /// For each body, true if the joint of a body carries it.
-    fn carried(&self, joint: BodyId) -> List<BodyId, bool> {
+    pub(super) fn carried(&self, joint: BodyId) -> List<BodyId, bool> {
         let mut carried = List::new();
         for (link, body) in self.robot.bodies.numbered() {
             let outer = body.parent.is_some_and(|parent| carried[parent]);

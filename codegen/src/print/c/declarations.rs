@@ -106,7 +106,10 @@ pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
     }
     for (space, letter) in spaces {
         let variables = Variable::ALL.into_iter();
-        let variables: Vec<_> = variables.filter(|of| of.space() == space).collect();
+        let variables = variables.filter(|of| of.space() == space);
+        let variables: Vec<_> = variables
+            .filter(|&of| of != Variable::Weights || has_argument(module, of))
+            .collect();
         let mut letters: Vec<_> = variables.iter().map(|of| of.letter()).collect();
         if variables.is_empty() {
             letters.push("the residuals of loops");
@@ -125,6 +128,13 @@ pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
         let count = constant(prefix, &format!("n{letter}"));
         let _ = writeln!(text, "    {count}\n}};\n");
     }
+}
+
+/// True if some function has the argument.
+fn has_argument(module: &Module, variable: Variable) -> bool {
+    let functions = module.functions.iter();
+    let mut functions = functions.flat_map(|generated| &generated.functions);
+    functions.any(|function| function.arguments().contains(&variable))
 }
 
 /// `const float q[6], float gravity[6]`, after a pointer to the struct with this name if there are fields.

@@ -5,7 +5,7 @@
 //! digits remain. By q̇: differences are exact, since torques are quadratic in q̇ but for the sign in Coulomb friction.
 
 use super::motion::{JointScrew, Motion, Positions};
-use super::torques::{carried, external, pseudo_product, torques};
+use super::torques::{carried, external, mass_matrix, pseudo_product, torques};
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::exponential;
@@ -13,6 +13,67 @@ use crate::oracle::robot::Robot;
 
 /// 2⁻⁸⁴.
 const STEP: f64 = 5.169_878_828_456_423e-26;
+
+/// 2⁻⁴², for differences of first derivatives: some 25 decimal digits remain.
+const LONG_STEP: f64 = 2.273_736_754_432_320_6e-13;
+
+/// The Hessian of λᵀτ by q and q, q and q̇, q̇ and q̇, q and q̈: the sum of the rows of each, times a direction.
+pub(super) fn hessian_along(
+    robot: &Robot,
+    positions: &Positions,
+    [qd, qdd, lambda]: [&[Big]; 3],
+    actions: &[f64],
+    direction: &[f64],
+) -> Vec<Big> {
+    let weighted = |matrix: &[Big]| -> Vec<Big> {
+        let columns = 0..lambda.len();
+        let column = |column: usize| {
+            let entries = matrix[column..].iter().step_by(lambda.len());
+            let terms = entries.zip(lambda).map(|(entry, weight)| entry * weight);
+            terms.fold(Big::zero(), |sum, term| sum + term)
+        };
+        columns.map(column).collect()
+    };
+    let by_coordinates = [LONG_STEP, -LONG_STEP].map(|step| {
+        let mut moved = displaced_by_nothing(positions);
+        for k in 0..positions.screws.len() {
+            let screw = &moved.screws[k];
+            let along = exponential(&screw.l, &Big::new(step * direction[screw.velocity]));
+            moved = displaced(robot, &moved, screw.body, &along);
+        }
+        let [by_q, by_qd] = of_torques(robot, &moved, [qd, qdd], actions);
+        let inertias = mass_matrix(robot, &moved).concat();
+        [by_q, by_qd, inertias].map(|matrix| weighted(&matrix))
+    });
+    let by_rates = [1.0, -1.0].map(|step| {
+        let changed = qd.iter().zip(direction);
+        let changed = changed.map(|(rate, along)| rate + Big::new(step * along));
+        let changed: Vec<Big> = changed.collect();
+        weighted(&by_rate(robot, positions, [&changed, qdd]))
+    });
+    let difference = |[more, less]: [&Vec<Big>; 2], step: f64| -> Vec<Big> {
+        let pairs = more.iter().zip(less);
+        pairs.map(|(x, y)| (x - y) / Big::new(2.0 * step)).collect()
+    };
+    let [more, less] = &by_coordinates;
+    let block = |k: usize| difference([&more[k], &less[k]], LONG_STEP);
+    let [faster, slower] = &by_rates;
+    let of_rates = difference([faster, slower], 1.0);
+    [block(0), block(1), of_rates, block(2)].concat()
+}
+
+fn displaced_by_nothing(positions: &Positions) -> Positions {
+    let screws = positions.screws.iter();
+    let screws = screws.map(|screw| JointScrew {
+        l: screw.l.clone(),
+        ..*screw
+    });
+    Positions {
+        m: positions.m.clone(),
+        j: positions.j.clone(),
+        screws: screws.collect(),
+    }
+}
 
 /// ∂τ/∂q and ∂τ/∂q̇ under external wrenches.
 pub(super) fn of_torques(

@@ -50,7 +50,7 @@ const KEPT: usize = 8;
 const STEPS: usize = 2;
 
 /// Number of operations beyond which a program does not go uphill, which would take seconds: the error at any angles is
-/// estimated as it is within the limits.
+/// estimated as it is within the limits, from [`FIRST`] states.
 const LONG: usize = 20_000;
 
 /// States of a chain, and the exact results of its functions there.
@@ -220,9 +220,10 @@ impl<'c> Measure<'c> {
         let is_negligible = any.iter().all(|tried| tried.error <= NOTHING);
         let (mut error, mut tried) = self.limited(program, is_negligible);
         if error.worst <= ENOUGH && tried.len() == STATES {
-            any.extend(self.tried(program, Angles::Any, FIRST..STATES));
             if program.steps.len() > LONG {
                 error.worst = error.worst.max(estimated(&mut any));
+            } else {
+                any.extend(self.tried(program, Angles::Any, FIRST..STATES));
             }
         }
         error.random = tried.len() + any.len();

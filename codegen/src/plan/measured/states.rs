@@ -48,7 +48,7 @@ impl<'c> States<'c> {
             Variable::Tau | Variable::Actions => {
                 vec![[-TORQUE, TORQUE]; spaces.len(variable.space())]
             }
-            Variable::Qd => range.arguments[variable].clone(),
+            Variable::Qd | Variable::Weights => range.arguments[variable].clone(),
         });
         let mut any = limited.clone();
         for (entry, ends) in spaces.coordinates.iter().zip(&mut any[Variable::Q]) {

@@ -104,6 +104,7 @@ impl<'r> Prepared<'r> {
                 Variable::Qd => drawn(&dense.velocities, seed, 4 * state + 1),
                 Variable::Qdd => drawn(&dense.velocities, seed, 4 * state + 2),
                 Variable::Tau => drawn(&dense.velocities, seed, 4 * state + 3),
+                Variable::Weights => drawn(&dense.velocities, !seed, 4 * state),
                 Variable::Actions => wrenches(robot, seed, state),
                 other => unreachable!("no function has {other:?}"),
             })

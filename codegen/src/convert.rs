@@ -10,7 +10,6 @@ mod elementary;
 mod markup;
 mod mjcf;
 mod numbers;
-
 mod placement;
 mod urdf;
 

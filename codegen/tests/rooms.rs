@@ -146,6 +146,7 @@ const FOLDERS: [(&str, &[&str]); 36] = [
         &[
             "wording",
             "list",
+            "random",
             "real",
             "error",
             "space",

@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let states = random::<7>(1000, 1);
     println!();
     println!(
-        "                                      price            worst error        ns per call in f64"
+        "                                operations             worst error        ns per call in f64"
     );
     println!(
         "                                mul  add trig dense      f64     f32  generated generic ratio"

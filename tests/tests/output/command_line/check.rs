@@ -84,6 +84,7 @@ fn in_words() {
     let answer = homogen("check - --tip hand --lock elbow --drop camera", ARM);
     let expected = "\
 robot arm from <stdin>
+format URDF
 base base
 tip hand
 2 joints, in the order of q:

@@ -30,7 +30,7 @@ pub enum OutputFormat {
 pub struct Converted {
     /// The text of the file.
     pub text: String,
-    /// What is missing from the text, and what few programs read in it.
+    /// Parts of the description that the text lacks, and parts of the text that few programs read.
     pub warnings: Vec<Diagnostic>,
 }
 

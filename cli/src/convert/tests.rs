@@ -319,7 +319,7 @@ fn loops_are_written() {
     }
 }
 
-/// What a format cannot say is an error with its place.
+/// An error names the place of the joint.
 #[test]
 fn motions_that_mjcf_does_not_have_are_errors() {
     let folder = folder("convert-refused");

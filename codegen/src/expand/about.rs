@@ -96,7 +96,7 @@ fn facts(chain: &Chain, parameters: Parameters) -> Vec<String> {
             "in the link's frame"
         };
         let links = list(links.iter().map(String::as_str));
-        facts.push(format!("what the surroundings exert on {links}, {frame}"));
+        facts.push(format!("external wrenches on {links}, {frame}"));
     }
     facts.push(gravity(chain));
     let used = inertial_parameters(chain, parameters);

@@ -289,17 +289,17 @@ impl<'g> Along<'g> {
 /// The columns of a joint: three for Ψλ, in its own frame, and three that are carried inwards.
 #[derive(Clone, Copy)]
 struct Columns<'g> {
-    /// Of q, for Ψλ.
+    /// Coefficient of Ψλ in the derivatives by q.
     by_q: Action<Term<'g>>,
-    /// Of q̇, for Ψλ.
+    /// Coefficient of Ψλ in those by q̇.
     by_qd: Action<Term<'g>>,
-    /// Of q̈, for Ψλ.
+    /// Coefficient of Ψλ in those by q̈: skew\[L J\].
     by_qdd: Action<Term<'g>>,
-    /// Of q, for Ψ̈.
+    /// Coefficient of Ψ̈ in the derivatives by q.
     second: Action<Term<'g>>,
-    /// Of q, for Ψ̇.
+    /// Coefficient of the rotation of Ψ̇ in the derivatives by q: a couple.
     turn: Vector<Term<'g>>,
-    /// Of q̇, for Ψ̇.
+    /// Coefficient of the rotation of Ψ̇ in those by q̇.
     turn_by_qd: Vector<Term<'g>>,
 }
 

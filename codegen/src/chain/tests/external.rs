@@ -28,10 +28,11 @@ fn tree(settings: &str) -> (Description, Request) {
     ))
 }
 
-const ALL: [Function; 4] = [
+const ALL: [Function; 5] = [
     Function::InverseDynamics,
     Function::ForwardDynamics,
     Function::InverseDynamicsDerivatives,
+    Function::InverseDynamicsHessian,
     Function::ForwardDynamicsDerivatives,
 ];
 
@@ -86,11 +87,11 @@ fn generated_code_documents_links_and_frame() {
             .join("; ")
     };
     let own = facts("tip: tool, external(finger, h)");
-    let reported = "; what the surroundings exert on `finger` and `h`, in the link's frame; ";
+    let reported = "; external wrenches on `finger` and `h`, in the link's frame; ";
     assert!(own.contains(reported), "{own}");
     let base = facts("tip: tool, external(finger, frame = 0)");
     assert!(
-        base.contains("; what the surroundings exert on `finger`, in frame 0; "),
+        base.contains("; external wrenches on `finger`, in frame 0; "),
         "{base}"
     );
 }

@@ -26,7 +26,7 @@ pub(super) enum Angles {
     /// Within the limits of the joints.
     Limited,
     /// Any: a controller may overshoot a limit, a simulation may have none, and a singular configuration beyond the
-    /// limits is felt before it is reached.
+    /// limits acts before it is reached.
     Any,
 }
 

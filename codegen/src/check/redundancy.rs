@@ -11,10 +11,11 @@ use crate::error::Diagnostic;
 use crate::space::Space;
 use crate::wording::{list, quoted};
 
-/// Number of closed configurations with motion in which residuals are compared.
+/// Least number of closed configurations with motion in which residuals are compared.
 const STATES: usize = 2;
 
-/// Largest number of configurations that are tried for it: a linkage may also close where nothing can move.
+/// Largest number of configurations that are tried: a linkage may also close where nothing can move, or near a singular
+/// configuration.
 const ATTEMPTS: usize = 5;
 
 /// The residual [m, 1] of a configuration that did not close.
@@ -57,7 +58,11 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
             return Redundancy::default();
         };
         samples.push(Sample::of(dense, zero_pivot, roundoff));
-        if samples.iter().filter(|sample| sample.is_useful()).count() == STATES {
+        let useful: Vec<&Sample> = samples.iter().filter(|sample| sample.is_useful()).collect();
+        // Near a singular configuration residuals nearly depend that are independent elsewhere.
+        let is_settled = useful.iter().any(|sample| sample.is_certain)
+            && !largest(&useful).iter().any(|pivot| is_borderline(*pivot));
+        if useful.len() >= STATES && is_settled {
             break;
         }
     }
@@ -66,14 +71,7 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     }
     let moves = samples.iter().any(|sample| sample.moves);
     let is_certain = samples.iter().any(|sample| sample.is_certain);
-    let most = |k: usize| {
-        samples
-            .iter()
-            .map(|sample| sample.pivots[k])
-            .fold(0.0, f64::max)
-    };
-    let count = samples.first().map_or(0, |sample| sample.pivots.len());
-    let most: Vec<f64> = (0..count).map(most).collect();
+    let most = largest(&samples.iter().collect::<Vec<_>>());
     let named = |is: &dyn Fn(f64) -> bool| -> Vec<String> {
         let names = chain.spaces().names(Space::Constraints).zip(&most);
         let names = names.filter(|(_, pivot)| is(**pivot));
@@ -81,7 +79,7 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     };
     let dependent = named(&|pivot| pivot < 1.0);
     let uncertain = named(&|pivot| (EXACT..CLEAR).contains(&pivot));
-    let borderline = named(&|pivot| (CLEAR.recip()..CLEAR).contains(&pivot));
+    let borderline = named(&is_borderline);
     let mut warnings = Vec::new();
     if !moves {
         let held = samples.iter().map(|sample| sample.held).max().unwrap_or(0);
@@ -93,6 +91,21 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
         dependent,
         warnings,
     }
+}
+
+/// The largest pivot of each residual.
+fn largest(samples: &[&Sample]) -> Vec<f64> {
+    let count = samples.first().map_or(0, |sample| sample.pivots.len());
+    let largest = |k: usize| {
+        let pivots = samples.iter().map(|sample| sample.pivots[k]);
+        pivots.fold(0.0, f64::max)
+    };
+    (0..count).map(largest).collect()
+}
+
+/// True if rounding may decide whether a residual with this pivot depends on others.
+fn is_borderline(pivot: f64) -> bool {
+    (CLEAR.recip()..CLEAR).contains(&pivot)
 }
 
 /// The residuals in one configuration.

@@ -55,3 +55,12 @@ fn a_stewart_platform_moves_as_drawn() {
         .expect("every tenth");
     assert_eq!(right(std::iter::once(stewart)), 1);
 }
+
+/// A Bennett linkage whose residuals nearly depend on each other near some closed configurations, and not in all.
+#[test]
+fn a_linkage_is_judged_away_from_its_singular_configurations() {
+    let bennett = Trial::numbered(1, 446);
+    assert_eq!(bennett.kind, Kind::Bennett);
+    let outcome = examine(bennett);
+    assert!(matches!(outcome, Ok(Outcome::Right(_))), "{outcome:?}");
+}

@@ -352,16 +352,9 @@ impl Dense {
             self.configuration
                 .torque_hessian(&rates, &lambda, actions, direction)
         };
-        let Gradient {
-            by_q,
-            by_qd,
-            by_qdd,
-        } = along(Direction::Coordinates(direction));
-        let of_rates = along(Direction::Rates(direction)).by_qd;
-        [by_q, by_qd, of_rates, by_qdd]
-            .into_iter()
-            .flatten()
-            .collect()
+        let Gradient { q, qd, qdd } = along(Direction::Coordinates(direction));
+        let of_rates = along(Direction::Rates(direction)).qd;
+        [q, qd, of_rates, qdd].into_iter().flatten().collect()
     }
 
     /// The Coriolis matrix C.

@@ -161,33 +161,7 @@ impl Measure {
                 let sizes = self.changes(arguments);
                 compared(&|k| sizes[k / (count * count)])
             }
-            Function::InverseDynamicsHessian => {
-                // Each matrix is multiplied from the left by τ, which is no argument here.
-                let direction = &arguments[Variable::Tau];
-                let expected = frame_0::hessian_along(&self.robot, arguments, direction);
-                let found = found.chunks(count * count).flat_map(|matrix| {
-                    let columns = 0..count;
-                    columns.map(move |column| {
-                        let entries = matrix[column..].iter().step_by(count);
-                        let terms = entries.zip(direction);
-                        let terms = terms.map(|(entry, along)| Big::new(*entry) * Big::new(*along));
-                        terms.fold(Big::zero(), |sum, term| sum + term)
-                    })
-                });
-                let sizes = self.second_changes(arguments);
-                let errors = found
-                    .zip(expected)
-                    .enumerate()
-                    .map(|(k, (found, expected))| {
-                        let error = (found - expected).abs().to_f64();
-                        if error == 0.0 {
-                            0.0
-                        } else {
-                            error / sizes[k / count]
-                        }
-                    });
-                errors.fold(0.0, f64::max)
-            }
+            Function::InverseDynamicsHessian => self.hessian_error(found, arguments),
             Function::ForwardDynamicsDerivatives => {
                 let (by_motion, inverse) = found.split_at(2 * count * count);
                 let matrix = expected(Function::MassMatrix);
@@ -290,6 +264,35 @@ impl Measure {
             Change::Rate => inertia * rates,
         };
         self.gain * self.gain * size
+    }
+
+    /// The error of the Hessian of λᵀτ, whose matrices are multiplied from the left by τ, which is no argument of it.
+    fn hessian_error(&self, found: &[f64], arguments: &Arguments) -> f64 {
+        let count = arguments[Variable::Qd].len();
+        let direction = &arguments[Variable::Tau];
+        let expected = frame_0::hessian_along(&self.robot, arguments, direction);
+        let found = found.chunks(count * count).flat_map(|matrix| {
+            let column = move |column: usize| {
+                let entries = matrix[column..].iter().step_by(count);
+                let terms = entries.zip(direction);
+                let terms = terms.map(|(entry, along)| Big::new(*entry) * Big::new(*along));
+                terms.fold(Big::zero(), |sum, term| sum + term)
+            };
+            (0..count).map(column)
+        });
+        let sizes = self.second_changes(arguments);
+        let errors = found
+            .zip(expected)
+            .enumerate()
+            .map(|(k, (found, expected))| {
+                let error = (found - expected).abs().to_f64();
+                if error == 0.0 {
+                    0.0
+                } else {
+                    error / sizes[k / count]
+                }
+            });
+        errors.fold(0.0, f64::max)
     }
 
     /// Sizes of the second derivatives of λᵀτ along τ as a direction: by q and q, q and q̇, q̇ and q̇, q and q̈.

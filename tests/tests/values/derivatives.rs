@@ -133,16 +133,21 @@ fn of_weighted_torques<R: Differentiable<N>, const N: usize, const F: usize>(
     };
     let generated = robot.inverse_dynamics_hessian(q, qd, qdd, &lambda);
     let generic = generic::inverse_dynamics_hessian(chain, q, qd, qdd, &lambda);
-    let blocks: [(&str, fn(&TorqueHessian<N>) -> &Matrix<N>); 4] = [
-        ("∂²(λᵀτ)/∂q∂q", |of| &of.dq_dq),
-        ("∂²(λᵀτ)/∂q∂q̇", |of| &of.dq_dqd),
-        ("∂²(λᵀτ)/∂q̇∂q̇", |of| &of.dqd_dqd),
-        ("∂²(λᵀτ)/∂q∂q̈", |of| &of.dq_dqdd),
-    ];
-    for (name, block) in blocks {
-        note(found, name, block(&generated), block(&expected));
-        note(found, name, block(&generic), block(&expected));
+    for found_by in [generated, generic] {
+        for ((name, block), (_, expected)) in blocks(&found_by).into_iter().zip(blocks(&expected)) {
+            note(found, name, block, expected);
+        }
     }
+}
+
+/// The matrices of a Hessian, with their names.
+fn blocks<const N: usize>(of: &TorqueHessian<N>) -> [(&'static str, &Matrix<N>); 4] {
+    [
+        ("∂²(λᵀτ)/∂q∂q", &of.dq_dq),
+        ("∂²(λᵀτ)/∂q∂q̇", &of.dq_dqd),
+        ("∂²(λᵀτ)/∂q̇∂q̇", &of.dqd_dqd),
+        ("∂²(λᵀτ)/∂q∂q̈", &of.dq_dqdd),
+    ]
 }
 
 /// The Coriolis matrix: Ṁ = C + Cᵗ, C q̇ = bias − gravity, and the Christoffel symbols: 2 C = ∂bias/∂q̇.

@@ -20,11 +20,14 @@ pub(in crate::dense) enum Direction<'a> {
     Rates(&'a List<VelocityId, Scalar>),
 }
 
-/// The derivatives of the gradient along a direction: of its entries by q, by q̇ and by q̈.
+/// The derivatives of the gradient along a direction.
 pub(in crate::dense) struct Gradient {
-    pub(in crate::dense) by_q: List<VelocityId, Scalar>,
-    pub(in crate::dense) by_qd: List<VelocityId, Scalar>,
-    pub(in crate::dense) by_qdd: List<VelocityId, Scalar>,
+    /// Of its entries by q.
+    pub(in crate::dense) q: List<VelocityId, Scalar>,
+    /// Of those by q̇.
+    pub(in crate::dense) qd: List<VelocityId, Scalar>,
+    /// Of those by q̈.
+    pub(in crate::dense) qdd: List<VelocityId, Scalar>,
 }
 
 /// A matrix with its derivative along the direction.
@@ -58,9 +61,9 @@ impl Configuration {
     ) -> Gradient {
         let links = self.links_along(rates, lambda, actions, direction);
         let mut found = Gradient {
-            by_q: self.nothing(),
-            by_qd: self.nothing(),
-            by_qdd: self.nothing(),
+            q: self.nothing(),
+            qd: self.nothing(),
+            qdd: self.nothing(),
         };
         for (joint, body) in self.robot.bodies.numbered() {
             let base = || Link::base(&self.minus_gravity());
@@ -75,11 +78,11 @@ impl Configuration {
                         sums[*velocity] = sums[*velocity] + term;
                     };
                     add(
-                        &mut found.by_q,
+                        &mut found.q,
                         link.by_coordinate(&outer, screw, self.robot.external.1),
                     );
-                    add(&mut found.by_qd, link.by_rate(&outer, &links[joint], screw));
-                    add(&mut found.by_qdd, link.power(&screw.times(&link.inertia)));
+                    add(&mut found.qd, link.by_rate(&outer, &links[joint], screw));
+                    add(&mut found.qdd, link.power(&screw.times(&link.inertia)));
                 }
             }
         }

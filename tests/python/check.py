@@ -94,7 +94,7 @@ class Package:
         q = random.uniform(-2, 2, (count, robot.NQ))
         for first in np.flatnonzero([name.endswith(".qx") for name in robot.coordinate_names]):
             q[:, first : first + 4] /= np.linalg.norm(q[:, first : first + 4], axis=1, keepdims=True)
-        rates = {name: random.uniform(-2, 2, (count, robot.NV)) for name in ("qd", "qdd", "tau")}
+        rates = {name: random.uniform(-2, 2, (count, robot.NV)) for name in ("qd", "qdd", "tau", "weights")}
         links = sum(len(text.split(",")) for text in following(self.options, "--external"))
         actions = random.uniform(-2, 2, (count, links, 6))
         states = {"q": q, **rates, "actions": actions}

@@ -96,9 +96,13 @@ pub fn given(state: &[f64], coordinates: usize, input: Input) -> f64 {
     let (q, rates) = state.split_at(coordinates);
     match input {
         Input::Variable(Variable::Q, k) => q[usize::from(k)],
-        // A state lists the others in their order.
+        // A state lists the others in their order; its torques are weights as well, since no function has both.
         Input::Variable(variable, k) => {
-            rates[(variable as usize - 1) * (rates.len() / 3) + usize::from(k)]
+            let listed = match variable {
+                Variable::Weights => Variable::Tau,
+                other => other,
+            };
+            rates[(listed as usize - 1) * (rates.len() / 3) + usize::from(k)]
         }
         Input::Parameter(..) => unreachable!("no number was left open"),
     }

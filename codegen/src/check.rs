@@ -331,7 +331,7 @@ fn first_wrong(
     let (found, expected) = match function.truth() {
         Truth::Value(value) | Truth::OfMass(value) => (found, value(dense, frame)),
         Truth::Directional(value) => {
-            let direction = direction(dense);
+            let direction = direction(dense, function);
             contracted = sums_of_rows(found, &direction);
             (&*contracted, value(dense, &direction))
         }
@@ -340,6 +340,14 @@ fn first_wrong(
         Truth::Solution(Given::MassMatrix) => return solved::first_not_inverse(dense, found),
         Truth::Solution(Given::TorqueDerivatives) => {
             return solved::first_wrong_derivative(dense, found);
+        }
+        Truth::Solution(Given::Gradient) => {
+            return solved::first_unlike(dense.acceleration_gradient(), found);
+        }
+        Truth::Solution(Given::Hessian) => {
+            let direction = direction(dense, function);
+            let contracted = sums_of_rows(found, &direction);
+            return solved::first_unlike(dense.acceleration_hessian(&direction), &contracted);
         }
     };
     debug_assert_eq!(expected.len(), found.len());
@@ -363,9 +371,12 @@ fn first_wrong(
     })
 }
 
-/// A direction with random entries: τ, which no function with a directional reference has as an argument.
-fn direction(dense: &Dense) -> List<VelocityId, Approximate> {
-    dense.state.of_velocities(Variable::Tau)
+/// A direction with random entries: that of τ and q̈ which is no argument of the function.
+fn direction(dense: &Dense, function: Function) -> List<VelocityId, Approximate> {
+    dense.state.of_velocities(match function.arguments() {
+        arguments if arguments.contains(&Variable::Tau) => Variable::Qdd,
+        _ => Variable::Tau,
+    })
 }
 
 /// The sums of the rows of some square matrices, one after the other, times the entries of a direction.

@@ -9,6 +9,7 @@ mod configuration;
 mod constrained;
 mod matrix;
 mod robot;
+mod solved;
 
 use std::cell::OnceCell;
 
@@ -345,16 +346,37 @@ impl Dense {
         &self,
         direction: &List<VelocityId, Approximate>,
     ) -> Vec<Approximate> {
-        let rates = self.rates(Motion::Accelerated);
-        let lambda = self.state.of_velocities(Variable::Weights);
+        let [qdd, weights] =
+            [Variable::Qdd, Variable::Weights].map(|of| self.state.of_velocities(of));
+        let blocks = self.torque_hessian_of(qdd, &weights, direction);
+        blocks.into_iter().flatten().collect()
+    }
+
+    /// The same of computed accelerations and weights, a list for each block.
+    fn torque_hessian_of(
+        &self,
+        qdd: List<VelocityId, Approximate>,
+        weights: &List<VelocityId, Approximate>,
+        direction: &List<VelocityId, Approximate>,
+    ) -> [List<VelocityId, Approximate>; 4] {
+        let rates = self.rates_with(qdd);
         let along = |direction: Direction<'_>| {
             let actions = &self.state.arguments[Variable::Actions];
             self.configuration
-                .torque_hessian(&rates, &lambda, actions, direction)
+                .torque_hessian(&rates, weights, actions, direction)
         };
         let Gradient { q, qd, qdd } = along(Direction::Coordinates(direction));
         let of_rates = along(Direction::Rates(direction)).qd;
-        [q, qd, of_rates, qdd].into_iter().flatten().collect()
+        [q, qd, of_rates, qdd]
+    }
+
+    /// (∂τ/∂q)ᵀ λ, (∂τ/∂q̇)ᵀ λ and M λ, of the whole motion with the external wrenches.
+    pub(crate) fn torque_gradient(&self) -> Vec<Approximate> {
+        let weights = self.state.of_velocities(Variable::Weights);
+        let [by_q, by_qd] = self.torque_derivatives();
+        let parts = [&by_q, &by_qd, self.mass_matrix()];
+        let parts = parts.map(|matrix| solved::row_times(&weights, matrix));
+        parts.into_iter().flatten().collect()
     }
 
     /// The Coriolis matrix C.

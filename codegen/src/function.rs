@@ -35,8 +35,11 @@ macro_rules! every_function {
             CentroidalMomentumMatrix: centroidal_momentum_matrix, "The centroidal momentum at unit velocity of each degree of freedom.";
             CentroidalMomentumBias: centroidal_momentum_bias, "The rate of change of the centroidal momentum at q̈ = 0.";
             InverseDynamicsDerivatives: inverse_dynamics_derivatives, "Derivatives of inverse dynamics by q and q̇.";
+            InverseDynamicsVjp: inverse_dynamics_vjp, "The gradient of λᵀτ by q, q̇ and q̈, for weights λ of the torques.";
             InverseDynamicsHessian: inverse_dynamics_hessian, "Second derivatives of λᵀτ by q, q̇ and q̈, for weights λ of the torques.";
             ForwardDynamicsDerivatives: forward_dynamics_derivatives, "Derivatives of forward dynamics by q, q̇ and τ.";
+            ForwardDynamicsVjp: forward_dynamics_vjp, "The gradient of λᵀq̈ by q, q̇ and τ, for weights λ of the accelerations.";
+            ForwardDynamicsHessian: forward_dynamics_hessian, "Second derivatives of λᵀq̈ by q, q̇ and τ, for weights λ of the accelerations.";
             GravityDerivative: gravity_derivative, "The derivative of gravity torques by q.";
             CoriolisMatrix: coriolis_matrix, "C of τ = M q̈ + C q̇ + gravity, with Ṁ = C + Cᵗ.";
             {
@@ -71,6 +74,8 @@ mod coriolis_matrix;
 mod definition;
 mod forward_dynamics;
 mod forward_dynamics_derivatives;
+mod forward_dynamics_hessian;
+mod forward_dynamics_vjp;
 mod forward_kinematics;
 mod geometric_jacobian;
 mod geometric_jacobian_rate;
@@ -79,6 +84,7 @@ mod gravity_derivative;
 mod inverse_dynamics;
 mod inverse_dynamics_derivatives;
 mod inverse_dynamics_hessian;
+mod inverse_dynamics_vjp;
 mod kinetic_energy;
 mod mass_matrix;
 mod mass_matrix_inverse;

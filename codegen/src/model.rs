@@ -15,6 +15,7 @@ mod direction;
 mod external;
 mod factor;
 pub(crate) mod forward_dynamics;
+mod gradient;
 pub(crate) mod gravity;
 mod hessian;
 pub(crate) mod jacobian;
@@ -233,14 +234,34 @@ impl<'s, 'g> Scene<'s, 'g> {
         [by_coordinate, by_rate].map(|matrix| self.by_velocities(matrix))
     }
 
-    /// The second derivatives of λᵀτ at the given q̈, with the external wrenches.
+    /// λ, one entry a velocity.
+    pub(crate) fn weights(&self) -> List<VelocityId, Term<'g>> {
+        let entry = |k| self.state.of_velocity(Variable::Weights, k);
+        self.velocities().map(entry).collect()
+    }
+
+    /// The derivatives of λᵀτ by q, q̇ and q̈ at the given q̈ and λ, with the external wrenches.
+    pub(crate) fn torque_gradient(
+        &self,
+        [qdd, weights]: [&List<VelocityId, Term<'g>>; 2],
+    ) -> [List<VelocityId, Term<'g>>; 3] {
+        let arguments = [qdd, weights].map(|of| velocities::shared(&self.state, self.bodies, of));
+        let arguments = arguments.each_ref();
+        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let [constant, rotating] = self.external_wrenches();
+        let mut found =
+            gradient::inverse_dynamics(&joints, gravity, &self.state, arguments, &rotating);
+        let [_, weights] = arguments;
+        gradient::add_constant_wrenches(&mut found.q, &joints, weights, &constant);
+        [found.q, found.qd, found.qdd].map(|part| self.forces(&part))
+    }
+
+    /// The second derivatives of λᵀτ at the given q̈ and λ, with the external wrenches.
     pub(crate) fn torque_hessian(
         &self,
-        qdd: &List<VelocityId, Term<'g>>,
+        [qdd, weights]: [&List<VelocityId, Term<'g>>; 2],
     ) -> [Square<VelocityId, Term<'g>>; 4] {
-        let weights = |k| self.state.of_velocity(Variable::Weights, k);
-        let weights: List<VelocityId, Term<'g>> = self.velocities().map(weights).collect();
-        let arguments = [qdd, &weights].map(|of| velocities::shared(&self.state, self.bodies, of));
+        let arguments = [qdd, weights].map(|of| velocities::shared(&self.state, self.bodies, of));
         let arguments = arguments.each_ref();
         let (joints, gravity) = (self.joints(), self.bodies.gravity);
         let [constant, rotating] = self.external_wrenches();

@@ -180,8 +180,8 @@ fn contracted(
     directions.collect()
 }
 
-/// Asserts that the Hessian of λᵀτ has the derivatives of the first derivatives.
-fn assert_hessian(name: &str, chain: &Chain) {
+/// Asserts that the Hessians of λᵀτ and λᵀq̈ have the derivatives of the first derivatives.
+fn assert_hessians(name: &str, chain: &Chain) {
     let configuration = |graph: &Graph, velocity: VelocityId| {
         let rates = coordinate_rates(graph, chain, velocity);
         let rates = rates.into_iter().map(|(of, rate)| (of, rate.expr()));
@@ -190,20 +190,61 @@ fn assert_hessian(name: &str, chain: &Chain) {
     let rate = |graph: &Graph, velocity: VelocityId| {
         BTreeMap::from([(input(Variable::Qd, velocity), graph.constant(1.0).expr())])
     };
-    let first = Function::InverseDynamicsDerivatives;
-    let blocks = [
-        contracted(chain, first, 0, configuration),
-        contracted(chain, first, 1, configuration),
-        contracted(chain, first, 1, rate),
-        contracted(chain, Function::MassMatrix, 0, configuration),
-    ];
-    let generated = values(chain, Function::InverseDynamicsHessian);
-    let size = generated.len() / blocks.len();
-    for (k, (block, generated)) in blocks.iter().zip(generated.chunks(size)).enumerate() {
+    let of = |first: Function, (last, block): (Function, usize), hessian: Function| {
+        let blocks = [
+            contracted(chain, first, 0, configuration),
+            contracted(chain, first, 1, configuration),
+            contracted(chain, first, 1, rate),
+            contracted(chain, last, block, configuration),
+        ];
+        let generated = values(chain, hessian);
+        let size = generated.len() / blocks.len();
+        for (k, (block, generated)) in blocks.iter().zip(generated.chunks(size)).enumerate() {
+            let what = format!("{name}: block {k} of {}", hessian.name());
+            assert_same(&what, &block.concat(), generated);
+        }
+    };
+    of(
+        Function::InverseDynamicsDerivatives,
+        (Function::MassMatrix, 0),
+        Function::InverseDynamicsHessian,
+    );
+    of(
+        Function::ForwardDynamicsDerivatives,
+        (Function::ForwardDynamicsDerivatives, 2),
+        Function::ForwardDynamicsHessian,
+    );
+}
+
+/// Asserts that vector–Jacobian products are products with the matrices of first derivatives.
+fn assert_products(name: &str, chain: &Chain) {
+    let velocities = chain.spaces().velocities.ids();
+    let weights = velocities.map(|k| number(chain, input(Variable::Weights, k)));
+    let weights: Vec<Double> = weights.collect();
+    let inverse_dynamics = [Function::InverseDynamicsDerivatives, Function::MassMatrix];
+    for (of, product) in [
+        (&inverse_dynamics[..], Function::InverseDynamicsVjp),
+        (
+            &[Function::ForwardDynamicsDerivatives],
+            Function::ForwardDynamicsVjp,
+        ),
+    ] {
+        let matrices = of.iter().flat_map(|&of| values(chain, of));
+        let matrices: Vec<Double> = matrices.collect();
+        let products = matrices.chunks(weights.len().pow(2)).flat_map(|matrix| {
+            let mut sums = vec![Double::ZERO; weights.len()];
+            for (row, &weight) in matrix.chunks(weights.len()).zip(&weights) {
+                for (sum, &entry) in sums.iter_mut().zip(row) {
+                    *sum = *sum + weight * entry;
+                }
+            }
+            sums
+        });
+        let what = format!("{name}: {}", product.name());
         assert_same(
-            &format!("{name}: block {k} of ∂²(λᵀτ)"),
-            &block.concat(),
-            generated,
+            &what,
+            &values(chain, product),
+            &products.collect::<Vec<_>>(),
         );
     }
 }
@@ -240,7 +281,8 @@ fn arms_have_the_derivatives_of_the_graph() {
     for file in ["two_link", "ur5_class", "panda_class", "scara"] {
         let chain = build(&shipped(&format!("{file}.urdf")), &Request::default());
         assert_dynamics(file, &chain);
-        assert_hessian(file, &chain);
+        assert_hessians(file, &chain);
+        assert_products(file, &chain);
         assert_rates(file, &chain);
     }
 }
@@ -253,6 +295,7 @@ fn a_floating_quadruped_has_the_derivatives_of_the_graph() {
     };
     let chain = build(&shipped("quadruped.urdf"), &request);
     assert_dynamics("quadruped", &chain);
-    assert_hessian("quadruped", &chain);
+    assert_hessians("quadruped", &chain);
+    assert_products("quadruped", &chain);
     assert_rates("quadruped", &chain);
 }

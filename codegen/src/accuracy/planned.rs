@@ -126,6 +126,9 @@ impl<'p> Solutions<'p> {
             (Given::TorqueDerivatives, _) => {
                 Accuracy::Unknown("none is derived of an inverse that is refined")
             }
+            (Given::Gradient | Given::Hessian, _) => {
+                Accuracy::Unknown("none is derived of products with M⁻¹ λ")
+            }
         }
     }
 

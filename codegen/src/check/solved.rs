@@ -53,10 +53,7 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
         let entry = by_motion.len() + wrong.entry;
         return Some(Wrong { entry, ..wrong });
     }
-    let bias = dense.coasting_torques();
-    let right_side = dense.state.of_velocities(Variable::Tau).into_iter();
-    let right_side = right_side.zip(bias).map(|(tau, bias)| tau - bias);
-    let right_side: Vec<Approximate> = right_side.collect();
+    let right_side = dense.unbalanced_torques();
     let inverse = Square::of_rows(inverse);
     let accelerations = inverse.rows().map(|row| {
         let terms = row.into_iter().zip(&right_side);
@@ -88,6 +85,30 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
             let entry = of * size + entry;
             wrong(entry, value.to_f64(), needed.to_f64(), distance <= most)
         })
+    })
+}
+
+/// The first entry that is not the expected one, beyond what roundings of the description's own numbers explain. A
+/// singular mass matrix has no solution, and nothing is compared.
+pub(super) fn first_unlike(
+    expected: Option<Vec<Approximate>>,
+    found: &[Approximate],
+) -> Option<Wrong> {
+    let expected = expected?;
+    let sizes = expected.iter().map(|entry| entry.size());
+    let largest = sizes.fold(0.0, f64::max);
+    let mut pairs = found.iter().zip(&expected).enumerate();
+    pairs.find_map(|(entry, (found, expected))| {
+        let given = SOLVED * (expected.error + ROUNDOFF * largest);
+        let most = given + found.as_found().noise() + expected.noise();
+        let most = if most.is_finite() {
+            most
+        } else {
+            UNBOUNDED * largest
+        };
+        let distance = (found.value - expected.value).to_f64().abs();
+        let (found, expected) = (found.to_f64(), expected.to_f64());
+        wrong(entry, found, expected, distance <= most)
     })
 }
 

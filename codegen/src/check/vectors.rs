@@ -257,77 +257,53 @@ fn truth(
     (frame, scalar): (FrameId, Real),
 ) -> Option<Vec<Approximate>> {
     let acceleration = || -> Option<Vec<Approximate>> {
-        let bias = dense.coasting_torques();
-        let right_side = dense.state.of_velocities(Variable::Tau).into_iter();
-        let right_side = right_side.zip(bias).map(|(tau, bias)| vec![tau - bias]);
-        Some(solved(dense, right_side.collect())?.concat())
-    };
-    let count = dense.state.velocities();
-    let inverse = || {
-        let unit = |row: usize| (0..count).map(move |k| if k == row { 1.0 } else { 0.0 });
-        let rows = (0..count).map(|row| unit(row).map(Approximate::exact).collect());
-        solved(dense, rows.collect())
+        let right_side = dense.unbalanced_torques().into_iter();
+        let right_side = right_side.map(|torque| vec![torque]);
+        Some(dense.eliminated(right_side.collect())?.concat())
     };
     match function.truth() {
         Truth::Value(value) | Truth::OfMass(value) => Some(value(dense, frame)),
         Truth::Directional(value) => {
-            let unit = |row: VelocityId| {
-                let mut unit = List::filled(Approximate::exact(0.0), count);
-                unit[row] = Approximate::exact(1.0);
-                value(dense, &unit)
-            };
-            let rows: Vec<Vec<Approximate>> = list::ids(count).map(unit).collect();
-            let matrices = 0..rows.first().map_or(0, |row| row.len() / count);
-            let entries = matrices.flat_map(|k| {
-                let rows = rows.iter();
-                rows.flat_map(move |row| row[k * count..][..count].to_vec())
-            });
-            Some(entries.collect())
+            rows_of(dense.state.velocities(), |unit| Some(value(dense, unit)))
         }
         Truth::Constrained(value) => Some(value(dense, scalar.zero_pivot())),
         Truth::Solution(Given::Torques) => acceleration(),
-        Truth::Solution(Given::MassMatrix) => Some(inverse()?.concat()),
+        Truth::Solution(Given::MassMatrix) => Some(dense.inverse_mass_matrix()?.concat()),
         Truth::Solution(Given::TorqueDerivatives) => {
             let mut found = Vec::new();
             for of in dense.torque_derivatives_of(acceleration()?.into()) {
                 let rows = of.rows();
                 let rows = rows.map(|row| row.iter().map(|&entry| -entry).collect());
-                found.extend(solved(dense, rows.collect())?.concat());
+                found.extend(dense.eliminated(rows.collect())?.concat());
             }
-            found.extend(inverse()?.concat());
+            found.extend(dense.inverse_mass_matrix()?.concat());
             Some(found)
         }
+        Truth::Solution(Given::Gradient) => dense.acceleration_gradient(),
+        Truth::Solution(Given::Hessian) => rows_of(dense.state.velocities(), |unit| {
+            dense.acceleration_hessian(unit)
+        }),
     }
 }
 
-/// X of M X = B, row by row, by elimination with the largest pivot.
-fn solved(dense: &Dense, mut right: Vec<Vec<Approximate>>) -> Option<Vec<Vec<Approximate>>> {
-    let rows = dense.mass_matrix().rows();
-    let mut left: Vec<Vec<Approximate>> = rows.map(Vec::from).collect();
-    let count = left.len();
-    for k in 0..count {
-        let size = |row: &usize| left[*row][k].size();
-        let pivot = (k..count).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        left.swap(k, pivot);
-        right.swap(k, pivot);
-        if left[k][k].size() == 0.0 {
-            return None;
-        }
-        let (pivot, above) = (left[k].clone(), right[k].clone());
-        for row in (0..count).filter(|row| *row != k) {
-            let factor = left[row][k] / pivot[k];
-            let less = |row: &mut Vec<Approximate>, pivot: &[Approximate]| {
-                for (entry, pivot) in row.iter_mut().zip(pivot) {
-                    *entry = *entry - factor * *pivot;
-                }
-            };
-            less(&mut left[row], &pivot);
-            less(&mut right[row], &above);
-        }
-    }
-    let rows = right.into_iter().enumerate();
-    let rows = rows.map(|(k, row)| row.into_iter().map(|x| x / left[k][k]).collect());
-    Some(rows.collect())
+/// Some square matrices, by rows, from their products with a row from the left, one after the other.
+fn rows_of(
+    count: usize,
+    product: impl Fn(&List<VelocityId, Approximate>) -> Option<Vec<Approximate>>,
+) -> Option<Vec<Approximate>> {
+    let unit = |row: VelocityId| {
+        let mut unit = List::filled(Approximate::exact(0.0), count);
+        unit[row] = Approximate::exact(1.0);
+        product(&unit)
+    };
+    let rows = list::ids(count).map(unit);
+    let rows = rows.collect::<Option<Vec<Vec<Approximate>>>>()?;
+    let matrices = 0..rows.first().map_or(0, |row| row.len() / count);
+    let entries = matrices.flat_map(|k| {
+        let rows = rows.iter();
+        rows.flat_map(move |row| row[k * count..][..count].to_vec())
+    });
+    Some(entries.collect())
 }
 
 /// Bounds of the rounding errors of a program's results at a state.

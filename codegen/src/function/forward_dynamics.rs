@@ -6,6 +6,7 @@ use super::{mass_matrix, quantities};
 use crate::expression::Term;
 use crate::formulation::Forward;
 use crate::list::List;
+use crate::matrix::Vector;
 use crate::model::{Frame, Scene, articulated, forward_dynamics};
 use crate::space::{Variable, VelocityId};
 
@@ -49,7 +50,30 @@ pub(super) fn accelerations<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<
         Forward::Articulated => {
             let (joints, external) = (scene.link_joints(), scene.external(Frame::Link));
             let gravity = scene.bodies.gravity;
-            articulated::forward_dynamics(&joints, gravity, &scene.state, &external).renumbered()
+            articulated::forward_dynamics(&joints, gravity, &scene.state, Variable::Tau, &external)
+                .renumbered()
+        }
+    }
+}
+
+/// M⁻¹ λ: the accelerations that λ produces as torques and forces, at rest and without gravity.
+pub(super) fn of_weights<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<'g>> {
+    match scene.algorithm.forward {
+        Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
+            &scene.mass_matrix(),
+            &scene.parents(),
+            |k| scene.state.of_velocity(Variable::Weights, k),
+            |qdd| scene.inertial(qdd),
+            refinements,
+        ),
+        Forward::Articulated => {
+            let (joints, nothing) = (
+                scene.link_joints(),
+                Vector::zero(scene.state.zero().graph()),
+            );
+            let rest = scene.state.at_rest();
+            articulated::forward_dynamics(&joints, nothing, &rest, Variable::Weights, &[])
+                .renumbered()
         }
     }
 }

@@ -5,9 +5,8 @@ use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_derivatives, mass_matrix_inverse, quantities};
 use crate::expression::Term;
-use crate::formulation::Forward;
-use crate::list::{List, Square};
-use crate::model::{self, Scene};
+use crate::list::List;
+use crate::model::Scene;
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -44,28 +43,10 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
         columns.map(|column| column.map(|&entry| -entry))
     });
     let columns: Vec<List<VelocityId, Term<'g>>> = columns.collect();
-    let found = match scene.algorithm.forward {
-        Forward::UNREFINED => {
-            model::forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), &columns)
-        }
-        _ => model::alike(&columns, |column| product(&inverse, column)),
-    };
+    let found = mass_matrix_inverse::times(scene, &columns);
     let by_rows = found.chunks(inverse.ids().len()).flat_map(|columns| {
         let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
         inverse.ids().flat_map(row).collect::<Vec<_>>()
     });
     by_rows.chain(Vec::from(inverse.clone())).collect()
-}
-
-/// The product A b.
-fn product<'g>(
-    a: &Square<VelocityId, Term<'g>>,
-    b: &List<VelocityId, Term<'g>>,
-) -> List<VelocityId, Term<'g>> {
-    let rows = a.ids().map(|row| {
-        let terms = a.row(row).zip(b).map(|(a, &b)| a * b);
-        let entry = terms.reduce(|sum, term| sum + term);
-        entry.expect("as many terms as rows")
-    });
-    rows.collect()
 }

@@ -26,11 +26,11 @@ fn sentence(_: &str, _: &str) -> String {
         .to_owned()
 }
 
-fn dense(size: Size) -> Tally {
+pub(super) fn dense(size: Size) -> Tally {
     inverse_dynamics_derivatives::dense(size).times(2)
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let blocks = scene.torque_hessian(&scene.qdd());
+    let blocks = scene.torque_hessian([&scene.qdd(), &scene.weights()]);
     blocks.map(Vec::from).concat()
 }

@@ -6,8 +6,8 @@ use super::quantities;
 use super::tally::{Size, Tally};
 use crate::expression::Term;
 use crate::formulation::Forward;
-use crate::list::Square;
-use crate::model::{Scene, articulated, forward_dynamics};
+use crate::list::{List, Square};
+use crate::model::{self, Scene, articulated, forward_dynamics};
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -48,4 +48,29 @@ pub(super) fn inverse<'g>(scene: &Scene<'_, 'g>) -> Square<VelocityId, Term<'g>>
             articulated::mass_matrix_inverse(&scene.link_joints(), &scene.state).renumbered()
         }
     }
+}
+
+/// M⁻¹ times some columns.
+pub(super) fn times<'g>(
+    scene: &Scene<'_, 'g>,
+    columns: &[List<VelocityId, Term<'g>>],
+) -> Vec<List<VelocityId, Term<'g>>> {
+    if scene.algorithm.forward == Forward::UNREFINED {
+        return forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), columns);
+    }
+    let inverse = inverse(scene);
+    model::alike(columns, |column| product(&inverse, column))
+}
+
+/// The product A b.
+pub(super) fn product<'g>(
+    a: &Square<VelocityId, Term<'g>>,
+    b: &List<VelocityId, Term<'g>>,
+) -> List<VelocityId, Term<'g>> {
+    let rows = a.ids().map(|row| {
+        let terms = a.row(row).zip(b).map(|(a, &b)| a * b);
+        let entry = terms.reduce(|sum, term| sum + term);
+        entry.expect("as many terms as rows")
+    });
+    rows.collect()
 }

@@ -125,6 +125,77 @@ pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(
     ],
 );
 
+/// Derivatives of λᵀτ, with λ a virtual displacement, so that λᵀτ is a work.
+pub(super) const WORK_GRADIENT: Outcome = Outcome::Parts(
+    "TorqueGradient",
+    &[
+        Part {
+            name: "dq",
+            about: "∂(λᵀτ)/∂q = (∂τ/∂q)ᵀ λ; J, J/m.",
+            quantity: vector(|of| vec![by_one(of, "J", "J/m")]),
+        },
+        Part {
+            name: "dqd",
+            about: "∂(λᵀτ)/∂q̇ = (∂τ/∂q̇)ᵀ λ; J s, J s/m.",
+            quantity: vector(|of| vec![by_one(of, "J s", "J s/m")]),
+        },
+        Part {
+            name: "dqdd",
+            about: "∂(λᵀτ)/∂q̈ = M λ; J s², J s²/m.",
+            quantity: vector(|of| vec![by_one(of, "J s²", "J s²/m")]),
+        },
+    ],
+);
+
+/// Derivatives of λᵀq̈, with λ torques and forces, so that λᵀq̈ is a power by time.
+pub(super) const ACCELERATION_GRADIENT: Outcome = Outcome::Parts(
+    "AccelerationGradient",
+    &[
+        Part {
+            name: "dq",
+            about: "∂(λᵀq̈)/∂q = (∂q̈/∂q)ᵀ λ; W/s, W/(s m).",
+            quantity: vector(|of| vec![by_one(of, "W/s", "W/(s m)")]),
+        },
+        Part {
+            name: "dqd",
+            about: "∂(λᵀq̈)/∂q̇ = (∂q̈/∂q̇)ᵀ λ; W, W/m.",
+            quantity: vector(|of| vec![by_one(of, "W", "W/m")]),
+        },
+        Part {
+            name: "dtau",
+            about: "∂(λᵀq̈)/∂τ = M⁻¹ λ; rad/s², m/s².",
+            quantity: ACCELERATIONS,
+        },
+    ],
+);
+
+/// Second derivatives of λᵀq̈, with λ torques and forces, so that λᵀq̈ is a power by time.
+pub(super) const ACCELERATION_HESSIAN: Outcome = Outcome::Parts(
+    "AccelerationHessian",
+    &[
+        Part {
+            name: "dq_dq",
+            about: "∂²(λᵀq̈)/∂q∂q; W/s, W/(s m), W/(s m²).",
+            quantity: matrix(|of| vec![by_two(of, ["W/s", "W/(s m)", "W/(s m²)"])]),
+        },
+        Part {
+            name: "dq_dqd",
+            about: "∂²(λᵀq̈)/∂q∂q̇, a row for each coordinate; W, W/m, W/m².",
+            quantity: matrix(|of| vec![by_two(of, ["W", "W/m", "W/m²"])]),
+        },
+        Part {
+            name: "dqd_dqd",
+            about: "∂²(λᵀq̈)/∂q̇∂q̇; W s, W s/m, W s/m².",
+            quantity: matrix(|of| vec![by_two(of, ["W s", "W s/m", "W s/m²"])]),
+        },
+        Part {
+            name: "dq_dtau",
+            about: "∂²(λᵀq̈)/∂q∂τ = ∂(M⁻¹ λ)/∂q, a row for each coordinate; 1/s², 1/(s² m), m/s².",
+            quantity: matrix(|of| vec![by_row_and_column(of, ["1/s²", "1/(s² m)", "m/s²"])]),
+        },
+    ],
+);
+
 /// Second derivatives of λᵀτ, with λ a virtual displacement, so that λᵀτ is a work.
 pub(super) const WORK_HESSIAN: Outcome = Outcome::Parts(
     "TorqueHessian",

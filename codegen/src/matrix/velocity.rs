@@ -33,6 +33,15 @@ impl<'g> Velocity<Term<'g>> {
         }
     }
 
+    /// The same as a screw, at unit rate.
+    #[must_use]
+    pub fn screw(self) -> Screw<Term<'g>> {
+        Screw {
+            u: self.omega,
+            b: self.v,
+        }
+    }
+
     /// Labels it as the motion of bodies, in a frame.
     pub fn label(self, of: Of, frame: Numeral) {
         self.omega

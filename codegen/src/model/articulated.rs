@@ -13,12 +13,14 @@ use crate::expression::{Block, Component, Of, Term};
 use crate::joint::Motion;
 use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
+use crate::space::Variable;
 
-/// q̈ for τ, one entry a joint.
+/// q̈ for torques and forces, one entry a joint; `driving` is the argument that they are.
 pub fn forward_dynamics<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
+    driving: Variable,
     external: &[(BodyId, Action<Term<'g>>)],
 ) -> List<BodyId, Term<'g>> {
     let Drift {
@@ -36,7 +38,7 @@ pub fn forward_dynamics<'g>(
         let action = actions[k];
         let own = articulated[k].eliminate(joint);
         let friction = joint.actuator.resistance(state.qd(k));
-        let unbalanced = state.tau(k) - friction - action.along(joint.screw);
+        let unbalanced = state.own(driving, k) - friction - action.along(joint.screw);
         if let Some(parent) = joint.parent {
             let reduced = own.reduced;
             let by_pivot = unbalanced * own.inverse;
@@ -108,7 +110,7 @@ pub fn mass_matrix_inverse<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square
         let mut action = eliminated[column].passed(one, None, &joints[column]);
         let mut at = column;
         while let Some(parent) = joints[at].parent {
-            action = carried(&joints[at], action);
+            action = joints[at].action_inboard(action);
             let joint = &joints[parent];
             let unbalanced = -action.along(joint.screw);
             rows.push((parent, unbalanced));
@@ -270,14 +272,7 @@ fn passed_on<'g>(
     reduced: &Articulated<'g>,
     action: Action<Term<'g>>,
 ) -> (Articulated<'g>, Action<Term<'g>>) {
-    (reduced.passed_on(joint), carried(joint, action))
-}
-
-/// A wrench on a body, in the frame of the parent body.
-fn carried<'g>(joint: &Joint<'g>, action: Action<Term<'g>>) -> Action<Term<'g>> {
-    action
-        .change_frame(joint.displacement())
-        .change_frame(joint.placement)
+    (reduced.passed_on(joint), joint.action_inboard(action))
 }
 
 /// An articulated inertia Iᴬ: the linear map from an acceleration (ω̇, a) to a wrench (c, f),

@@ -17,7 +17,7 @@ use crate::formulation::Frame;
 use crate::joint::{ActuatorTerms, Motion};
 use crate::layout::{Bodies, Body};
 use crate::list::{Id, List};
-use crate::matrix::{Inertia, Pose, Rotation, Screw, Vector, Velocity};
+use crate::matrix::{Action, Inertia, Pose, Rotation, Screw, Vector, Velocity};
 use crate::space::FrameId;
 
 /// A joint and its body. In the frame of the body the displacement is a rotation about z and a translation along it, or
@@ -224,6 +224,19 @@ impl<'g> Joint<'g> {
             .rotate(self.placement.rotation.transposed())
             .move_pole(self.offset())
             .rotate(self.turn().transposed())
+    }
+
+    /// A motion in the parent's frame, from the body's.
+    pub fn motion_inboard(&self, w: Velocity<Term<'g>>) -> Velocity<Term<'g>> {
+        w.change_frame(self.displacement())
+            .change_frame(self.placement)
+    }
+
+    /// A wrench or momentum in the parent's frame, from the body's.
+    pub fn action_inboard(&self, action: Action<Term<'g>>) -> Action<Term<'g>> {
+        action
+            .change_frame(self.displacement())
+            .change_frame(self.placement)
     }
 
     /// First moments of a mass in the parent's frame, from the body's: R q + m p.

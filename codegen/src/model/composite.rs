@@ -26,9 +26,7 @@ pub fn mass_matrix<'g>(joints: &Joints<'g>, state: &State<'g>) -> Square<BodyId,
             let Some(parent) = joints[at].parent else {
                 break;
             };
-            action = action
-                .change_frame(joints[at].displacement())
-                .change_frame(joints[at].placement);
+            action = joints[at].action_inboard(action);
             let frame = joints[at].outer_frame_number();
             action.label(index, frame);
             at = parent;

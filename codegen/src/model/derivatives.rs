@@ -75,14 +75,10 @@ pub fn add_constant_wrenches<'g>(
         let Some(action) = carried[k] else {
             continue;
         };
-        let inboard = |action: Action<Term<'g>>, joint: &Joint<'g>| {
-            let displaced = action.change_frame(joint.displacement());
-            displaced.change_frame(joint.placement)
-        };
         // (Lₘ Lᵢ − Lᵢ Lₘ) ⊗ Φ = Lₘ ⊗ (Lᵢ Φ + Φ Lᵢᵗ), which changes its sign if both are exchanged.
         let (mut turned, mut at) = (action.moved_along(joint.screw), k);
         while let Some(parent) = joints[at].parent {
-            (turned, at) = (inboard(turned, &joints[at]), parent);
+            (turned, at) = (joints[at].action_inboard(turned), parent);
             let power = turned.along(joints[at].screw);
             let entry = &mut matrix[(k, at)];
             *entry = *entry - power;
@@ -92,7 +88,7 @@ pub fn add_constant_wrenches<'g>(
             }
         }
         if let Some(parent) = joint.parent {
-            sum(&mut carried[parent], inboard(action, joint));
+            sum(&mut carried[parent], joint.action_inboard(action));
         }
     }
 }

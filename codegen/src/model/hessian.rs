@@ -3,30 +3,23 @@
 //! In: the joints, a motion, and a weight for the torque of each body. Out: the second derivatives of λᵀτ by q, q̇ and
 //! q̈.
 //!
-//! With Λ = Σ λ L over the joints that carry a body, λᵀτ = Σ Λ ⊗ skew\[H J\]. A displacement along Lₐ changes Λ and H of
-//! all bodies that joint a carries, as they see them, by Ψλₐ = Λ Lₐ − Lₐ Λ, with Λ of the joint's parent body, and by
-//! Ψ̈ₐ + 2 Ψ̲̇ₐ W ([`derivatives`](super::derivatives)). All sums over bodies are then bilinear. With Φ, the momentum
-//! P = Σ skew\[Λ J\] and the couple G = Σ 2 skew\[Y Λᵗ\] of all bodies that joint b carries, the gradient is
-//!
-//! * by q_b: Ψλ_b ⊗ Φ + Ψ̈_b ⊗ P + Ψ̇_b · G,
-//! * by q̇_b: (L̇_b + Ψ̇_b) ⊗ P + L_b · G,
-//! * by q̈_b: L_b ⊗ P.
-//!
-//! A joint a that carries joint b changes Φ, P, G and the screws of b by the same rule. Hence an entry of the Hessian is
-//! a scalar product of Ψλₐ, Ψ̇ₐ, Ψ̈ₐ and Lₐ with columns of joint b. Those for Ψ̇ₐ are couples: their forces cancel. They
-//! are carried inwards, and Ψλₐ outwards, which takes the fewest operations. (The scalar form of Singh, Russell and
-//! Wensing, "Second-order derivatives of rigid-body dynamics", 2024, is a tensor of three indices.)
+//! They are derivatives of the [`gradient`](super::gradient), whose sums over bodies are all bilinear. A joint a that
+//! carries joint b changes Φ, P, G and the screws of b by the same rule as it changes Λ and H. Hence an entry is a scalar
+//! product of Ψλₐ, Ψ̇ₐ, Ψ̈ₐ and Lₐ with columns of joint b. Those for Ψ̇ₐ are couples: their forces cancel. They are
+//! carried inwards, and Ψλₐ outwards, which takes the fewest operations. (The scalar form of Singh, Russell and Wensing,
+//! "Second-order derivatives of rigid-body dynamics", 2024, is a tensor of three indices.)
 
 use std::collections::BTreeMap;
 
 use super::carry::{Joint, Joints};
 use super::derivatives::{Rates, Whole, rates};
-use super::newton_euler::{Moving, motion};
+use super::gradient::{Lambda, Weighted};
+use super::newton_euler::motion;
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::list::{List, Square};
-use crate::matrix::{Action, Flow, Screw, Vector, Velocity};
+use crate::matrix::{Action, Screw, Vector, Velocity};
 
 /// Second derivatives of λᵀτ. An entry is the derivative, by the row's coordinate or velocity, of the derivative by the
 /// column's.
@@ -54,6 +47,7 @@ pub fn inverse_dynamics<'g>(
     // Each velocity enters doubled.
     let whole = Whole::of(joints, state, &motion.motions, |v| v + v);
     let lambda = Lambda::of(joints, state, weights);
+    let turned = carried_rates(joints, &lambda);
     let weighted = Weighted::of(joints, &lambda, &motion.motions, &whole);
     let zero = || Square::filled(state.zero(), joints.len());
     let mut found = Hessian {
@@ -67,14 +61,14 @@ pub fn inverse_dynamics<'g>(
         let own = Columns::of(
             (k, joint),
             &rates[k],
-            lambda.rates[k][&k],
+            turned[k][&k],
             motion.actions[k],
             &whole,
             &weighted,
         );
         // All velocities of one joint have the same frame, and observers of their own.
         for other in together(joints, k) {
-            let of = Along::of(&joints[other], &rates[other], lambda.rates[other][&other]);
+            let of = Along::of(&joints[other], &rates[other], turned[other][&other]);
             let faster = motion.motions[k].relative - motion.motions[other].relative;
             let seen = own.faster(faster + faster);
             found.q_q[(other, k)] = seen.q_q(&of);
@@ -91,7 +85,7 @@ pub fn inverse_dynamics<'g>(
             seen = seen.inboard(&joints[at], whole.gains[at]);
             at = parent;
             if !joint.carries_screw(at, joints) {
-                let of = Along::of(&joints[at], &rates[at], lambda.rates[k][&at]);
+                let of = Along::of(&joints[at], &rates[at], turned[k][&at]);
                 found.q_q.set_both((at, k), seen.q_q(&of));
                 found.q_qd[(at, k)] = seen.q_qd(&of);
                 found.q_qd[(k, at)] = of.screw.u.dot(seen.turn) + seen.second.along(of.by_rate);
@@ -128,7 +122,7 @@ pub fn add_constant_wrenches<'g>(
                 }
                 let mut inner = k;
                 while let Some(parent) = joints[inner].parent {
-                    turned = inboard(turned, &joints[inner]);
+                    turned = joints[inner].action_inboard(turned);
                     inner = parent;
                     if !group.contains(&inner) {
                         let entry = by_q[(inner, k)] + turned.along(joints[inner].screw);
@@ -137,17 +131,11 @@ pub fn add_constant_wrenches<'g>(
                 }
             }
             let first = &joints[group[0]];
-            action = inboard(action, first);
-            let displaced = lambda.change_frame(first.displacement());
-            lambda = displaced.change_frame(first.placement);
+            action = first.action_inboard(action);
+            lambda = first.motion_inboard(lambda);
             at = first.parent;
         }
     }
-}
-
-fn inboard<'g>(action: Action<Term<'g>>, joint: &Joint<'g>) -> Action<Term<'g>> {
-    let displaced = action.change_frame(joint.displacement());
-    displaced.change_frame(joint.placement)
 }
 
 /// All velocities of the joint of body `k`, from the first on.
@@ -158,107 +146,23 @@ fn together<'a>(joints: &'a Joints<'_>, k: BodyId) -> impl Iterator<Item = BodyI
     joints.ids().filter(move |&other| same(other))
 }
 
-/// Λ = Σ λ L of the joints that carry a body.
-struct Lambda<'g> {
-    /// Λ of each body.
-    bodies: List<BodyId, Velocity<Term<'g>>>,
-    /// For each joint, Ψλ of itself and of the joints that carry it, in its frame.
-    rates: List<BodyId, BTreeMap<BodyId, Screw<Term<'g>>>>,
-}
-
-impl<'g> Lambda<'g> {
-    fn of(joints: &Joints<'g>, state: &State<'g>, weights: &List<BodyId, Term<'g>>) -> Self {
-        let rest = Velocity::zero(state.graph);
-        // Λ of the parent body of each joint.
-        let mut outer: List<BodyId, Velocity<Term<'g>>> = List::new();
-        let mut bodies: List<BodyId, Velocity<Term<'g>>> = List::new();
-        let mut rates: List<BodyId, BTreeMap<BodyId, Screw<Term<'g>>>> = List::new();
-        for (k, joint) in joints.numbered() {
-            let carried = |parent: BodyId| joint.motion_outboard(bodies[parent]);
-            let before = joint.parent.map_or(rest, carried);
-            let of_parent = match joint.parent {
-                Some(parent) if joint.taken => outer[parent],
-                _ => before,
-            };
-            let mut own = BTreeMap::from([(k, of_parent.rate_of(joint.screw))]);
-            if let Some(parent) = joint.parent {
-                own.extend(rates[parent].iter().map(|(&of, &rate)| {
-                    let Screw { u, b } = rate;
-                    let rate = joint.motion_outboard(Velocity { omega: u, v: b });
-                    (of, screw(rate))
-                }));
-            }
-            rates.push(own);
-            outer.push(of_parent);
-            bodies.push(before + Velocity::of_screw(joint.screw, weights[k]));
+/// For each joint, Ψλ of itself and of the joints that carry it, in its frame.
+fn carried_rates<'g>(
+    joints: &Joints<'g>,
+    lambda: &Lambda<'g>,
+) -> List<BodyId, BTreeMap<BodyId, Screw<Term<'g>>>> {
+    let mut rates: List<BodyId, BTreeMap<BodyId, Screw<Term<'g>>>> = List::new();
+    for (k, joint) in joints.numbered() {
+        let mut own = BTreeMap::from([(k, lambda.rate(k, joint))]);
+        if let Some(parent) = joint.parent {
+            own.extend(rates[parent].iter().map(|(&of, &Screw { u, b })| {
+                let rate = joint.motion_outboard(Velocity { omega: u, v: b });
+                (of, rate.screw())
+            }));
         }
-        Self { bodies, rates }
+        rates.push(own);
     }
-}
-
-fn screw(w: Velocity<Term<'_>>) -> Screw<Term<'_>> {
-    Screw { u: w.omega, b: w.v }
-}
-
-/// Sums with Λ over all bodies that each joint carries.
-struct Weighted<'g> {
-    /// P = Σ skew\[Λ J\].
-    momenta: List<BodyId, Action<Term<'g>>>,
-    /// 2 Σ Λ J.
-    flows: List<BodyId, Flow<Term<'g>>>,
-    /// G = 2 Σ skew\[Y Λᵗ\], for the observer of Y.
-    couples: List<BodyId, Vector<Term<'g>>>,
-}
-
-impl<'g> Weighted<'g> {
-    fn of(
-        joints: &Joints<'g>,
-        lambda: &Lambda<'g>,
-        motions: &List<BodyId, Moving<'g>>,
-        whole: &Whole<'g>,
-    ) -> Self {
-        let each = joints.iter().zip(&lambda.bodies);
-        let momenta = each.clone();
-        let mut momenta: List<BodyId, _> = momenta
-            .map(|(joint, &lambda)| Action::of_screw(screw(lambda), joint.inertia))
-            .collect();
-        let flows = each.clone();
-        let mut flows: List<BodyId, _> = flows
-            .map(|(joint, &Velocity { omega, v })| {
-                Flow::of_rotation(omega + omega, joint.inertia).faster(v + v, joint.inertia)
-            })
-            .collect();
-        let couples = each.zip(motions);
-        let mut couples: List<BodyId, _> = couples
-            .map(|((joint, &lambda), own)| {
-                let omega = own.h.omega;
-                Flow::of_rotation(omega + omega, joint.inertia).against(screw(lambda))
-            })
-            .collect();
-        for (k, joint) in joints.numbered().rev() {
-            let Some(parent) = joint.parent else { continue };
-            let flow = match joint.displacement {
-                Some(displacement) => flows[k].rotate(displacement.rotation),
-                None => flows[k].rotate_about_z(joint.angle),
-            };
-            let flow = flow.translate(joint.offset());
-            let flow = flow.rotate(joint.placement.rotation);
-            flows[parent] = flows[parent] + flow.translate(joint.placement.translation);
-            let (mut momentum, mut couple) = (momenta[k], couples[k]);
-            let poses = [joint.displacement(), joint.placement];
-            for (pose, faster) in poses.into_iter().zip(whole.gains[k]) {
-                momentum = momentum.change_frame(pose);
-                couple = pose.rotation * couple + faster.cross(momentum.f);
-            }
-            momenta[parent] = momenta[parent] + momentum;
-            couples[parent] = couples[parent] + couple;
-        }
-        Self {
-            momenta,
-            flows,
-            couples,
-        }
-    }
+    rates
 }
 
 /// Changes that a joint's coordinate and velocity make in all bodies that the joint carries.

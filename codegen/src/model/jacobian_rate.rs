@@ -104,9 +104,7 @@ pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'
         });
         found.extend(rates);
         let joints: Vec<Joint<'g>> = together.iter().rev().map(|&(joint, _)| joint).collect();
-        w = (w - own(&local(&joints), state))
-            .change_frame(joints[0].displacement())
-            .change_frame(joints[0].placement);
+        w = joints[0].motion_inboard(w - own(&local(&joints), state));
     }
     columns(path, found.into_iter())
 }

@@ -80,9 +80,7 @@ fn sum<'g>(
         f: nothing,
     };
     for (k, joint) in joints.numbered().rev() {
-        let carried = each[k]
-            .change_frame(joint.displacement())
-            .change_frame(joint.placement);
+        let carried = joint.action_inboard(each[k]);
         match joint.parent {
             Some(parent) => each[parent] = each[parent] + carried,
             None => all = all + carried,

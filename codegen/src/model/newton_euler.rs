@@ -64,9 +64,7 @@ pub fn motion<'g>(
             + actuator.armature * qdd[k]
             + actuator.resistance(state.qd(k));
         if let Some(parent) = joint.parent {
-            let carried = action
-                .change_frame(joint.displacement())
-                .change_frame(joint.placement);
+            let carried = joint.action_inboard(action);
             carried.label(index, outer);
             actions[parent] = actions[parent] + carried;
         }

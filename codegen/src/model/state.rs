@@ -30,7 +30,7 @@ impl<'g> State<'g> {
     }
 
     /// The same at rest.
-    pub(super) fn at_rest(&self) -> Self {
+    pub(crate) fn at_rest(&self) -> Self {
         Self {
             graph: self.graph,
             rest: true,
@@ -65,8 +65,8 @@ impl<'g> State<'g> {
         }
     }
 
-    /// The entry of body `k` in an argument over velocities.
-    fn own(&self, variable: Variable, k: BodyId) -> Term<'g> {
+    /// The entry of body `k` in an argument over velocities; a force only if no other body has its velocity.
+    pub(super) fn own(&self, variable: Variable, k: BodyId) -> Term<'g> {
         let (velocity, _) = self.rates[k];
         self.times_factor(k, self.of_velocity(variable, velocity))
     }
@@ -96,11 +96,6 @@ impl<'g> State<'g> {
     /// Its acceleration.
     pub(crate) fn qdd(&self, k: BodyId) -> Term<'g> {
         self.own(Variable::Qdd, k)
-    }
-
-    /// τ of body `k`, if no other body has its velocity.
-    pub(crate) fn tau(&self, k: BodyId) -> Term<'g> {
-        self.own(Variable::Tau, k)
     }
 
     /// An external wrench.

@@ -17,9 +17,7 @@ pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
     let w = match path.frame {
         Frame::Base => joints.fold(rest, |w, joint| w + own(joint)),
         Frame::Link => joints.rev().fold(rest, |w, joint| {
-            let w = (own(joint) + w)
-                .change_frame(joint.displacement())
-                .change_frame(joint.placement);
+            let w = joint.motion_inboard(own(joint) + w);
             let index = joint.outer_frame_number();
             w.label(Of::TipFrom(index), index);
             w
@@ -102,9 +100,7 @@ fn inwards<'g>(
         w = own + w;
         let joint = &together[0];
         h = inboard(inboard(h, joint.displacement()), joint.placement);
-        w = w
-            .change_frame(joint.displacement())
-            .change_frame(joint.placement);
+        w = joint.motion_inboard(w);
     }
     h
 }

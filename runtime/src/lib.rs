@@ -38,7 +38,10 @@ pub use robot::actuator::JointActuator;
 pub use robot::chain::{Chain, Frame};
 pub use robot::closed_loops::{ClosedLoopRobot, Residual, ResidualKind};
 pub use robot::constrained::ConstrainedAccelerations;
-pub use robot::derivatives::{AccelerationDerivatives, TorqueDerivatives, TorqueHessian};
+pub use robot::derivatives::{
+    AccelerationDerivatives, AccelerationGradient, AccelerationHessian, TorqueDerivatives,
+    TorqueGradient, TorqueHessian,
+};
 pub use robot::described::Robot;
 pub use robot::jacobian::Jacobian;
 pub use robot::joint::{Joint, Motion};

@@ -177,6 +177,10 @@ macro_rules! every_function {
             #[doc = "add `inverse_dynamics_derivatives` to `generate(…)` of the robot"]
             /// ∂τ/∂q and ∂τ/∂q̇ of inverse dynamics, a row for each torque or force.
             whole InverseDynamicsDerivatives inverse_dynamics_derivatives(q, qd, qdd) -> $crate::TorqueDerivatives<N, T>;
+            /// The gradient of λᵀτ by q, q̇ and q̈.
+            #[doc = "add `inverse_dynamics_vjp` to `generate(…)` of the robot"]
+            /// The vector–Jacobian product of inverse dynamics: (∂τ/∂q)ᵀ λ, (∂τ/∂q̇)ᵀ λ and M λ.
+            weighted InverseDynamicsVjp inverse_dynamics_vjp(q, qd, qdd, weights) -> $crate::TorqueGradient<N, T>;
             /// The second derivatives of λᵀτ by q, q̇ and q̈.
             #[doc = "add `inverse_dynamics_hessian` to `generate(…)` of the robot"]
             /// The Hessian of λᵀτ, with the torques of inverse dynamics and their weights λ.
@@ -185,6 +189,14 @@ macro_rules! every_function {
             #[doc = "add `forward_dynamics_derivatives` to `generate(…)` of the robot"]
             /// ∂q̈/∂q, ∂q̈/∂q̇ and ∂q̈/∂τ of forward dynamics, a row for each acceleration.
             solution ForwardDynamicsDerivatives forward_dynamics_derivatives(q, qd, tau) -> $crate::AccelerationDerivatives<N, T>;
+            /// The gradient of λᵀq̈ by q, q̇ and τ.
+            #[doc = "add `forward_dynamics_vjp` to `generate(…)` of the robot"]
+            /// The vector–Jacobian product of forward dynamics: (∂q̈/∂q)ᵀ λ, (∂q̈/∂q̇)ᵀ λ and M⁻¹ λ.
+            weighted ForwardDynamicsVjp forward_dynamics_vjp(q, qd, tau, weights) -> $crate::AccelerationGradient<N, T>;
+            /// The second derivatives of λᵀq̈ by q, q̇ and τ.
+            #[doc = "add `forward_dynamics_hessian` to `generate(…)` of the robot"]
+            /// The Hessian of λᵀq̈, with the accelerations of forward dynamics and their weights λ.
+            weighted ForwardDynamicsHessian forward_dynamics_hessian(q, qd, tau, weights) -> $crate::AccelerationHessian<N, T>;
             /// The derivative of the torques at rest by q.
             #[doc = "add `gravity_derivative` to `generate(…)` of the robot"]
             /// ∂τ/∂q of `gravity`, a row for each torque or force [N m, N, N/m].

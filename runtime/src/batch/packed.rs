@@ -11,7 +11,10 @@ use super::processor;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use super::registers::Register;
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
-use crate::robot::derivatives::{AccelerationDerivatives, TorqueDerivatives, TorqueHessian};
+use crate::robot::derivatives::{
+    AccelerationDerivatives, AccelerationGradient, AccelerationHessian, TorqueDerivatives,
+    TorqueGradient, TorqueHessian,
+};
 use crate::scalar::{Lane, Pack, Scalar};
 use core::array::from_fn;
 use core::ops::Range;
@@ -301,13 +304,13 @@ impl<P: Packed> Packed for Point<P> {
     }
 }
 
-/// Implements [`Packed`] for a struct of N×N matrices.
+/// Implements [`Packed`] for a struct of vectors or matrices over N.
 macro_rules! of_fields {
-    ($($kind:ident: $($field:ident),*;)*) => {$(
+    ($($kind:ident of $part:ty: $($field:ident),*;)*) => {$(
         impl<P: Packed, const N: usize> Packed for $kind<N, P> {
             type Lane = $kind<N, P::Lane>;
             type Number = P::Number;
-            const NUMBERS: usize = [$(stringify!($field)),*].len() * <[[P; N]; N]>::NUMBERS;
+            const NUMBERS: usize = [$(stringify!($field)),*].len() * <$part>::NUMBERS;
 
             #[inline]
             fn lane(&self, index: usize) -> Self::Lane {
@@ -318,7 +321,7 @@ macro_rules! of_fields {
             fn write(&self, columns: &mut [&mut [P::Number]], states: Range<usize>) {
                 let rest = columns;
                 $(
-                    let (own, rest) = rest.split_at_mut(<[[P; N]; N]>::NUMBERS);
+                    let (own, rest) = rest.split_at_mut(<$part>::NUMBERS);
                     self.$field.write(own, states.clone());
                 )*
                 let _ = rest;
@@ -327,7 +330,10 @@ macro_rules! of_fields {
     )*};
 }
 of_fields! {
-    TorqueDerivatives: dq, dqd;
-    TorqueHessian: dq_dq, dq_dqd, dqd_dqd, dq_dqdd;
-    AccelerationDerivatives: dq, dqd, dtau;
+    TorqueGradient of [P; N]: dq, dqd, dqdd;
+    TorqueDerivatives of [[P; N]; N]: dq, dqd;
+    TorqueHessian of [[P; N]; N]: dq_dq, dq_dqd, dqd_dqd, dq_dqdd;
+    AccelerationGradient of [P; N]: dq, dqd, dtau;
+    AccelerationDerivatives of [[P; N]; N]: dq, dqd, dtau;
+    AccelerationHessian of [[P; N]; N]: dq_dq, dq_dqd, dqd_dqd, dq_dtau;
 }

@@ -27,6 +27,7 @@ mod energy;
 mod forward;
 mod kinematics;
 mod momentum;
+mod weighted;
 
 use nalgebra::RealField;
 
@@ -47,6 +48,7 @@ pub use momentum::{
     center_of_mass, center_of_mass_jacobian, center_of_mass_velocity, centroidal_momentum,
     centroidal_momentum_bias, centroidal_momentum_matrix, momentum,
 };
+pub use weighted::{forward_dynamics_hessian, forward_dynamics_vjp, inverse_dynamics_vjp};
 
 /// Σ.
 fn sum<T: RealField + Copy>(terms: impl Iterator<Item = T>) -> T {

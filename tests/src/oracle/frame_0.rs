@@ -31,24 +31,48 @@ use regressor::{regressor, with_columns_of_actuators};
 pub use sizes::torque_sizes;
 use torques::{external, mass_matrix, torques};
 
+/// The Hessians, of which [`hessian_along`] has the value along a direction.
+pub const HESSIANS: [Function; 2] = [
+    Function::InverseDynamicsHessian,
+    Function::ForwardDynamicsHessian,
+];
+
 /// Every function with a true value here that takes milliseconds: all but the base regressor, whose columns the engine
-/// selects, and the Hessian, of which [`hessian_along`] has the value along a direction.
+/// selects, and the [`HESSIANS`].
 pub fn functions() -> impl Iterator<Item = Function> {
-    let others = [Function::BaseRegressor, Function::InverseDynamicsHessian];
     let all = Function::ALL.into_iter();
-    all.filter(move |function| !others.contains(function))
+    all.filter(|function| *function != Function::BaseRegressor && !HESSIANS.contains(function))
 }
 
-/// The true value of the Hessian of λᵀτ: for each of its matrices the sum of the rows, times the entries of a direction.
+/// The true value of a Hessian: for each of its matrices the sum of the rows, times the entries of a direction.
+///
+/// # Panics
+/// If the function is none of the [`HESSIANS`], or the mass matrix is singular where it is inverted.
 #[must_use]
-pub fn hessian_along(robot: &Robot, arguments: &Arguments, direction: &[f64]) -> Vec<Big> {
+pub fn hessian_along(
+    robot: &Robot,
+    function: Function,
+    arguments: &Arguments,
+    direction: &[f64],
+) -> Vec<Big> {
     let mut state = exact(arguments, robot.quaternions());
-    let variables = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Weights];
-    let [q, qd, qdd, weights] = variables.map(|variable| mem::take(&mut state[variable]));
+    let mut taken = |variable| mem::take(&mut state[variable]);
+    let [q, qd, weights] = [Variable::Q, Variable::Qd, Variable::Weights].map(&mut taken);
     let positions = Positions::at(robot, &q);
     let actions = &arguments[Variable::Actions];
-    derivatives::hessian_along(robot, &positions, [&qd, &qdd, &weights], actions, direction)
+    let (gradient, motion): (Gradient, Vec<Big>) = match function {
+        Function::InverseDynamicsHessian => (derivatives::torque_gradient, taken(Variable::Qdd)),
+        Function::ForwardDynamicsHessian => {
+            (derivatives::acceleration_gradient, taken(Variable::Tau))
+        }
+        other => panic!("{} is no Hessian", other.name()),
+    };
+    derivatives::along(robot, &positions, (&qd, direction), |positions, qd| {
+        gradient(robot, positions, [qd, &motion, &weights], actions)
+    })
 }
+
+type Gradient = fn(&Robot, &Positions, [&[Big]; 3], &[f64]) -> [Vec<Big>; 3];
 
 /// The true value of a function; `frame` is the index of its frame, for functions of a frame.
 ///
@@ -67,8 +91,14 @@ pub fn evaluate(
     arguments: &Arguments,
 ) -> Vec<Big> {
     let mut state = exact(arguments, robot.quaternions());
-    let [q, qd, qdd, tau] = [Variable::Q, Variable::Qd, Variable::Qdd, Variable::Tau]
-        .map(|variable| mem::take(&mut state[variable]));
+    let variables = [
+        Variable::Q,
+        Variable::Qd,
+        Variable::Qdd,
+        Variable::Tau,
+        Variable::Weights,
+    ];
+    let [q, qd, qdd, tau, weights] = variables.map(|variable| mem::take(&mut state[variable]));
     let rest = vec![Big::zero(); robot.velocities()];
     let positions = Positions::at(robot, &q);
     let moving = |qd: &[Big], qdd: &[Big]| Motion::at(robot, &positions, qd, qdd);
@@ -204,11 +234,25 @@ pub fn evaluate(
             &arguments[Variable::Actions],
         )
         .concat(),
-        Function::InverseDynamicsHessian => {
+        Function::InverseDynamicsVjp => derivatives::torque_gradient(
+            robot,
+            &positions,
+            [&qd, &qdd, &weights],
+            &arguments[Variable::Actions],
+        )
+        .concat(),
+        Function::ForwardDynamicsVjp => derivatives::acceleration_gradient(
+            robot,
+            &positions,
+            [&qd, &tau, &weights],
+            &arguments[Variable::Actions],
+        )
+        .concat(),
+        Function::InverseDynamicsHessian | Function::ForwardDynamicsHessian => {
             let count = robot.velocities();
             let units = (0..count).map(|row| {
                 let unit = (0..count).map(|k| if k == row { 1.0 } else { 0.0 });
-                hessian_along(robot, arguments, &unit.collect::<Vec<f64>>())
+                hessian_along(robot, function, arguments, &unit.collect::<Vec<f64>>())
             });
             let rows: Vec<Vec<Big>> = units.collect();
             let block = |k: usize| {

@@ -51,7 +51,7 @@ pub fn cases(chain: &Chain, seed: u64, effort: Effort) -> Vec<Case> {
     let mut random = Random::new(seed);
     let share = chain.joints.len().div_ceil(effort.all_up_to);
     let mut cases = Vec::new();
-    for function in frame_0::functions().chain([Function::InverseDynamicsHessian]) {
+    for function in frame_0::functions().chain(frame_0::HESSIANS) {
         let frame = random.below(64);
         let own = random.chance(share);
         if own {

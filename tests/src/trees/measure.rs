@@ -19,6 +19,8 @@
 //! Solutions with the mass matrix are verified backwards: the torques of the accelerations, and M M⁻¹, relative to the
 //! terms that they are sums of.
 
+mod weighted;
+
 use homogen_codegen::Function;
 use homogen_codegen::space::Variable;
 
@@ -161,7 +163,20 @@ impl Measure {
                 let sizes = self.changes(arguments);
                 compared(&|k| sizes[k / (count * count)])
             }
-            Function::InverseDynamicsHessian => self.hessian_error(found, arguments),
+            Function::InverseDynamicsVjp => {
+                let sizes = self.torque_gradient(arguments);
+                compared(&|k| sizes[k / count])
+            }
+            Function::ForwardDynamicsVjp => {
+                let sizes = self.acceleration_gradient(arguments);
+                compared(&|k| sizes[k])
+            }
+            Function::InverseDynamicsHessian => {
+                self.hessian_error(function, found, arguments, Variable::Tau)
+            }
+            Function::ForwardDynamicsHessian => {
+                self.hessian_error(function, found, arguments, Variable::Qdd)
+            }
             Function::ForwardDynamicsDerivatives => {
                 let (by_motion, inverse) = found.split_at(2 * count * count);
                 let matrix = expected(Function::MassMatrix);
@@ -264,43 +279,6 @@ impl Measure {
             Change::Rate => inertia * rates,
         };
         self.gain * self.gain * size
-    }
-
-    /// The error of the Hessian of λᵀτ, whose matrices are multiplied from the left by τ, which is no argument of it.
-    fn hessian_error(&self, found: &[f64], arguments: &Arguments) -> f64 {
-        let count = arguments[Variable::Qd].len();
-        let direction = &arguments[Variable::Tau];
-        let expected = frame_0::hessian_along(&self.robot, arguments, direction);
-        let found = found.chunks(count * count).flat_map(|matrix| {
-            let column = move |column: usize| {
-                let entries = matrix[column..].iter().step_by(count);
-                let terms = entries.zip(direction);
-                let terms = terms.map(|(entry, along)| Big::new(*entry) * Big::new(*along));
-                terms.fold(Big::zero(), |sum, term| sum + term)
-            };
-            (0..count).map(column)
-        });
-        let sizes = self.second_changes(arguments);
-        let errors = found
-            .zip(expected)
-            .enumerate()
-            .map(|(k, (found, expected))| {
-                let error = (found - expected).abs().to_f64();
-                if error == 0.0 {
-                    0.0
-                } else {
-                    error / sizes[k / count]
-                }
-            });
-        errors.fold(0.0, f64::max)
-    }
-
-    /// Sizes of the second derivatives of λᵀτ along τ as a direction: by q and q, q and q̇, q̇ and q̇, q and q̈.
-    fn second_changes(&self, at: &Arguments) -> [f64; 4] {
-        let [by_q, by_qd] = [Change::Coordinate, Change::Rate].map(|of| self.change(at, of));
-        let inertia = self.gain * self.gain * (self.mass * self.arm * self.arm + self.second);
-        let weights = self.gain * sum(&at[Variable::Weights]) * sum(&at[Variable::Tau]);
-        [by_q, by_qd, inertia, inertia].map(|size| size * weights)
     }
 
     /// Roots of the diagonal of the mass matrix.

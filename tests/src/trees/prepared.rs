@@ -40,7 +40,9 @@ const REGULAR: f64 = 1e-8;
 /// are solutions themselves.
 fn regular(function: Function) -> f64 {
     match function {
-        Function::ForwardDynamicsDerivatives => 10.0 * REGULAR,
+        Function::ForwardDynamicsDerivatives
+        | Function::ForwardDynamicsVjp
+        | Function::ForwardDynamicsHessian => 10.0 * REGULAR,
         _ => REGULAR,
     }
 }

@@ -10,6 +10,7 @@ use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::exponential;
 use crate::oracle::robot::Robot;
+use crate::oracle::solve::solve;
 
 /// 2⁻⁸⁴.
 const STEP: f64 = 5.169_878_828_456_423e-26;
@@ -17,62 +18,89 @@ const STEP: f64 = 5.169_878_828_456_423e-26;
 /// 2⁻⁴², for differences of first derivatives: some 25 decimal digits remain.
 const LONG_STEP: f64 = 2.273_736_754_432_320_6e-13;
 
-/// The Hessian of λᵀτ by q and q, q and q̇, q̇ and q̇, q and q̈: the sum of the rows of each, times a direction.
-pub(super) fn hessian_along(
+/// The gradient of λᵀτ by q, q̇ and q̈ under external wrenches.
+pub(super) fn torque_gradient(
     robot: &Robot,
     positions: &Positions,
     [qd, qdd, lambda]: [&[Big]; 3],
     actions: &[f64],
-    direction: &[f64],
+) -> [Vec<Big>; 3] {
+    let [by_q, by_qd] = of_torques(robot, positions, [qd, qdd], actions);
+    let inertias = mass_matrix(robot, positions).concat();
+    [by_q, by_qd, inertias].map(|matrix| contracted(&matrix, lambda))
+}
+
+/// The gradient of λᵀq̈ by q, q̇ and τ: with y = M⁻¹ λ, that of −yᵀτ by q and q̇ at constant q̈, and y.
+pub(super) fn acceleration_gradient(
+    robot: &Robot,
+    positions: &Positions,
+    [qd, tau, lambda]: [&[Big]; 3],
+    actions: &[f64],
+) -> [Vec<Big>; 3] {
+    let rest = vec![Big::zero(); qd.len()];
+    let bias = torques(robot, positions, &Motion::at(robot, positions, qd, &rest));
+    let external = external(robot, positions, actions);
+    let net = tau.iter().zip(bias).zip(external);
+    let net = net.map(|((tau, bias), external)| tau - (bias - external));
+    let right = net
+        .zip(lambda)
+        .map(|(net, lambda)| vec![net, lambda.clone()]);
+    let found = solve(mass_matrix(robot, positions), right.collect());
+    let column = |k: usize| -> Vec<Big> { found.iter().map(|row| row[k].clone()).collect() };
+    let [qdd, y] = [0, 1].map(column);
+    let [by_q, by_qd] = of_torques(robot, positions, [qd, &qdd], actions);
+    let [by_q, by_qd] = [by_q, by_qd].map(|matrix| {
+        let products = contracted(&matrix, &y);
+        products.iter().map(|entry| -entry).collect()
+    });
+    [by_q, by_qd, y]
+}
+
+/// The derivatives of a gradient along a direction: of all its parts along a change of q, and of the second along one
+/// of q̇. The gradient is a function of positions and q̇.
+pub(super) fn along(
+    robot: &Robot,
+    positions: &Positions,
+    (qd, direction): (&[Big], &[f64]),
+    gradient: impl Fn(&Positions, &[Big]) -> [Vec<Big>; 3],
 ) -> Vec<Big> {
-    let weighted = |matrix: &[Big]| -> Vec<Big> {
-        let columns = 0..lambda.len();
-        let column = |column: usize| {
-            let entries = matrix[column..].iter().step_by(lambda.len());
-            let terms = entries.zip(lambda).map(|(entry, weight)| entry * weight);
-            terms.fold(Big::zero(), |sum, term| sum + term)
-        };
-        columns.map(column).collect()
-    };
-    let by_coordinates = [LONG_STEP, -LONG_STEP].map(|step| {
-        let mut moved = displaced_by_nothing(positions);
+    let [more, less] = [LONG_STEP, -LONG_STEP].map(|step| {
+        let mut moved = positions.clone();
         for k in 0..positions.screws.len() {
             let screw = &moved.screws[k];
             let along = exponential(&screw.l, &Big::new(step * direction[screw.velocity]));
             moved = displaced(robot, &moved, screw.body, &along);
         }
-        let [by_q, by_qd] = of_torques(robot, &moved, [qd, qdd], actions);
-        let inertias = mass_matrix(robot, &moved).concat();
-        [by_q, by_qd, inertias].map(|matrix| weighted(&matrix))
+        gradient(&moved, qd)
     });
-    let by_rates = [1.0, -1.0].map(|step| {
+    let [faster, slower] = [1.0, -1.0].map(|step| {
         let changed = qd.iter().zip(direction);
         let changed = changed.map(|(rate, along)| rate + Big::new(step * along));
-        let changed: Vec<Big> = changed.collect();
-        weighted(&by_rate(robot, positions, [&changed, qdd]))
+        let [_, by_qd, _] = gradient(positions, &changed.collect::<Vec<Big>>());
+        by_qd
     });
-    let difference = |[more, less]: [&Vec<Big>; 2], step: f64| -> Vec<Big> {
+    let difference = |more: &[Big], less: &[Big], step: f64| -> Vec<Big> {
         let pairs = more.iter().zip(less);
         pairs.map(|(x, y)| (x - y) / Big::new(2.0 * step)).collect()
     };
-    let [more, less] = &by_coordinates;
-    let block = |k: usize| difference([&more[k], &less[k]], LONG_STEP);
-    let [faster, slower] = &by_rates;
-    let of_rates = difference([faster, slower], 1.0);
-    [block(0), block(1), of_rates, block(2)].concat()
+    let block = |k: usize| difference(&more[k], &less[k], LONG_STEP);
+    [
+        block(0),
+        block(1),
+        difference(&faster, &slower, 1.0),
+        block(2),
+    ]
+    .concat()
 }
 
-fn displaced_by_nothing(positions: &Positions) -> Positions {
-    let screws = positions.screws.iter();
-    let screws = screws.map(|screw| JointScrew {
-        l: screw.l.clone(),
-        ..*screw
-    });
-    Positions {
-        m: positions.m.clone(),
-        j: positions.j.clone(),
-        screws: screws.collect(),
-    }
+/// λᵀ A.
+pub(super) fn contracted(matrix: &[Big], lambda: &[Big]) -> Vec<Big> {
+    let column = |column: usize| {
+        let entries = matrix[column..].iter().step_by(lambda.len());
+        let terms = entries.zip(lambda).map(|(entry, weight)| entry * weight);
+        terms.fold(Big::zero(), |sum, term| sum + term)
+    };
+    (0..lambda.len()).map(column).collect()
 }
 
 /// ∂τ/∂q and ∂τ/∂q̇ under external wrenches.

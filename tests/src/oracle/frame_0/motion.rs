@@ -7,6 +7,7 @@ use crate::oracle::matrix::Matrix;
 use crate::oracle::robot::Robot;
 
 /// All that depends on q alone, in frame 0.
+#[derive(Clone)]
 pub(super) struct Positions {
     /// M₀ᵢ.
     pub(super) m: Vec<Matrix>,
@@ -17,6 +18,7 @@ pub(super) struct Positions {
 }
 
 /// A motion of a body, and of all that it carries, at unit velocity.
+#[derive(Clone)]
 pub(super) struct JointScrew {
     /// The body.
     pub(super) body: usize,

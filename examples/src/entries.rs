@@ -3,8 +3,8 @@
 //! In: an array, a matrix, one of the typed matrices or a struct of several. Out: its numbers, row by row, in `f64`.
 
 use homogen::{
-    Acceleration, AccelerationDerivatives, Action, Momentum, Point, Pose, Real, Screw,
-    TorqueDerivatives, TorqueHessian, Velocity,
+    Acceleration, AccelerationDerivatives, AccelerationGradient, AccelerationHessian, Action,
+    Momentum, Point, Pose, Real, Screw, TorqueDerivatives, TorqueGradient, TorqueHessian, Velocity,
 };
 
 /// The numbers of a result, row by row.
@@ -79,6 +79,30 @@ impl<T: Entries, const N: usize> Entries for TorqueDerivatives<N, T> {
     fn push(&self, numbers: &mut Vec<f64>) {
         self.dq.push(numbers);
         self.dqd.push(numbers);
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for TorqueGradient<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        for part in [&self.dq, &self.dqd, &self.dqdd] {
+            part.push(numbers);
+        }
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for AccelerationGradient<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        for part in [&self.dq, &self.dqd, &self.dtau] {
+            part.push(numbers);
+        }
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for AccelerationHessian<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        for block in [&self.dq_dq, &self.dq_dqd, &self.dqd_dqd, &self.dq_dtau] {
+            block.push(numbers);
+        }
     }
 }
 

@@ -211,26 +211,23 @@ def _wrenches(operation, q, gradient):
 
 def _inverse_dynamics(operation, q, qd, qdd, *rest):
     *actions, gradient = rest
-    dq, dqd = operation.of("inverse_dynamics_derivatives", q, qd, qdd, *actions)
-    mass = operation.robot.mass_matrix(q)
     further = [-_wrenches(operation, q, gradient) for _ in actions]
-    return [_row(gradient, dq), _row(gradient, dqd), _row(gradient, mass), *further]
+    return [*operation.of("inverse_dynamics_vjp", q, qd, qdd, gradient, *actions), *further]
 
 
 def _forward_dynamics(operation, q, qd, tau, *rest):
     *actions, gradient = rest
-    dq, dqd, dtau = operation.of("forward_dynamics_derivatives", q, qd, tau, *actions)
-    by_torque = _row(gradient, dtau)
-    further = [_wrenches(operation, q, by_torque) for _ in actions]
-    return [_row(gradient, dq), _row(gradient, dqd), by_torque, *further]
+    found = operation.of("forward_dynamics_vjp", q, qd, tau, gradient, *actions)
+    further = [_wrenches(operation, q, found.dtau) for _ in actions]
+    return [*found, *further]
 
 
 def _bias(operation, q, qd, gradient):
     # External wrenches enter inverse dynamics alone.
     links = sum(key == "external" for key, _ in operation.robot._recipe.options)
     actions = [np.zeros((links, 6), q.dtype)] * bool(links)
-    dq, dqd = operation.of("inverse_dynamics_derivatives", q, qd, np.zeros_like(qd), *actions)
-    return [_row(gradient, dq), _row(gradient, dqd)]
+    by = operation.of("inverse_dynamics_vjp", q, qd, np.zeros_like(qd), gradient, *actions)
+    return [by.dq, by.dqd]
 
 
 def _gravity(operation, q, gradient):

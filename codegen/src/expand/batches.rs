@@ -180,8 +180,11 @@ mod tests {
             "inverse_dynamics_batch",
             "forward_dynamics_batch",
             "inverse_dynamics_derivatives_batch",
+            "inverse_dynamics_vjp_batch",
             "inverse_dynamics_hessian_batch",
             "forward_dynamics_derivatives_batch",
+            "forward_dynamics_vjp_batch",
+            "forward_dynamics_hessian_batch",
         ];
         assert_eq!(with_external.functions, expected);
     }

@@ -9,8 +9,9 @@ use std::fmt::Debug;
 use homogen::batch::{Batch, BatchError, ColumnsError, Vectors};
 use homogen::robot::{Batched, InverseDynamics};
 use homogen::{
-    Acceleration, AccelerationDerivatives, Action, Momentum, Point, Pose, Robot, Scalar, Screw,
-    TorqueDerivatives, TorqueHessian, Velocity, chain,
+    Acceleration, AccelerationDerivatives, AccelerationGradient, AccelerationHessian, Action,
+    Momentum, Point, Pose, Robot, Scalar, Screw, TorqueDerivatives, TorqueGradient, TorqueHessian,
+    Velocity, chain,
 };
 use homogen_random::Random;
 
@@ -147,6 +148,9 @@ numbers! {
     Point<f64>: p => p.0;
     TorqueDerivatives<N, f64>: d => d.dq, d.dqd;
     AccelerationDerivatives<N, f64>: d => d.dq, d.dqd, d.dtau;
+    TorqueGradient<N, f64>: g => g.dq, g.dqd, g.dqdd;
+    AccelerationGradient<N, f64>: g => g.dq, g.dqd, g.dtau;
+    AccelerationHessian<N, f64>: h => h.dq_dq, h.dq_dqd, h.dqd_dqd, h.dq_dtau;
     TorqueHessian<N, f64>: h => h.dq_dq, h.dq_dqd, h.dqd_dqd, h.dq_dqdd;
 }
 

@@ -5,8 +5,11 @@
 
 use std::array::from_fn;
 
-use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives, InverseDynamicsHessian};
-use homogen::{Chain, TorqueHessian, generic};
+use homogen::robot::{
+    ForwardDynamics, ForwardDynamicsDerivatives, ForwardDynamicsHessian, ForwardDynamicsVjp,
+    InverseDynamicsHessian, InverseDynamicsVjp,
+};
+use homogen::{AccelerationGradient, AccelerationHessian, Chain, TorqueHessian, generic};
 use homogen_tests::dual::Dual;
 use homogen_tests::for_every_robot;
 use homogen_tests::functions::{Block, EveryFunction};
@@ -38,7 +41,11 @@ trait Differentiable<const N: usize>:
     + ForwardDynamics<N>
     + ForwardDynamics<N, Dual>
     + ForwardDynamicsDerivatives<N>
+    + ForwardDynamicsDerivatives<N, Dual>
+    + ForwardDynamicsHessian<N>
+    + ForwardDynamicsVjp<N>
     + InverseDynamicsHessian<N>
+    + InverseDynamicsVjp<N>
 {
 }
 
@@ -48,7 +55,15 @@ impl<R, const N: usize> Differentiable<N> for R where
         + ForwardDynamics<N>
         + ForwardDynamics<N, Dual>
         + ForwardDynamicsDerivatives<N>
+        + ForwardDynamicsDerivatives<N, Dual>
+        + ForwardDynamicsHessian<N>
+        + ForwardDynamicsVjp<N>
+        + ForwardDynamicsDerivatives<N, Dual>
+        + ForwardDynamicsHessian<N>
+        + ForwardDynamicsVjp<N>
         + InverseDynamicsHessian<N>
+        + InverseDynamicsVjp<N>
+        + InverseDynamicsVjp<N>
 {
 }
 
@@ -71,9 +86,9 @@ fn note<const N: usize>(found: &mut Worst, name: &str, matrix: &Matrix<N>, expec
 }
 
 /// The largest difference.
-fn off<const N: usize>(matrix: &Matrix<N>, expected: &Matrix<N>) -> f64 {
-    let off: Matrix<N> = from_fn(|i| from_fn(|k| matrix[i][k] - expected[i][k]));
-    largest(&off)
+fn off<const N: usize>(matrix: &[[f64; N]], expected: &[[f64; N]]) -> f64 {
+    let pairs = matrix.as_flattened().iter().zip(expected.as_flattened());
+    pairs.fold(0.0, |most, (x, y)| most.max((x - y).abs()))
 }
 
 /// Compares the derivatives of torques, and dτ/dt of a motion.
@@ -111,17 +126,21 @@ fn of_weighted_torques<R: Differentiable<N>, const N: usize, const F: usize>(
 ) {
     let still = [0.0; N];
     let lambda: [f64; N] = from_fn(|k| q[N - 1 - k] - 0.5 * qd[k]);
-    let weighted = |matrix: [[Dual; N]; N]| {
-        from_fn(|k| {
-            let terms = matrix
-                .iter()
-                .zip(&lambda)
-                .map(|(row, weight)| row[k].slope * weight);
-            terms.sum::<f64>()
-        })
-    };
-    let unit = |k: usize| -> [f64; N] { from_fn(|i| if i == k { 1.0 } else { 0.0 }) };
+    let weighted = |matrix: [[Dual; N]; N]| contracted(&slopes(matrix), &lambda);
     let [fixed, moving, acceleration] = [q, qd, qdd].map(|list| Dual::pairs(list, &still));
+    let first = robot.inverse_dynamics_derivatives(q, qd, qdd);
+    let matrices = [first.dq, first.dqd, robot.mass_matrix(q)];
+    let expected = matrices.map(|matrix| contracted(&matrix, &lambda));
+    let generated = robot.inverse_dynamics_vjp(q, qd, qdd, &lambda);
+    let generic = generic::inverse_dynamics_vjp(chain, q, qd, qdd, &lambda);
+    for by in [generated, generic] {
+        let parts = ["∂(λᵀτ)/∂q", "∂(λᵀτ)/∂q̇", "∂(λᵀτ)/∂q̈"]
+            .into_iter()
+            .zip(expected);
+        for ((name, expected), part) in parts.zip([by.dq, by.dqd, by.dqdd]) {
+            found.note(&[Block::new(name, part)], &[Block::new(name, expected)]);
+        }
+    }
     let by =
         |q: &[Dual; N], qd: &[Dual; N]| robot.inverse_dynamics_derivatives(q, qd, &acceleration);
     let along = |k: usize| Dual::pairs(q, &unit(k));
@@ -138,6 +157,94 @@ fn of_weighted_torques<R: Differentiable<N>, const N: usize, const F: usize>(
             note(found, name, block, expected);
         }
     }
+}
+
+/// λᵀ A.
+fn contracted<const N: usize>(matrix: &Matrix<N>, lambda: &[f64; N]) -> [f64; N] {
+    from_fn(|k| {
+        matrix
+            .iter()
+            .zip(lambda)
+            .map(|(row, weight)| row[k] * weight)
+            .sum()
+    })
+}
+
+fn slopes<const N: usize>(matrix: [[Dual; N]; N]) -> Matrix<N> {
+    matrix.map(|row| row.map(|dual| dual.slope))
+}
+
+fn unit<const N: usize>(k: usize) -> [f64; N] {
+    from_fn(|i| if i == k { 1.0 } else { 0.0 })
+}
+
+/// The worst difference of the gradient and the Hessian of λᵀq̈ from first derivatives on numbers and on dual numbers,
+/// and from the generic recursions, in units of rounding.
+fn of_weighted_accelerations<R: Differentiable<N>, const N: usize, const F: usize>(
+    robot: &R,
+    chain: &Chain<N, F>,
+    State { q, qd, qdd }: &State<f64, N>,
+) -> f64 {
+    let still = [0.0; N];
+    let tau = from_fn(|k| 3.0 * qdd[N - 1 - k]);
+    let lambda: [f64; N] = from_fn(|k| q[N - 1 - k] - 0.5 * qd[k]);
+    let [fixed, moving, torque] = [q, qd, &tau].map(|list| Dual::pairs(list, &still));
+    let first = robot.forward_dynamics_derivatives(q, qd, &tau);
+    let expected = AccelerationGradient {
+        dq: contracted(&first.dq, &lambda),
+        dqd: contracted(&first.dqd, &lambda),
+        dtau: contracted(&first.dtau, &lambda),
+    };
+    let weighted = |matrix: [[Dual; N]; N]| contracted(&slopes(matrix), &lambda);
+    let along =
+        |k: usize| robot.forward_dynamics_derivatives(&Dual::pairs(q, &unit(k)), &moving, &torque);
+    let faster =
+        |k: usize| robot.forward_dynamics_derivatives(&fixed, &Dual::pairs(qd, &unit(k)), &torque);
+    let second = AccelerationHessian {
+        dq_dq: from_fn(|k| weighted(along(k).dq)),
+        dq_dqd: from_fn(|k| weighted(along(k).dqd)),
+        dqd_dqd: from_fn(|k| weighted(faster(k).dqd)),
+        dq_dtau: from_fn(|k| weighted(along(k).dtau)),
+    };
+    // The rounding of M is magnified twice, in y = M⁻¹ λ and in q̈, and the derivatives of τ once more by M⁻¹.
+    let (mass, mobility) = (
+        largest(&generic::mass_matrix(chain, q)),
+        largest(&first.dtau),
+    );
+    let accelerations = generic::forward_dynamics(chain, q, qd, &tau);
+    let y = [mobility * largest(&[lambda]); N];
+    let of_torques = generic::inverse_dynamics_derivatives(chain, q, qd, &accelerations);
+    let changes = largest(&of_torques.dq) + largest(&of_torques.dqd);
+    let twice = generic::inverse_dynamics_hessian(chain, q, qd, &accelerations, &y);
+    let changes_twice = blocks(&twice).map(|(_, block)| largest(block));
+    let changes_twice = changes_twice.iter().sum::<f64>() * (1.0 + mobility * changes);
+    let lost = 1.0 + mass * mobility;
+    let (mut worst, mut note) = (0.0_f64, |found: f64, size: f64| {
+        worst = worst.max(found / size)
+    });
+    for found in [
+        robot.forward_dynamics_vjp(q, qd, &tau, &lambda),
+        generic::forward_dynamics_vjp(chain, q, qd, &tau, &lambda),
+    ] {
+        let size = lost * y[0];
+        note(off(&[found.dq], &[expected.dq]), size * (changes + mass));
+        note(off(&[found.dqd], &[expected.dqd]), size * (changes + mass));
+        note(off(&[found.dtau], &[expected.dtau]), size);
+    }
+    for found in [
+        robot.forward_dynamics_hessian(q, qd, &tau, &lambda),
+        generic::forward_dynamics_hessian(chain, q, qd, &tau, &lambda),
+    ] {
+        for (found, expected) in [
+            (found.dq_dq, second.dq_dq),
+            (found.dq_dqd, second.dq_dqd),
+            (found.dqd_dqd, second.dqd_dqd),
+            (found.dq_dtau, second.dq_dtau),
+        ] {
+            note(off(&found, &expected), lost * lost * changes_twice);
+        }
+    }
+    worst / DOUBLE
 }
 
 /// The matrices of a Hessian, with their names.
@@ -272,7 +379,8 @@ macro_rules! derivatives {
                 of_weighted_torques(&$robot, &chain, &state, &mut torques);
                 of_coriolis(&$robot, &state, &mut torques);
                 let found = of_accelerations(&$robot, &chain, &state);
-                accelerations = accelerations.max(found);
+                let weighted = of_weighted_accelerations(&$robot, &chain, &state);
+                accelerations = accelerations.max(found).max(weighted);
             }
             println!("{torques}accelerations {accelerations:.1} u");
             torques.assert_within(LIMIT);

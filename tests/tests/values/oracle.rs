@@ -43,9 +43,11 @@ const TOLERANCE: f64 = 1e-50;
 /// Factor of the tolerance for derivatives, which one of the sources computes by differences.
 const BY_DIFFERENCES: f64 = 1e5;
 
-const DERIVATIVES: [Function; 3] = [
+const DERIVATIVES: [Function; 5] = [
     Function::InverseDynamicsDerivatives,
+    Function::InverseDynamicsVjp,
     Function::ForwardDynamicsDerivatives,
+    Function::ForwardDynamicsVjp,
     Function::GravityDerivative,
 ];
 

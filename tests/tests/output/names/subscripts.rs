@@ -40,7 +40,9 @@ fn states_of(function: Function, chain: &Chain, state: &Arguments) -> Vec<Argume
         | Function::CentroidalMomentumBias
         | Function::CoriolisMatrix
         | Function::ForwardDynamics => state[Variable::Qdd] = rest,
-        Function::ForwardDynamicsDerivatives => {
+        Function::ForwardDynamicsDerivatives
+        | Function::ForwardDynamicsVjp
+        | Function::ForwardDynamicsHessian => {
             let solved = [Function::ForwardDynamics];
             let program = program_by(
                 chain,

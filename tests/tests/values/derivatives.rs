@@ -219,9 +219,8 @@ fn of_weighted_accelerations<R: Differentiable<N>, const N: usize, const F: usiz
     let changes_twice = blocks(&twice).map(|(_, block)| largest(block));
     let changes_twice = changes_twice.iter().sum::<f64>() * (1.0 + mobility * changes);
     let lost = 1.0 + mass * mobility;
-    let (mut worst, mut note) = (0.0_f64, |found: f64, size: f64| {
-        worst = worst.max(found / size)
-    });
+    let mut worst = 0.0_f64;
+    let mut note = |found: f64, size: f64| worst = worst.max(found / size);
     for found in [
         robot.forward_dynamics_vjp(q, qd, &tau, &lambda),
         generic::forward_dynamics_vjp(chain, q, qd, &tau, &lambda),

@@ -106,9 +106,13 @@ pub fn words(chain: &Chain, arguments: &[Variable], reads: impl Fn(FieldId) -> b
         let kinds = kinds.filter(|&kind| unlimited.iter().any(|entry| entry.kind == kind));
         let kinds = kinds.filter_map(|kind| {
             let size = number(argument.usual(kind)?);
-            Some(format!("{size} {}", argument.unit(kind)))
+            Some(match argument.unit(kind) {
+                "1" => size,
+                unit => format!("{size} {unit}"),
+            })
         });
-        let kinds: Vec<String> = kinds.collect();
+        let mut kinds: Vec<String> = kinds.collect();
+        kinds.dedup();
         if !kinds.is_empty() {
             let or = if limited.is_empty() { "" } else { "else " };
             sizes.push(format!("{or}|{letter}| ≤ {}", kinds.join(", ")));

@@ -8,6 +8,11 @@ class InverseDynamicsDerivatives(NamedTuple):
     dq: NDArray[np.floating[Any]]
     dqd: NDArray[np.floating[Any]]
 
+class InverseDynamicsVjp(NamedTuple):
+    dq: NDArray[np.floating[Any]]
+    dqd: NDArray[np.floating[Any]]
+    dqdd: NDArray[np.floating[Any]]
+
 class InverseDynamicsHessian(NamedTuple):
     dq_dq: NDArray[np.floating[Any]]
     dq_dqd: NDArray[np.floating[Any]]
@@ -18,6 +23,17 @@ class ForwardDynamicsDerivatives(NamedTuple):
     dq: NDArray[np.floating[Any]]
     dqd: NDArray[np.floating[Any]]
     dtau: NDArray[np.floating[Any]]
+
+class ForwardDynamicsVjp(NamedTuple):
+    dq: NDArray[np.floating[Any]]
+    dqd: NDArray[np.floating[Any]]
+    dtau: NDArray[np.floating[Any]]
+
+class ForwardDynamicsHessian(NamedTuple):
+    dq_dq: NDArray[np.floating[Any]]
+    dq_dqd: NDArray[np.floating[Any]]
+    dqd_dqd: NDArray[np.floating[Any]]
+    dq_dtau: NDArray[np.floating[Any]]
 
 class ConstrainedForwardDynamics(NamedTuple):
     qdd: NDArray[np.floating[Any]]

@@ -31,8 +31,8 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Second derivatives of λᵀq̈ by q, q̇ and τ, for weights λ of the joint accelerations that τ \
-     produces against gravity."
+    "Second derivatives of λᵀq̈ by q, q̇ and τ, for weights λ, in N m or N, of the joint accelerations \
+     that τ produces against gravity."
         .to_owned()
 }
 

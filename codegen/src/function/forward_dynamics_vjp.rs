@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(_: &str, _: &str) -> String {
     "Vector–Jacobian product of forward dynamics: (∂q̈/∂q)ᵀ λ, (∂q̈/∂q̇)ᵀ λ and (∂q̈/∂τ)ᵀ λ = M⁻¹ λ, for \
-     weights λ of the joint accelerations that τ produces against gravity."
+     weights λ, in N m or N, of the joint accelerations that τ produces against gravity."
         .to_owned()
 }
 

@@ -21,8 +21,8 @@ pub(super) const DEFINITION: Definition = Definition {
 };
 
 fn sentence(_: &str, _: &str) -> String {
-    "Second derivatives of λᵀτ by q, q̇ and q̈, for weights λ of the joint torques and forces that \
-     produce q̈ against gravity."
+    "Second derivatives of λᵀτ by q, q̇ and q̈, for weights λ, in rad or m, of the joint torques and \
+     forces that produce q̈ against gravity."
         .to_owned()
 }
 

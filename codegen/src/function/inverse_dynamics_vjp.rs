@@ -22,7 +22,7 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(_: &str, _: &str) -> String {
     "Vector–Jacobian product of inverse dynamics: (∂τ/∂q)ᵀ λ, (∂τ/∂q̇)ᵀ λ and (∂τ/∂q̈)ᵀ λ = M λ, for \
-     weights λ of the joint torques and forces that produce q̈ against gravity."
+     weights λ, in rad or m, of the joint torques and forces that produce q̈ against gravity."
         .to_owned()
 }
 

@@ -331,7 +331,7 @@ fn range(angles: &Angles) -> String {
     }
 }
 
-/// Arguments with their units.
+/// Arguments with their units; those of weights are in the function's sentence.
 fn arguments(arguments: &[Variable]) -> String {
     let units = |argument: &Variable| {
         let [rotation, translation] =
@@ -343,7 +343,10 @@ fn arguments(arguments: &[Variable]) -> String {
             _ => format!("{} in {rotation} or {translation}", argument.letter()),
         }
     };
-    let all = arguments.iter().map(units);
+    let all = arguments.iter();
+    let all = all
+        .filter(|&&argument| argument != Variable::Weights)
+        .map(units);
     format!("{}.", all.collect::<Vec<_>>().join(", "))
 }
 
@@ -458,7 +461,7 @@ mod tests {
     fn arguments_have_their_units() {
         assert_eq!(
             arguments(&Variable::ALL),
-            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, λ in rad or m, \
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, \
              Φ (c, f) in N m, N."
         );
         assert_eq!(arguments(&[Variable::Q]), "q in rad or m.");

@@ -17,7 +17,8 @@ pub enum Variable {
     Qdd,
     /// Joint torques and forces \[N m or N\].
     Tau,
-    /// Weights λ of the joint torques and forces, as a virtual displacement [rad or m].
+    /// Weights λ of results: of joint torques and forces as a virtual displacement [rad or m], of joint accelerations
+    /// as torques and forces \[N m or N\].
     Weights,
     /// External wrenches on links \[N m and N\].
     Actions,
@@ -70,13 +71,13 @@ impl Variable {
         }
     }
 
-    /// Unit of an entry.
+    /// Unit of an entry; that of weights depends on the function.
     #[must_use]
     pub const fn unit(self, kind: Kind) -> &'static str {
         match (self, kind) {
-            (Self::Q | Self::Weights, Kind::Rotation) => "rad",
-            (Self::Q | Self::Weights, Kind::Translation) => "m",
-            (_, Kind::Quaternion) => "1",
+            (Self::Q, Kind::Rotation) => "rad",
+            (Self::Q, Kind::Translation) => "m",
+            (_, Kind::Quaternion) | (Self::Weights, _) => "1",
             (Self::Qd, Kind::Rotation) => "rad/s",
             (Self::Qd, Kind::Translation) => "m/s",
             (Self::Qdd, Kind::Rotation) => "rad/s²",

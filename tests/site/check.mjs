@@ -137,10 +137,10 @@ async function hostile(browser, address) {
   const nested = (count) => `"<robot>" + "<link name='a'>".repeat(${count})`;
   const bomb = `'<!DOCTYPE r [<!ENTITY a "' + "b".repeat(100) + '">' + Array.from({ length: 20 }, (_, k) => '<!ENTITY a' + k + ' "' + ("&a" + (k || "") + ";").repeat(10) + '">').join("") + ']><robot name="&a19;"/>'`;
   const macros = `'<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="m" params=""><xacro:m/></xacro:macro><xacro:m/></robot>'`;
-  for (const [name, made] of [["nested.urdf", nested(300_000)], ["entities.urdf", bomb], ["macros.xacro", macros], ["zeros.urdf", `"\\0".repeat(1000)`], ["empty.urdf", `""`]]) {
+  for (const [name, made] of [["nested.urdf", nested(300_000)], ["closed.urdf", `"<robot name='r'>" + "<link name='a'>".repeat(100_000) + "</link>".repeat(100_000) + "</robot>"`], ["entities.urdf", bomb], ["macros.xacro", macros], ["zeros.urdf", `"\\0".repeat(1000)`], ["empty.urdf", `""`]]) {
     await page.ask(`site.take(${JSON.stringify(name)}, ${made})`);
     await page.until(`document.querySelector("#name").textContent === ${JSON.stringify(name)} && site.error() !== null`);
-    console.log(`${name}: ${(await page.ask("site.error()")).slice(0, 140)}`);
+    console.log(`${name}: ${(await page.ask("site.error()")).replace(/.*Error/s, "").slice(0, 140)}`);
   }
   await page.ask(`(() => {
     const transfer = new DataTransfer();

@@ -1,27 +1,37 @@
 // An engine in a worker: answers one request after the other, urgent ones first.
 
+// The module, compiled once for all workers.
+const compiled = WebAssembly.compileStreaming(fetch("homogen.wasm"));
+
 class Engine {
   constructor() {
     this.waiting = [];
     this.running = null;
-    this.file = null;
     this.begin();
   }
 
   begin() {
-    this.worker = new Worker("worker.js");
-    this.worker.addEventListener("message", ({ data }) => {
-      const { done, fail } = this.running;
+    const worker = new Worker("worker.js");
+    this.worker = worker;
+    compiled.then((module) => worker.postMessage(module));
+    worker.addEventListener("message", ({ data }) => {
+      const { done } = this.running;
+      if (data.stopped) {
+        this.stop(new Error(data.stopped));
+        return;
+      }
       this.running = null;
-      if (data.stopped) fail(new Error(data.stopped));
-      else done(data.answer);
+      done(data.answer);
       this.next();
     });
-    this.worker.addEventListener("error", (event) => {
-      this.running?.fail(new Error(event.message || "the worker did not start"));
-      this.running = null;
-      this.next();
-    });
+    worker.addEventListener("error", (event) => this.stop(new Error(event.message || "the worker did not start")));
+  }
+
+  // Ends the request that runs with an error.
+  stop(reason) {
+    this.running?.fail(reason);
+    this.running = null;
+    this.next();
   }
 
   // The answer to a request; rejected if the module stopped or the robot was closed.
@@ -38,7 +48,9 @@ class Engine {
     if (this.running || !this.waiting.length) return;
     this.running = this.waiting.shift();
     const { request, file } = this.running;
-    this.worker.postMessage({ id: 0, request, file });
+    const { worker } = this;
+    // After the module.
+    compiled.then(() => worker.postMessage({ request, file }), (reason) => this.stop(reason));
   }
 
   // Drops everything that waits. A request that takes long is stopped with its worker.

@@ -1,10 +1,13 @@
 // Errors and warnings with the lines of the text that caused them, as an editor shows them.
 
-// The words from a column on, counted in characters from 1.
+// The word at a column, counted in characters from 1, with the text before and after it; a value between quotation marks
+// is one word.
 function wordAt(line, column) {
   const letters = [...line];
   const rest = letters.slice(column - 1).join("");
-  const word = /^(?:"[^"]*"|[\p{L}\p{N}_.:+-]+|<[\w:]+|.)/u.exec(rest)?.[0] || "";
+  const quote = letters[column - 2];
+  const value = /["']/.test(quote || "") && rest.includes(quote) ? rest.slice(0, rest.indexOf(quote)) : "";
+  const word = value || /^(?:"[^"]*"|[\p{L}\p{N}_.:+-]+|<[\w:]+|.)/u.exec(rest)?.[0] || "";
   return [letters.slice(0, column - 1).join(""), word, rest.slice(word.length)];
 }
 

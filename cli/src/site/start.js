@@ -37,6 +37,7 @@ async function take(name, bytes, { options = [], q = null, sample = false } = {}
     return;
   }
   await ready;
+  by("messages").replaceChildren();
   file = { name, bytes, sample };
   const text = by("text-of-robot");
   text.value = textOf(bytes);
@@ -255,6 +256,8 @@ async function dropped(list) {
 
 // The table of options comes from the engine.
 const ready = (async () => {
+  // The other engine starts meanwhile.
+  back.ask({ do: "options" }).catch(() => {});
   const answer = await answered(front.ask({ do: "options" }));
   fields = optionFields(answer.options || [], () => open());
   by("options").append(...fields.section);

@@ -1,18 +1,12 @@
 // Worker: the engine as a WebAssembly module.
 //
-// In: messages { id, file, request }, where `file` are the bytes of a file or null. Out: { id, answer }, or { id, stopped }
-// with a reason if the module stopped; then the next message finds a new one.
+// In: first the compiled module, then messages { file, request }, where `file` are the bytes of a file or null. Out:
+// { answer }, or { stopped } with a reason if the module stopped; then the next message finds a new instance.
 
 "use strict";
 
 let compiled = null;
 let engine = null;
-
-async function running() {
-  compiled ??= await WebAssembly.compileStreaming(fetch("homogen.wasm"));
-  engine ??= (await WebAssembly.instantiate(compiled)).exports;
-  return engine;
-}
 
 // Copies bytes into the module.
 function put(own, bytes) {
@@ -20,9 +14,15 @@ function put(own, bytes) {
   new Uint8Array(own.memory.buffer, at, bytes.length).set(bytes);
 }
 
-self.addEventListener("message", async ({ data: { id, file, request } }) => {
+self.addEventListener("message", ({ data }) => {
+  if (data instanceof WebAssembly.Module) {
+    compiled = data;
+    return;
+  }
+  const { file, request } = data;
   try {
-    const own = await running();
+    engine ??= new WebAssembly.Instance(compiled).exports;
+    const own = engine;
     if (file) {
       put(own, file);
       own.take();
@@ -30,9 +30,9 @@ self.addEventListener("message", async ({ data: { id, file, request } }) => {
     put(own, new TextEncoder().encode(JSON.stringify(request)));
     const length = own.answer();
     const answer = new TextDecoder().decode(new Uint8Array(own.memory.buffer, own.text(), length));
-    self.postMessage({ id, answer: JSON.parse(answer) });
+    self.postMessage({ answer: JSON.parse(answer) });
   } catch (reason) {
     engine = null;
-    self.postMessage({ id, stopped: String(reason) });
+    self.postMessage({ stopped: String(reason) });
   }
 });

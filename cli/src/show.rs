@@ -56,8 +56,8 @@ const SCRIPT: &str = view!(include_str!("show/main.js"));
 
 /// SHA-256 of the script and of the style sheet, in base 64: the page forbids all others. A test compares them, and
 /// prints the correct ones.
-const SCRIPT_HASH: &str = "+M7Q17W5w9wvw3s8rwWSVlsKpbWDSJXItg7KgLiQrfI=";
-const STYLE_HASH: &str = "Lgl1oEx9n8TmwbXcgStvlocOWINMfnh2h0m1MXN5jsw=";
+const SCRIPT_HASH: &str = "Y0B3Jrrw5onomQiyZxvCluQ2N7FmWHwVA/pQSEXCGtY=";
+const STYLE_HASH: &str = "3TWDwY8SDGrG/Q8dKOzhhoaeikJUuzU0S3ZwaxqRRZg=";
 
 /// Write a page for a browser: the robot as a skeleton to move, the description, and every function with its operation
 /// count, error bound and code

@@ -16,6 +16,7 @@ use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::wording::visible;
 
 /// The functions of a module.
+#[must_use]
 pub fn functions(module: &Module, layouts: &Layouts) -> Value {
     let item = Item::named_after(&module.about.robot);
     let methods = each_method(module, &item, &Library::default());

@@ -197,6 +197,7 @@ fn entry(label: Label) -> String {
 }
 
 /// The meanings of names, by name.
+#[must_use]
 pub fn meanings(named: &[(String, Meaning)]) -> Value {
     let named = named.iter();
     let named = named.map(|(name, meaning)| (name.clone(), data(meaning)));
@@ -245,6 +246,7 @@ fn from_one(coordinates: &[u16]) -> Value {
 }
 
 /// The matrices by their letters, and the kinds.
+#[must_use]
 pub fn letters() -> Value {
     let matrices = MATRICES.iter().map(|matrix| {
         let data = json!({

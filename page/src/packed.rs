@@ -4,6 +4,7 @@
 const LEVEL: u8 = 9;
 
 /// A text, packed.
+#[must_use]
 pub fn packed(text: &str) -> String {
     base_64(&miniz_oxide::deflate::compress_to_vec(
         text.as_bytes(),
@@ -12,6 +13,7 @@ pub fn packed(text: &str) -> String {
 }
 
 /// Bytes in base 64 (RFC 4648), with padding.
+#[must_use]
 pub fn base_64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);

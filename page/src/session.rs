@@ -25,7 +25,7 @@ use homogen_codegen::builder::{Builder, Language};
 use homogen_codegen::chain::Chain;
 use homogen_codegen::check::Check;
 use homogen_codegen::description::xacro::Given;
-use homogen_codegen::description::{Description, inline, read_bytes_in};
+use homogen_codegen::description::{Description, FileFormat, inline, read_bytes_in};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::expression::Input;
@@ -87,7 +87,7 @@ impl Session {
             Some("options") => Ok(options()),
             Some("open") => self.open(&request),
             Some("function") => self.opened().and_then(|open| open.function(&request)),
-            Some("values") => self.opened().and_then(|open| open.values(&request)),
+            Some("values") => self.opened().and_then(|open| Ok(open.values(&request))),
             Some("code") => self.opened().and_then(|open| open.code(&request)),
             _ => Err(mistake("unknown request")),
         };
@@ -122,7 +122,7 @@ impl Session {
         let functions =
             functions.map(|(functions, frame)| function::announced(&chain, functions, *frame));
         answer["functions"] = functions.collect();
-        answer["format"] = json!(description.source.format.map(|format| format.name()));
+        answer["format"] = json!(description.source.format.map(FileFormat::name));
         // As written, since they are values of options.
         let links = description.links.iter().map(|link| &*link.name.text);
         answer["every_link"] = links.collect();
@@ -173,7 +173,7 @@ impl Open {
     }
 
     /// Values of functions that have been expanded, in the order of the request; null for others.
-    fn values(&mut self, asked: &Value) -> Result<Value, Errors> {
+    fn values(&self, asked: &Value) -> Value {
         let spaces = self.chain.spaces();
         let number = |variable: Variable, k: u16| {
             asked[variable.name()][usize::from(k)]
@@ -198,7 +198,7 @@ impl Open {
             });
             functions.collect()
         });
-        Ok(json!({ "values": all.collect::<Value>() }))
+        json!({ "values": all.collect::<Value>() })
     }
 
     /// Files in a language, and the command that makes them.

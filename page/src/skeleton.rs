@@ -20,6 +20,9 @@ use homogen_codegen::request::Request;
 use homogen_codegen::space::{CoordinateId, Entry, Kind, Variable};
 
 /// The skeleton of a robot.
+///
+/// # Errors
+/// If a link has no frame in the chain.
 pub fn skeleton(chain: &Chain) -> Result<Value, Errors> {
     let description = &chain.description;
     let with_all_frames = with_all_frames(chain)?;
@@ -167,6 +170,7 @@ pub struct Layouts {
 }
 
 /// The frames of the functions of a module; layouts with the same frames are merged.
+#[must_use]
 pub fn layouts(chain: &Chain, module: &Module) -> Layouts {
     let mut known: Vec<(Layout, usize)> = Vec::new();
     let mut places: Vec<Value> = Vec::new();

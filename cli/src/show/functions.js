@@ -31,7 +31,7 @@ function errorsOf(errors) {
 }
 
 const COUNTS = [["mul", "products"], ["add", "sums"], ["div", "quotients"], ["sqrt", "roots"], ["sin", "sines"], ["cos", "cosines"],
-  ["sign", "signs"], ["neg", "changes of sign"], ["fused", "products and sums that may be one"], ["depth", "operations that wait for each other"], ["literals", "numbers"], ["cycles", "cycles by the model of the processor"]];
+  ["sign", "signs"], ["neg", "changes of sign"], ["fused", "fused multiply-adds possible"], ["depth", "operations in the longest dependent chain"], ["literals", "literals"], ["cycles", "cycles by the model of the processor"]];
 
 function countOf(count) {
   const parts = COUNTS.filter(([key]) => count[key]).map(([key, noun]) => [el("b", {}, grouped(count[key])), ` ${noun}`]);
@@ -129,7 +129,7 @@ function functionSection(robot, data, point, complete) {
     el("li", {}, functions.map((name, k) => [k ? ", " : "", el("code", {}, name)]), ": ", reason, hint ? el("small", {}, ` — ${hint}`) : null));
   const section = [
     el("h2", { id: "functions-title" }, "Functions ", el("small", {}, String(all.length))),
-    el("p", {}, "Operations are counted in the code shown, beside those of dense 4×4 products. ",
+    el("p", {}, "Operations are counted in the code shown; the last column is their share of what dense 4×4 products need. ",
       processed ? "Cycles are those of the processor's model, without sines and cosines; nothing was timed." : "No times are shown: they need a compiler and your machine. Where a processor is named, cycles by its model stand beside."),
     el("div", { class: "heads", "aria-hidden": "true" }, el("span", {}, "function"), el("span", {}, "mul"), el("span", {}, "add"), el("span", {}, "of dense")),
     el("div", { class: "cards-of-functions" }, [...cards.values()].map(({ card }) => card)),

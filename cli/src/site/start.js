@@ -177,7 +177,9 @@ function show(own, answer, q) {
   joints.after(el("section", { id: "values", "aria-labelledby": "values-title" }, values.section));
   const files = fileSection(data, (request) => front.ask(request));
   by("functions").after(el("section", { id: "files", "aria-labelledby": "files-title" }, files.section));
-  document.querySelector("#head nav").prepend(el("a", { href: "#values" }, "Torques"), el("a", { href: "#files" }, "Code"));
+  const links = document.querySelector("#head nav");
+  links.querySelector("[href='#joints']").after(el("a", { href: "#values" }, "Torques"));
+  links.querySelector("[href='#functions']").after(el("a", { href: "#files" }, "Code"));
   if (q && q.length === data.skeleton.coordinates.length) own.interface.move(q);
   said("");
   shownTimes = { robot: performance.now() - began };

@@ -36,9 +36,9 @@ function valueSection(data, change) {
         change({ qd: [...given.qd], qdd: [...given.qdd] });
       } }, "At rest"))),
     el("div", { class: "table", tabindex: "0", role: "region", "aria-label": "Torques" }, el("table", { class: "torques" },
-      el("thead", {}, el("tr", {}, ["joint", "", "τ", "of it gravity", "limit", "q̇ / s⁻¹", "q̈ / s⁻²"].map((text, k) => el("th", { scope: "col", class: k > 1 ? "number" : null }, text)))),
+      el("thead", {}, el("tr", {}, ["joint", "", "τ", "gravity", "limit", "q̇ / s⁻¹", "q̈ / s⁻²"].map((text, k) => el("th", { scope: "col", class: k > 1 ? "number" : null }, text)))),
       el("tbody", {}, rows.map(({ row }) => row)))),
-    el("p", { class: "small" }, "τ of inverse dynamics for these velocities q̇ and accelerations q̈, in N m or N. A full bar is the effort limit of the joint; without a limit, the largest τ of all."),
+    el("p", { class: "small" }, "τ is that of inverse dynamics for these velocities q̇ and accelerations q̈, in N m or N. A full bar is the effort limit of the joint; without a limit, the largest τ of all."),
   ] : [];
   const section = [...torques, has("mass_matrix") ? el("details", { class: "mass", open: velocities.length <= 12 },
     el("summary", {}, el("h3", {}, "Mass matrix")), matrix) : null].filter(Boolean);

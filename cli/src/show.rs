@@ -29,29 +29,31 @@ pub(super) const ROBOT: &str = include_str!("show/robot.html");
 /// Its style sheet.
 pub(super) const STYLE: &str = include_str!("show/page.css");
 
-/// The parts of a robot's view, as text.
+/// A script with the parts of a robot's view, in a scope of its own, and further files after them.
 macro_rules! view {
-    ($($after:expr),*) => { concat!(
-        "\"use strict\";\n{\n",
-    include_str!("show/elements.js"),
-    include_str!("show/kinematics.js"),
-    include_str!("show/camera.js"),
-    include_str!("show/scene.js"),
-    include_str!("show/names.js"),
-    include_str!("show/code.js"),
-    include_str!("show/explain.js"),
-    include_str!("show/loops.js"),
-    include_str!("show/joints.js"),
-    include_str!("show/tables.js"),
-    include_str!("show/functions.js"),
-    include_str!("show/robot.js"),
-    $($after,)*
-    "}\n"
-    ) };
+    ($($after:expr),*) => {
+        concat!(
+            "\"use strict\";\n{\n",
+            include_str!("show/elements.js"),
+            include_str!("show/kinematics.js"),
+            include_str!("show/camera.js"),
+            include_str!("show/scene.js"),
+            include_str!("show/names.js"),
+            include_str!("show/code.js"),
+            include_str!("show/explain.js"),
+            include_str!("show/loops.js"),
+            include_str!("show/joints.js"),
+            include_str!("show/tables.js"),
+            include_str!("show/functions.js"),
+            include_str!("show/robot.js"),
+            $($after,)*
+            "}\n"
+        )
+    };
 }
 pub(super) use view;
 
-/// Its script: one file for each part, in a scope of its own.
+/// Its script.
 const SCRIPT: &str = view!(include_str!("show/main.js"));
 
 /// SHA-256 of the script and of the style sheet, in base 64: the page forbids all others. A test compares them, and

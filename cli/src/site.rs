@@ -49,7 +49,7 @@ const SAMPLES: [&str; 6] = [
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
-  homogen site -o site && python3 -m http.server -d site
+  homogen site -o site-of-homogen && python3 -m http.server -d site-of-homogen
 
 It compiles the engine to WebAssembly, in a clone of the repository. The page computes in the browser and sends nothing.")]
 pub(super) struct Site {

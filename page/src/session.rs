@@ -87,7 +87,7 @@ impl Session {
             Some("options") => Ok(options()),
             Some("open") => self.open(&request),
             Some("function") => self.opened().and_then(|open| open.function(&request)),
-            Some("values") => self.opened().and_then(|open| Ok(open.values(&request))),
+            Some("values") => self.opened().map(|open| open.values(&request)),
             Some("code") => self.opened().and_then(|open| open.code(&request)),
             _ => Err(mistake("unknown request")),
         };

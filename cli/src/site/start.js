@@ -95,8 +95,7 @@ async function answered(promise) {
     return await promise;
   } catch (reason) {
     if (reason instanceof Closed) return null;
-    const message = "the engine stopped: the description is nested too deeply or needs too much memory";
-    return { errors: [{ line: null, message, hint: String(reason.message) }] };
+    return { errors: [{ line: null, message: "the engine stopped", hint: `${reason.message}; a large robot may need more memory than the browser gives` }] };
   }
 }
 
@@ -276,6 +275,12 @@ by("write").addEventListener("click", () => {
   by("name").textContent = file.name;
   expand("editor", true);
   by("text-of-robot").focus();
+});
+by("link").addEventListener("click", async () => {
+  toAddress({ robot: file.sample ? file.name : null, options: given(), q: view?.interface?.q() });
+  const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  by("link").textContent = copied ? "Copied" : "It is in the address bar";
+  setTimeout(() => { by("link").textContent = "Copy link"; }, 1500);
 });
 by("show-options").addEventListener("click", () => expand("options"));
 by("show-text").addEventListener("click", () => expand("editor"));

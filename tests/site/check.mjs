@@ -163,6 +163,10 @@ async function links(browser, address) {
   await page.ask(`(() => { const typed = document.querySelector(".sliders .typed"); typed.value = "1.5 rad"; typed.dispatchEvent(new Event("change")); })()`);
   check((await page.ask("homogen.q()[0]")) === 1.5, "a typed number");
   await page.until(`location.hash.includes("q=1.5,")`);
+  // A plot of a torque over the range of a joint.
+  await page.ask(`document.querySelector(".plot").parentElement.open = true`);
+  await page.until(`document.querySelector(".plot polyline")?.getAttribute("points").split(" ").length === 73`);
+  await page.until(`/joint2 from/.test(document.querySelector(".plot").getAttribute("aria-label"))`);
 }
 
 async function times(browser, address) {

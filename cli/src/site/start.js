@@ -146,6 +146,11 @@ function show(own, answer, q) {
   let state = null;
   let asking = false;
   const values = valueSection(data, (rates) => own.interface.give(rates));
+  const torques = data.functions.findIndex((function_) => function_.name === "inverse_dynamics");
+  const plot = torques < 0 ? null : plotSection(data, async (at) => {
+    const found = await answered(front.ask({ do: "values", indices: [torques], ...at }));
+    return found?.values?.[0]?.[0] ?? null;
+  });
   const evaluate = async () => {
     if (asking || !state || !own.valued) return;
     asking = true;
@@ -166,6 +171,7 @@ function show(own, answer, q) {
   const moved = (arguments_) => {
     state = arguments_;
     evaluate();
+    plot?.update(arguments_);
     if (own.interface) remember();
   };
 
@@ -173,7 +179,7 @@ function show(own, answer, q) {
   own.data = data;
   window.homogen = own.interface;
   const joints = by("joints");
-  joints.after(el("section", { id: "values", "aria-labelledby": "values-title" }, values.section));
+  joints.after(el("section", { id: "values", "aria-labelledby": "values-title" }, values.section, plot?.section));
   const files = fileSection(data, (request) => front.ask(request));
   by("functions").after(el("section", { id: "files", "aria-labelledby": "files-title" }, files.section));
   const links = document.querySelector("#head nav");

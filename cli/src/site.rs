@@ -71,7 +71,7 @@ impl Site {
         self.write("homogen.wasm", read(&module)?)?;
         for sample in SAMPLES {
             let path = clone.join(sample);
-            let name = path.file_name().map(Path::new).unwrap_or(&path);
+            let name = path.file_name().map_or(&*path, Path::new);
             self.write(Path::new("robots").join(name), read(&path)?)?;
         }
         Ok(Answer::default())

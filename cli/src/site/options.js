@@ -11,7 +11,7 @@ function optionFields(table, changed) {
     const id = `option-${option.name}`;
     const input = option.switch
       ? el("input", { type: "checkbox", id, onchange: changed })
-      : el("input", { type: "text", id, placeholder: option.value + (option.repeats ? "; …" : ""), spellcheck: "false", autocapitalize: "off", onchange: changed });
+      : el("input", { type: "text", id, placeholder: option.value + (option.repeats && !option.value.endsWith("…") ? "; …" : ""), spellcheck: "false", autocapitalize: "off", onchange: changed });
     const row = el("div", { class: "option" },
       el("label", { for: id }, el("code", {}, `--${option.name}`)), input, el("small", {}, option.help));
     return { option, input, row };

@@ -17,6 +17,7 @@ use homogen_codegen::expand;
 use homogen_codegen::list::List;
 use homogen_codegen::space::{Entry, Kind, ParameterId};
 use homogen_codegen::wording::visible;
+use homogen_page::diagnostics::warnings;
 
 /// List the base parameters: the linear combinations of inertial parameters that torques determine, with their values
 #[derive(Args, Clone, Debug)]
@@ -93,7 +94,7 @@ fn in_json(robot: &str, chain: &Chain, base: &Found) -> Value {
         "robot": robot,
         "parameters": parameters.iter().map(|entry| entry.name.as_str()).collect::<Value>(),
         "base_parameters": groups.collect::<Value>(),
-        "warnings": json::warnings(&chain.report.warnings),
+        "warnings": warnings(&chain.report.warnings),
     })
 }
 

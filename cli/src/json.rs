@@ -7,7 +7,6 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
 
-use homogen_codegen::error::{Diagnostic, Place};
 use homogen_codegen::wording::is_hidden;
 
 /// Maximum width of a line.
@@ -50,15 +49,6 @@ pub(super) fn in_markup(value: &Value) -> String {
     text
 }
 
-/// Warnings with their places.
-pub(super) fn warnings(warnings: &[Diagnostic]) -> Value {
-    let warnings = warnings.iter().map(|warning| {
-        let (line, column) = line_and_column(warning.place);
-        json!({ "line": line, "column": column, "message": warning.message, "hint": warning.hint })
-    });
-    warnings.collect()
-}
-
 /// JSON with invisible characters in strings escaped; line breaks occur only between strings.
 fn escaped(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
@@ -73,14 +63,6 @@ fn escaped(text: &str) -> String {
         }
     }
     shown
-}
-
-/// Line and column of a place; null if it is not in the description's own file.
-pub(super) fn line_and_column(place: Place) -> (Value, Value) {
-    match place {
-        Place::File { line, column } => (json!(line), json!(column)),
-        Place::Included { .. } | Place::Token(_) | Place::Unknown => (Value::Null, Value::Null),
-    }
 }
 
 fn write(value: &Value, depth: usize, text: &mut String) {

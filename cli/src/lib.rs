@@ -1,10 +1,11 @@
 //! The command line.
 //!
 //! Each command has a file of its own. An [`Answer`] is complete before it is printed, so that nothing is on standard
-//! output after an error. Only `report` and `eval`, which may run for minutes, show progress.
+//! output after an error. Only `report`, `site` and `eval`, which may run for minutes, show progress.
 
 mod base_parameters;
 mod check;
+mod clone;
 mod colour;
 mod completions;
 mod convert;
@@ -23,6 +24,7 @@ mod progress;
 mod python;
 mod report;
 mod show;
+mod site;
 
 use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
@@ -45,7 +47,7 @@ pub fn run(
 ) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     // These commands show progress themselves.
-    let own = ["eval", "report"];
+    let own = ["eval", "report", "site"];
     let own = (arguments.get(1)).is_some_and(|command| own.iter().any(|name| command == name));
     let progress = (!own).then(Progress::start);
     let answer = answer(arguments, input);
@@ -100,6 +102,7 @@ pub fn answer(arguments: impl IntoIterator<Item = OsString>, input: &mut dyn Rea
         Command::Python(python) => python.run(input),
         Command::BaseParameters(parameters) => parameters.run(input),
         Command::Show(show) => show.run(input),
+        Command::Site(site) => site.run(),
         Command::Report(report) => report.run(),
         Command::New(new) => new.run(input),
         Command::Completions(completions) => completions.run(&mut Program::command()),
@@ -131,6 +134,7 @@ enum Command {
     Python(python::Python),
     BaseParameters(base_parameters::BaseParameters),
     Show(show::Show),
+    Site(site::Site),
     Report(report::Report),
     New(new::New),
     Completions(completions::Completions),

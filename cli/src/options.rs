@@ -63,9 +63,7 @@ fn argument(setting: &'static Setting) -> Arg {
             .num_args(0..=1)
             .require_equals(true)
             .default_missing_value(""),
-        SettingForm::Names(_) | SettingForm::External(_) | SettingForm::Functions
-            if setting.value.ends_with(",…") =>
-        {
+        _ if setting.has_list() => {
             let of_one = name.strip_suffix('s').map(ToOwned::to_owned);
             let argument = argument.action(ArgAction::Append).value_delimiter(',');
             argument.aliases(of_one)

@@ -4,14 +4,12 @@
 
 use std::env;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use clap::Args;
 
 use super::options::mistake;
-use super::{Answer, Outcome};
-use homogen_codegen::error::{Errors, Place};
+use super::{Answer, Outcome, clone};
 
 /// Measure speed and error on this machine, and write tables and plots
 #[derive(Args, Clone, Debug)]
@@ -30,7 +28,8 @@ pub(super) struct Report {
 impl Report {
     pub(super) fn run(&self) -> Outcome {
         let here = env::current_dir().map_err(|reason| mistake(reason.to_string()))?;
-        let manifest = find(&here)?;
+        let clone = clone::find(&here, "the report compiles what it measures")?;
+        let manifest = clone.join("report/program/Cargo.toml");
         let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let status = Command::new(cargo)
             .args(["run", "--quiet", "--manifest-path"])
@@ -43,48 +42,5 @@ impl Report {
             code: u8::from(!status.success()),
             ..Answer::default()
         })
-    }
-}
-
-/// The manifest of the report's crate, in the nearest clone at or above a folder.
-fn find(folder: &Path) -> Result<PathBuf, Errors> {
-    let mut clones = folder.ancestors().filter(|folder| {
-        let holds = |path| folder.join(path).is_file();
-        holds("cli/src/report.rs") && holds("report/program/Cargo.toml")
-    });
-    if let Some(clone) = clones.next() {
-        return Ok(clone.join("report/program/Cargo.toml"));
-    }
-    let mut errors = Errors::new();
-    errors.push_with_hint(
-        Place::Unknown,
-        format!("no clone of homogen at or above {}", folder.display()),
-        "the report compiles what it measures: clone the repository and run it there",
-    );
-    Err(errors)
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use super::find;
-
-    #[test]
-    fn a_clone_is_found_from_inside() {
-        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let found = find(&here.join("src")).expect("this is a clone");
-        assert!(found.ends_with("report/program/Cargo.toml"));
-        assert!(found.is_file());
-    }
-
-    #[test]
-    fn outside_of_a_clone_there_is_a_hint() {
-        let errors = find(Path::new("/no/clone")).expect_err("there is none");
-        let message = errors.to_string();
-        assert!(
-            message.contains("/no/clone") && message.contains("hint: "),
-            "{message}"
-        );
     }
 }

@@ -4,10 +4,6 @@
 //! description, and every function with its operation count, error bound and code. Texts of the robot are data in it
 //! and cannot run.
 
-mod function;
-mod names;
-mod packed;
-mod skeleton;
 #[cfg(test)]
 mod tests;
 
@@ -15,44 +11,55 @@ use std::io::Read;
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::functions::{self, Functions};
 use super::generate::write;
 use super::options::{Robot, Scalar, is_standard_input};
-use super::{Answer, Outcome, check, count, json};
+use super::{Answer, Outcome, json};
 use homogen_codegen::expand;
 use homogen_codegen::template::filled;
-use homogen_codegen::wording::visible;
 
 /// The page, with marks for the following parts.
 const PAGE: &str = include_str!("show/page.html");
 
-/// Its style sheet.
-const STYLE: &str = include_str!("show/page.css");
+/// The elements of a robot's view.
+pub(super) const ROBOT: &str = include_str!("show/robot.html");
 
-/// Its script: one file for each part, in a scope of its own.
-const SCRIPT: &str = concat!(
-    "\"use strict\";\n{\n",
-    include_str!("show/elements.js"),
-    include_str!("show/kinematics.js"),
-    include_str!("show/camera.js"),
-    include_str!("show/scene.js"),
-    include_str!("show/names.js"),
-    include_str!("show/code.js"),
-    include_str!("show/explain.js"),
-    include_str!("show/loops.js"),
-    include_str!("show/joints.js"),
-    include_str!("show/tables.js"),
-    include_str!("show/functions.js"),
-    include_str!("show/main.js"),
-    "}\n"
-);
+/// Its style sheet.
+pub(super) const STYLE: &str = include_str!("show/page.css");
+
+/// A script with the parts of a robot's view, in a scope of its own, and further files after them.
+macro_rules! view {
+    ($($after:expr),*) => {
+        concat!(
+            "\"use strict\";\n{\n",
+            include_str!("show/elements.js"),
+            include_str!("show/kinematics.js"),
+            include_str!("show/camera.js"),
+            include_str!("show/scene.js"),
+            include_str!("show/names.js"),
+            include_str!("show/code.js"),
+            include_str!("show/explain.js"),
+            include_str!("show/loops.js"),
+            include_str!("show/joints.js"),
+            include_str!("show/tables.js"),
+            include_str!("show/functions.js"),
+            include_str!("show/robot.js"),
+            $($after,)*
+            "}\n"
+        )
+    };
+}
+pub(super) use view;
+
+/// Its script.
+const SCRIPT: &str = view!(include_str!("show/main.js"));
 
 /// SHA-256 of the script and of the style sheet, in base 64: the page forbids all others. A test compares them, and
 /// prints the correct ones.
-const SCRIPT_HASH: &str = "tK/JMquHbKci+pxs3tyvLaR4I+457hV35ZESgvcbUeo=";
-const STYLE_HASH: &str = "zqUdC3g2/Qfi4pwyKCJVEdXmvrozwIrVmdLr+nBvmYw=";
+const SCRIPT_HASH: &str = "Y0B3Jrrw5onomQiyZxvCluQ2N7FmWHwVA/pQSEXCGtY=";
+const STYLE_HASH: &str = "3TWDwY8SDGrG/Q8dKOzhhoaeikJUuzU0S3ZwaxqRRZg=";
 
 /// Write a page for a browser: the robot as a skeleton to move, the description, and every function with its operation
 /// count, error bound and code
@@ -86,19 +93,7 @@ impl Show {
         let chain = expand::identified_if_asked(expand::understand(&description, &request)?);
         let module = expand::of_chain(&chain)?;
         let remarks = functions::remarks(&module);
-        let skeleton = skeleton::skeleton(&chain)?;
-        let layouts = skeleton::layouts(&chain, &module);
-        let mut data = shown(json!({
-            "version": env!("CARGO_PKG_VERSION"),
-            "report": check::in_json(&chain),
-            "facts": module.about.facts,
-            "formulation": module.about.formulation,
-            "left_out": count::left_out(&module),
-            "skeleton": skeleton,
-            "layouts": layouts.places,
-        }));
-        data["letters"] = names::letters();
-        data["functions"] = function::functions(&module, &layouts);
+        let data = homogen_page::data(&chain, &module)?;
         let output = page(&data);
         if is_standard_input(&self.output) {
             return Ok(Answer {
@@ -126,20 +121,8 @@ fn page(data: &Value) -> String {
         ("@POLICY@", &*policy),
         ("@STYLE@", STYLE),
         ("@SCRIPT@", SCRIPT),
+        ("@ROBOT@", ROBOT),
         ("@DATA@", &json::in_markup(data)),
     ];
     filled(PAGE, &words)
-}
-
-/// The value with invisible characters escaped, in names and texts.
-fn shown(value: Value) -> Value {
-    match value {
-        Value::String(text) => Value::String(visible(&text).into_owned()),
-        Value::Array(entries) => entries.into_iter().map(shown).collect(),
-        Value::Object(entries) => {
-            let entries = entries.into_iter();
-            entries.map(|(key, entry)| (key, shown(entry))).collect()
-        }
-        other => other,
-    }
 }

@@ -16,6 +16,8 @@ mod tests;
 
 pub use c::header_beside;
 pub use command::FORMAT;
+#[doc(hidden)]
+pub use command::Language;
 pub use python::{module_of, write_folder};
 
 use std::num::NonZeroUsize;

@@ -20,9 +20,11 @@ use crate::chain::Chain;
 use crate::check::Check;
 use crate::description::Description;
 use crate::error::Errors;
+use crate::function::Function;
 use crate::module::Module;
-use crate::plan::plans;
+use crate::plan::{Planned, Programs, check_size, planned, plans};
 use crate::request::Request;
+use crate::space::FrameId;
 use collect::collect;
 
 /// Expands a robot.
@@ -38,8 +40,35 @@ pub fn expand(description: &Description, request: &Request) -> Result<Module, Er
 /// # Errors
 /// Every mistake of the request.
 pub fn of_chain(chain: &Chain) -> Result<Module, Errors> {
-    let check = Check::of(chain)?;
-    let judged = plans(chain)?.map(|planned| check.judge(planned, chain.request.scalar));
+    collected(chain, &Check::of(chain)?, plans(chain)?)
+}
+
+/// Expands some functions of a robot together, for a frame; `check` is that of the chain. Callers that show functions
+/// one at a time do not wait for the others.
+///
+/// # Errors
+/// Every mistake of the request.
+///
+/// # Panics
+/// If a function of a frame is requested and the chain has none.
+pub fn one(
+    chain: &Chain,
+    check: &Check,
+    functions: Vec<Function>,
+    frame: FrameId,
+) -> Result<Module, Errors> {
+    check_size(chain)?;
+    let planned = planned(&Programs::of(chain), functions, frame);
+    collected(chain, check, std::iter::once(planned))
+}
+
+/// The module of plans, which are compared with the description.
+fn collected<'c>(
+    chain: &Chain,
+    check: &Check,
+    plans: impl Iterator<Item = Planned<'c>>,
+) -> Result<Module, Errors> {
+    let judged = plans.map(|planned| check.judge(planned, chain.request.scalar));
     let (module, mut errors) = collect(chain, judged);
     if let Err(refusal) = check.judge_module(&module) {
         errors.append(refusal);

@@ -180,7 +180,8 @@ pub(crate) fn arguments(functions: &[Function], actions: bool) -> Vec<Variable> 
 }
 
 /// `mass_matrix_and_bias`, `forward_kinematics_of_camera`.
-pub(crate) fn name(functions: &[Function], frame: Option<&str>) -> String {
+#[must_use]
+pub fn name(functions: &[Function], frame: Option<&str>) -> String {
     let names: Vec<_> = functions.iter().map(|function| function.name()).collect();
     let name = names.join("_and_");
     match frame {

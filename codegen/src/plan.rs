@@ -100,18 +100,29 @@ pub fn plans(chain: &Chain) -> Result<impl Iterator<Item = Planned<'_>>, Errors>
     check_size(chain)?;
     let programs = Programs::of(chain);
     let wanted = wanted(chain).into_iter();
-    Ok(wanted.map(move |(functions, frame)| {
-        let names: Vec<&str> = functions.iter().map(|function| function.name()).collect();
-        Planned {
-            name: names.join("_and_"),
-            plan: plan(&programs, functions, frame),
-        }
-    }))
+    Ok(wanted.map(move |(functions, frame)| planned(&programs, functions, frame)))
+}
+
+/// Plans some functions together, for a frame.
+///
+/// # Panics
+/// If a function of a frame is requested and the chain has none.
+pub fn planned<'c>(
+    programs: &Rc<Programs<'c>>,
+    functions: Vec<Function>,
+    frame: FrameId,
+) -> Planned<'c> {
+    let names: Vec<&str> = functions.iter().map(|function| function.name()).collect();
+    Planned {
+        name: names.join("_and_"),
+        plan: plan(programs, functions, frame),
+    }
 }
 
 /// The functions to generate: each item of the request for the tip, or for the robot as a whole, and again for each
 /// further frame.
-fn wanted(chain: &Chain) -> Vec<(Vec<Function>, FrameId)> {
+#[must_use]
+pub fn wanted(chain: &Chain) -> Vec<(Vec<Function>, FrameId)> {
     let mut wanted = Vec::new();
     for functions in chain.request.items(!chain.loops.is_empty()) {
         let of_a_frame = functions.iter().all(|function| function.of_a_frame());

@@ -45,7 +45,7 @@ const near = (a, b, most) => Math.abs(a - b) <= most;
 // Drags every slider to a different random position.
 const DRAG = (seed) => `(() => {
   let state = ${seed};
-  for (const slider of document.querySelectorAll(".sliders input")) {
+  for (const slider of document.querySelectorAll(".sliders input[type=range]")) {
     state = (state * 16807) % 2147483647;
     const [low, high] = [Number(slider.min), Number(slider.max)];
     slider.value = String(low + (high - low) * (0.1 + 0.8 * state / 2147483647));

@@ -5,12 +5,13 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
 
-use super::super::json;
 use super::super::options::Scalar;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::function::Function;
-use homogen_codegen::space::{Entity, FrameId, Outcome, Quantity, Space, Spaces};
+use homogen_codegen::space::{FrameId, Quantity, Space, Spaces};
 use homogen_codegen::wording::visible;
+use homogen_page::diagnostics::warnings;
+use homogen_page::result::{by_name, dimensions, names_of_rows, rows, values};
 
 /// Layout of the results of a function.
 pub(super) struct Layout<'c> {
@@ -91,19 +92,9 @@ impl<'c> Layout<'c> {
         if let Some(rows) = result.parts().find_map(|(_, part)| names_of_rows(&part)) {
             answer.insert("rows".into(), json!(rows));
         }
-        answer.insert("warnings".into(), json::warnings(&chain.report.warnings));
-        let results = results.iter().map(|numbers| {
-            let parts = result.parts().zip(result.split(spaces, numbers));
-            let values =
-                parts.map(
-                    |((_, part), numbers)| match (rows(&part, spaces, numbers), numbers) {
-                        (Some(rows), _) => json!(rows),
-                        (None, [number]) if part.over.is_empty() => json!(number),
-                        (None, numbers) => json!(numbers),
-                    },
-                );
-            by_name(result, values)
-        });
+        answer.insert("warnings".into(), warnings(&chain.report.warnings));
+        let results = results.iter();
+        let results = results.map(|numbers| values(result, spaces, numbers));
         answer.insert("results".into(), results.collect());
         Value::Object(answer)
     }
@@ -142,88 +133,6 @@ impl<'c> Layout<'c> {
             })
             .collect()
     }
-}
-
-/// Names of the rows of a matrix with a column for each joint.
-fn names_of_rows(quantity: &Quantity) -> Option<&'static [&'static str]> {
-    const SIX: [&str; 6] = [
-        "angular_x",
-        "angular_y",
-        "angular_z",
-        "linear_x",
-        "linear_y",
-        "linear_z",
-    ];
-    match (quantity.over, quantity.entity) {
-        ([], _) => None,
-        (_, Entity::Screw | Entity::Momentum) => Some(&SIX),
-        (_, Entity::Vector) => Some(&["x", "y", "z"]),
-        _ => None,
-    }
-}
-
-/// A value for each quantity: an object if there are several, or the only one.
-fn by_name(result: Outcome, values: impl Iterator<Item = Value>) -> Value {
-    let parts = result.parts().zip(values);
-    parts.fold(Value::Null, |mut all, ((name, _), value)| match name {
-        Some(name) => {
-            all[name] = value;
-            all
-        }
-        None => value,
-    })
-}
-
-/// The rows and columns of a result: complete matrices of four rows, or columns for each joint.
-fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
-    let mut lengths = quantity.lengths(spaces);
-    let dimensions = quantity.entity.dimensions();
-    match (quantity.over, dimensions) {
-        ([], [6] | [3, 4]) => lengths.extend([4, 4]),
-        ([], dimensions) => lengths.extend(dimensions),
-        (_, &[rows]) => lengths.insert(0, rows),
-        _ => {}
-    }
-    lengths
-}
-
-/// The rows of a complete matrix; `None` for a vector.
-fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
-    let under = |last: [f64; 4]| {
-        let rows = numbers.chunks(4).map(<[f64]>::to_vec);
-        rows.chain([last.to_vec()]).collect()
-    };
-    // The vector of a skew-symmetric block, the last column, and the last row.
-    let skew = |last: [f64; 3]| {
-        let (w, v) = (&numbers[..3], &numbers[3..]);
-        let [x, y, z] = last;
-        vec![
-            vec![0.0, -w[2], w[1], v[0]],
-            vec![w[2], 0.0, -w[0], v[1]],
-            vec![-w[1], w[0], 0.0, v[2]],
-            vec![x, y, z, 0.0],
-        ]
-    };
-    if let (&[_], &[each]) = (quantity.over, quantity.entity.dimensions()) {
-        let row = |row: usize| numbers.iter().skip(row).step_by(each).copied().collect();
-        return Some((0..each).map(row).collect());
-    }
-    Some(match quantity.entity {
-        Entity::Number => {
-            let &[_, columns] = &*quantity.lengths(spaces) else {
-                return None;
-            };
-            numbers
-                .chunks(columns.max(1))
-                .map(<[f64]>::to_vec)
-                .collect()
-        }
-        Entity::Pose => under([0.0, 0.0, 0.0, 1.0]),
-        Entity::Acceleration => under([0.0; 4]),
-        Entity::Velocity | Entity::Screw => skew([0.0; 3]),
-        Entity::Momentum | Entity::Action => skew([-numbers[3], -numbers[4], -numbers[5]]),
-        Entity::Point | Entity::Vector => return None,
-    })
 }
 
 fn quantity_in_text(text: &mut String, spaces: &Spaces, quantity: &Quantity, numbers: &[f64]) {

@@ -124,7 +124,7 @@ function explanation(robot, open, name, given) {
     el("dl", {},
       computed ? [el("dt", {}, "is"), el("dd", { class: "mathematics" }, mathematics(robot, open, own))] : null,
       Number.isFinite(value) ? [el("dt", {}, "now"), el("dd", {}, el("output", { id: "worth", "data-value": String(value) }, short(value, 6)),
-        el("small", {}, " with the joints where they are", open.moves ? (given.qd[0] ? ", each at a rate of 1" : ", at rest") : null,
+        el("small", {}, " with the joints where they are", open.moves ? (given.qd.some(Boolean) ? ", moving" : ", at rest") : null,
           own?.loop ? ", in the first column" : null))] : null,
       own ? [el("dt", {}, "line"), el("dd", {}, el("button", { type: "button", class: "reference", "data-name": name, "data-go": "1" }, String(analysis.lines[own.at] + 1)))] : null,
       list.length ? [el("dt", {}, "read by"), el("dd", {}, list)] : null),

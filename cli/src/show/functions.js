@@ -31,7 +31,7 @@ function errorsOf(errors) {
 }
 
 const COUNTS = [["mul", "products"], ["add", "sums"], ["div", "quotients"], ["sqrt", "roots"], ["sin", "sines"], ["cos", "cosines"],
-  ["sign", "signs"], ["neg", "changes of sign"], ["fused", "products and sums that may be one"], ["depth", "operations that wait for each other"], ["literals", "numbers"], ["cycles", "cycles by the model of the processor"]];
+  ["sign", "signs"], ["neg", "changes of sign"], ["fused", "fused multiply-adds possible"], ["depth", "operations in the longest dependent chain"], ["literals", "literals"], ["cycles", "cycles by the model of the processor"]];
 
 function countOf(count) {
   const parts = COUNTS.filter(([key]) => count[key]).map(([key, noun]) => [el("b", {}, grouped(count[key])), ` ${noun}`]);
@@ -113,46 +113,68 @@ class Lines {
   }
 }
 
-// The section. `point` is called with the open function, the selected name, and true if it stays selected.
-function functionSection(robot, data, point) {
+// The section. `point` is called with the open function, the selected name, and true if it stays selected; `complete`
+// resolves to a function with its count and code. `fill` shows the count of a function that has been completed.
+function functionSection(robot, data, point, complete) {
   const all = data.functions;
-  const most = Math.max(...all.map(({ count }) => count.mul + count.add), 1);
-  const cards = all.map((own) => functionCard(robot, own, most, point));
-  const processed = all.some(({ count }) => count.cycles);
+  const cards = new Map(all.map((own) => [own, functionCard(robot, own, point, complete)]));
+  const fill = (...some) => {
+    const most = Math.max(...all.map(({ count }) => (count ? count.mul + count.add : 0)), 1);
+    for (const own of some) if (own.count || own.left_out) cards.get(own).fill();
+    for (const { bar } of cards.values()) bar(most);
+  };
+  fill(...all);
+  const processed = all.some(({ count }) => count?.cycles);
   const lacking = data.left_out.map(({ functions, reason, hint }) =>
     el("li", {}, functions.map((name, k) => [k ? ", " : "", el("code", {}, name)]), ": ", reason, hint ? el("small", {}, ` — ${hint}`) : null));
-  return [
+  const section = [
     el("h2", { id: "functions-title" }, "Functions ", el("small", {}, String(all.length))),
-    el("p", {}, "Operations are counted in the code shown, beside those of dense 4×4 products. ",
+    el("p", {}, "Operations are counted in the code shown; the last column is their share of what dense 4×4 products need. ",
       processed ? "Cycles are those of the processor's model, without sines and cosines; nothing was timed." : "No times are shown: they need a compiler and your machine. Where a processor is named, cycles by its model stand beside."),
     el("div", { class: "heads", "aria-hidden": "true" }, el("span", {}, "function"), el("span", {}, "mul"), el("span", {}, "add"), el("span", {}, "of dense")),
-    el("div", { class: "cards-of-functions" }, cards),
+    el("div", { class: "cards-of-functions" }, [...cards.values()].map(({ card }) => card)),
     lacking.length ? [el("h3", {}, "Not available"), el("ul", {}, lacking)] : null,
   ];
+  return { section, fill };
 }
 
-function functionCard(robot, own, most, point) {
-  const { count } = own;
-  const dense = count.naive.mul + count.naive.add;
-  const share = dense ? (100 * (count.mul + count.add)) / dense : null;
+function functionCard(robot, own, point, complete) {
   const inside = el("div", { class: "inside" });
   const bar = el("span", { class: "bar" });
-  bar.style.width = `${Math.max(0.6, (100 * (count.mul + count.add)) / most)}%`;
-  const error = worst(count.errors, "f64");
+  const number = (title) => el("span", { class: "number", title }, "…");
+  const [products, sums, ofDense] = [number("products"), number("sums"), number("of the operations of dense 4×4 products")];
   const card = el("details", { class: "function", "data-function": own.name },
     el("summary", {},
-      el("span", { class: "what" }, el("code", {}, own.name), el("span", { class: "sentence" }, own.sentence), bar),
-      el("span", { class: "number", title: "products" }, grouped(count.mul)),
-      el("span", { class: "number", title: "sums" }, grouped(count.add)),
-      el("span", { class: "number", title: "of the operations of dense 4×4 products" }, share === null ? "—" : share < 9.95 ? `${share.toFixed(1)} %` : `${share.toFixed(0)} %`)),
+      el("span", { class: "what" }, el("code", {}, own.name), el("span", { class: "sentence" }, own.sentence), bar), products, sums, ofDense),
     inside);
-  card.addEventListener("toggle", () => {
+  const fill = () => {
+    const { count } = own;
+    for (const one of [products, sums, ofDense]) one.textContent = "—";
+    card.classList.toggle("lacking", !count);
+    if (!count) return;
+    const dense = count.naive.mul + count.naive.add;
+    const share = dense ? (100 * (count.mul + count.add)) / dense : null;
+    products.textContent = grouped(count.mul);
+    sums.textContent = grouped(count.add);
+    if (share !== null) ofDense.textContent = `${share < 9.95 ? share.toFixed(1) : share.toFixed(0)} %`;
+  };
+  card.addEventListener("toggle", async () => {
     if (!card.open || inside.childElementCount) return;
-    inside.append(countOf(count), ...[errorsOf(count.errors)].flat(Infinity).filter(Boolean));
+    inside.append(el("p", { class: "small" }, "…"));
+    await complete(own);
+    inside.replaceChildren();
+    if (!own.count) {
+      inside.append(...own.left_out.map(({ reason, hint }) => el("p", {}, reason, hint ? el("small", {}, ` — ${hint}`) : null)));
+      return;
+    }
+    inside.append(countOf(own.count), ...[errorsOf(own.count.errors)].flat(Infinity).filter(Boolean));
+    const error = worst(own.count.errors, "f64");
     if (error) inside.querySelector("h4")?.append(el("span", { class: "worst" }, ` ${error}`));
     openCode(robot, own, inside, point);
   });
-  return card;
+  // The bar is relative to the most expensive function.
+  const scale = (most) => { if (own.count) bar.style.width = `${Math.max(0.6, (100 * (own.count.mul + own.count.add)) / most)}%`; };
+  return { card, fill, bar: scale };
 }
 
 // A function on the page: its text, doc comment, parts of the code, meanings of names, and its frame.

@@ -57,7 +57,13 @@ function jointSection(data, reach, changed) {
       oninput: () => move([slider], () => Number(input.value)),
       ondblclick: () => move([slider], nearest),
     });
-    const output = el("output", { for: id });
+    const output = el("input", { class: "typed", inputmode: "decimal", "aria-label": `${slider.name} ${slider.part || ""}`,
+      onchange: () => {
+        const wanted = typed(output.value, slider.unit);
+        if (Number.isFinite(wanted)) move([slider], () => Math.min(Math.max(wanted, slider.low), slider.high));
+        output.value = said(get(slider), slider.unit);
+      },
+      onfocus: () => output.select() });
     const row = el("div", { class: "slider", "data-kind": kind },
       el("label", { for: id }, named(slider.name), slider.part ? el("small", {}, ` ${slider.part}`) : null),
       input, output);
@@ -101,15 +107,29 @@ function jointSection(data, reach, changed) {
   };
   const close = el("input", { type: "checkbox", onchange: () => move([], null) });
   close.checked = skeleton.loops.length > 0;
+  // Null if the rates are not those of the box.
   const moving = el("input", { type: "checkbox", id: "moving", onchange: () => update() });
+  const rate = () => (data.values ? null : moving.checked ? 1 : 0);
+  const units = el("button", { type: "button", title: "Degrees or radians", onclick: () => {
+    inDegrees = !inDegrees;
+    units.textContent = inDegrees ? "°" : "rad";
+    update();
+  } }, "°");
   const get = (slider) => slider.quaternion === undefined ? q[slider.coordinate] : (turns.get(slider.quaternion) || [0, 0, 0])[slider.axis];
-  const said = (value, unit) => (unit === "m" ? metres(value) : degrees(value));
+  // Angles are shown in degrees or radians; a typed number may have a unit of its own.
+  let inDegrees = true;
+  const said = (value, unit) => (unit === "m" ? metres(value) : inDegrees ? degrees(value) : `${short(value)} rad`);
+  const typed = (text, unit) => {
+    const [, number, own] = /^\s*([-+.\de]+)\s*(\S*)\s*$/i.exec(text.replace("−", "-").replace(",", ".")) || [];
+    const factors = { "°": TURN / 180, deg: TURN / 180, rad: 1, mm: 1e-3, cm: 1e-2, m: 1 };
+    return Number(number) * (factors[own || (unit === "m" ? "mm" : inDegrees ? "°" : "rad")] ?? NaN);
+  };
   const state = el("code", { id: "q", class: "state" });
   const update = () => {
     for (const { slider, input, output } of rows) {
       const value = get(slider);
       if (Number(input.value) !== value) input.value = String(value);
-      output.textContent = said(value, slider.unit);
+      if (document.activeElement !== output) output.value = said(value, slider.unit);
       output.title = `${short(value, 6)} ${slider.unit}`;
     }
     for (const { mimic, output } of followers) {
@@ -119,21 +139,24 @@ function jointSection(data, reach, changed) {
       output.textContent = mimicked < 0 ? "" : said(value, kind === "prismatic" ? "m" : "rad");
     }
     state.textContent = `{"states":[{"q":[${q.map((entry) => String(Math.round(entry * 1e6) / 1e6)).join(",")}]}]}`;
-    changed(q, moving.checked ? 1 : 0);
+    changed(q, rate());
   };
   const random = ({ low, high, free }) => low + (high - low) * (free ? 0.5 + (Math.random() - 0.5) * 0.5 : Math.random());
   const button = (text, title, value) => el("button", { type: "button", title, onclick: () => move(sliders, value) }, text);
+  const beyond = sliders.filter((slider) => nearest(slider) !== 0).length;
   const section = [
     el("div", { class: "title" },
       el("h2", { id: "joints-title" }, "Joints"),
       el("div", { class: "buttons" },
         button("Zero", "All coordinates zero, or as near as their limits allow", nearest),
         button("Middle", "All coordinates in the middle of their range", ({ low, high }) => (low + high) / 2),
-        button("Random", "A random configuration", random))),
+        button("Random", "A random configuration", random),
+        units)),
+    beyond ? el("p", { class: "small" }, `${counted(beyond, "coordinate")} cannot be 0 within the limits; Zero takes the nearest.`) : null,
     el("div", { class: "sliders" }, rows.map(({ row }) => row), followers.map(({ row }) => row)),
     skeleton.loops.length ? el("p", { class: "note" }, el("label", {}, close, ` Keep ${counted(skeleton.loops.length, "loop")} closed: the other joints move along.`),
       " Functions are of the tree of joints, but for those of loops.") : null,
-    el("p", { class: "note" }, el("label", {}, moving, " Show values of names with every rate at 1 (rad/s, m/s), and not at rest.")),
+    data.values ? null : el("p", { class: "note" }, el("label", {}, moving, " Show values of names with every rate at 1 (rad/s, m/s), and not at rest.")),
     el("details", { class: "small" },
       el("summary", {}, "This configuration as a state file"),
       el("p", {}, "For ", el("code", {}, "homogen eval"), ": ", state)),

@@ -6,6 +6,7 @@ const ARGUMENTS = {
   qd: { letter: "q̇", space: "velocities", noun: "Velocity" },
   qdd: { letter: "q̈", space: "velocities", noun: "Acceleration" },
   tau: { letter: "τ", space: "velocities", noun: "Force or torque" },
+  weights: { letter: "λ", space: "velocities", noun: "Weight" },
 };
 
 const UNITS = {
@@ -13,6 +14,7 @@ const UNITS = {
   qd: { rotation: "rad/s", translation: "m/s" },
   qdd: { rotation: "rad/s²", translation: "m/s²" },
   tau: { rotation: "N m", translation: "N" },
+  weights: { rotation: "rad", translation: "m" },
 };
 
 // Kinds of names that are numbers.

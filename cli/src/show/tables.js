@@ -38,7 +38,8 @@ function readSection(data) {
     data.formulation.length ? el("p", {}, "Formulation: ", el("code", {}, data.formulation.join(", ")), ".") : null,
     table("Joints", ["joint", "kind", "from → to", "q", "limits", "rate", "mass / kg"], joints, [6]),
     table("Links", ["link", "is", "mass / kg", "centre of mass / m"], links, [2]),
-    el("p", { class: "small" }, `${counted(skeleton.links.length, "link")}, ${short(total)} kg together. Centres of mass are in the frame of each link; the mass of a joint is that of the body that it carries, with all that is fixed to it.`),
+    el("p", { class: "small" }, `${counted(skeleton.links.length, "link")}, ${short(total)} kg together. Centres of mass are in the frame of each link; the mass of a joint is that of the body that it carries, with all that is fixed to it.`,
+      report.file ? [" The hash (FNV-1a) of ", named(report.file), ` is ${report.details.hash}.`] : null),
     doings(report),
   ];
 }

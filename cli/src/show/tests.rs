@@ -4,10 +4,10 @@ use std::ffi::OsString;
 
 use serde_json::Value;
 
-use super::packed::base_64;
 use super::{SCRIPT, SCRIPT_HASH, STYLE, STYLE_HASH};
 use crate::{Answer, answer};
 use homogen_codegen::function::Function;
+use homogen_page::packed::base_64;
 
 /// Files by name, read as standard input.
 const SCARA: &str = include_str!("../../../robots/scara.urdf");

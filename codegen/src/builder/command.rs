@@ -21,7 +21,8 @@ pub const FORMAT: u32 = 1;
 
 /// Language of the file.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Language<'a> {
+pub enum Language<'a> {
+    /// For `core` alone, or with the runtime.
     Rust,
     /// With the name of the header in `#include`.
     C(&'a str),
@@ -42,7 +43,9 @@ impl Builder {
     }
 
     /// The command that writes the file again.
-    fn command(&self, file: Option<&str>, language: Language<'_>) -> String {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn command(&self, file: Option<&str>, language: Language<'_>) -> String {
         let mut command = Command("homogen generate".to_owned());
         match file {
             // A file name that begins with a dash would be read as an option.

@@ -196,6 +196,16 @@ pub fn page() -> String {
 }
 
 impl Setting {
+    /// True if an option has several values, with commas between them.
+    #[must_use]
+    pub fn has_list(&self) -> bool {
+        let listed = matches!(
+            self.form,
+            SettingForm::Names(_) | SettingForm::External(_) | SettingForm::Functions
+        );
+        listed && self.value.ends_with(",…")
+    }
+
     /// The option of the command line, without dashes.
     #[must_use]
     pub fn flag_name(&self) -> String {

@@ -197,7 +197,8 @@ fn entry(label: Label) -> String {
 }
 
 /// The meanings of names, by name.
-pub(super) fn meanings(named: &[(String, Meaning)]) -> Value {
+#[must_use]
+pub fn meanings(named: &[(String, Meaning)]) -> Value {
     let named = named.iter();
     let named = named.map(|(name, meaning)| (name.clone(), data(meaning)));
     Value::Object(named.collect())
@@ -245,7 +246,8 @@ fn from_one(coordinates: &[u16]) -> Value {
 }
 
 /// The matrices by their letters, and the kinds.
-pub(super) fn letters() -> Value {
+#[must_use]
+pub fn letters() -> Value {
     let matrices = MATRICES.iter().map(|matrix| {
         let data = json!({
             "noun": matrix.noun, "cells": matrix.cells, "is": matrix.is, "moves": matrix.moves,
@@ -344,10 +346,10 @@ mod tests {
     #[test]
     fn each_entry_of_a_function_has_a_form_and_a_cell() {
         let robots = [
-            ("scara", include_str!("../../../robots/scara.urdf")),
+            ("scara", include_str!("../../robots/scara.urdf")),
             (
                 "stanford",
-                include_str!("../../../robots/stanford_general.urdf"),
+                include_str!("../../robots/stanford_general.urdf"),
             ),
         ];
         let default = Formulation::default();

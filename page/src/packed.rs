@@ -4,7 +4,8 @@
 const LEVEL: u8 = 9;
 
 /// A text, packed.
-pub(super) fn packed(text: &str) -> String {
+#[must_use]
+pub fn packed(text: &str) -> String {
     base_64(&miniz_oxide::deflate::compress_to_vec(
         text.as_bytes(),
         LEVEL,
@@ -12,7 +13,8 @@ pub(super) fn packed(text: &str) -> String {
 }
 
 /// Bytes in base 64 (RFC 4648), with padding.
-pub(super) fn base_64(bytes: &[u8]) -> String {
+#[must_use]
+pub fn base_64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {

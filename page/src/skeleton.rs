@@ -20,7 +20,10 @@ use homogen_codegen::request::Request;
 use homogen_codegen::space::{CoordinateId, Entry, Kind, Variable};
 
 /// The skeleton of a robot.
-pub(super) fn skeleton(chain: &Chain) -> Result<Value, Errors> {
+///
+/// # Errors
+/// If a link has no frame in the chain.
+pub fn skeleton(chain: &Chain) -> Result<Value, Errors> {
     let description = &chain.description;
     let with_all_frames = with_all_frames(chain)?;
     let bodies = chain.joints.iter().map(|joint| body(chain, joint));
@@ -159,15 +162,16 @@ fn entries(entries: &[Entry], variable: Variable) -> impl Iterator<Item = Value>
 }
 
 /// Frames of functions.
-pub(super) struct Layouts {
+pub struct Layouts {
     /// For each function, the index of its layout.
-    pub(super) of: Vec<usize>,
+    pub of: Vec<usize>,
     /// For each layout, the frame of each body relative to that of the description.
-    pub(super) places: Vec<Value>,
+    pub places: Vec<Value>,
 }
 
 /// The frames of the functions of a module; layouts with the same frames are merged.
-pub(super) fn layouts(chain: &Chain, module: &Module) -> Layouts {
+#[must_use]
+pub fn layouts(chain: &Chain, module: &Module) -> Layouts {
     let mut known: Vec<(Layout, usize)> = Vec::new();
     let mut places: Vec<Value> = Vec::new();
     let of = module.functions.iter().map(|generated| {

@@ -1,0 +1,466 @@
+//! An open robot, for a page that asks for one thing after the other.
+//!
+//! In: the bytes of a file, and requests as JSON objects with a key `do`. Out: answers as JSON, or
+//! `{"errors": […], "warnings": […]}`, each with line and column in the file.
+//!
+//! | `do` | further keys | answer |
+//! |---|---|---|
+//! | `options` | | the table of options: `name`, `value`, `help`, `switch`, `repeats`, `group` |
+//! | `open` | `file`, the name of the file; `options`, pairs of names and values | the robot, and the functions that it may have |
+//! | `function` | `index` in that list | the function, or `left_out` with the reason |
+//! | `values` | `indices`; `q`, `qd`, `qdd`, `tau` and further arguments by name, zero if absent | a list of results for each function |
+//! | `code` | `language`, `scalar`, `functions` | `files` with names and texts, and `command` |
+
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::result::values;
+use crate::{count, diagnostics, function, shown, skeleton};
+use homogen_codegen::Real;
+use homogen_codegen::arithmetic::Own;
+use homogen_codegen::builder::{Builder, Language};
+use homogen_codegen::chain::Chain;
+use homogen_codegen::check::Check;
+use homogen_codegen::description::xacro::Given;
+use homogen_codegen::description::{Description, FileFormat, inline, read_bytes_in};
+use homogen_codegen::error::{Errors, Place};
+use homogen_codegen::expand;
+use homogen_codegen::expression::Input;
+use homogen_codegen::formulation::Sines;
+use homogen_codegen::function::Function;
+use homogen_codegen::module::{GeneratedFunction, name};
+use homogen_codegen::plan::wanted;
+use homogen_codegen::print::arrays::Order;
+use homogen_codegen::request::Request;
+use homogen_codegen::request::setting::text::together;
+use homogen_codegen::request::setting::{
+    FRAMES, FUNCTIONS, ROBOT, SCOPE, SETTINGS, SOURCE, Setting, SettingForm,
+};
+use homogen_codegen::schedule::{Arithmetic, run};
+use homogen_codegen::space::{FrameId, Variable};
+
+/// Options of a robot and of its functions, with the words of their groups.
+const GROUPS: [(u8, &str); 5] = [
+    (SCOPE, "scope"),
+    (FUNCTIONS, "functions"),
+    (FRAMES, "functions"),
+    (ROBOT, "robot"),
+    (SOURCE, "file"),
+];
+
+/// Number of states in a vector of LLVM IR.
+const LANES: NonZeroUsize = NonZeroUsize::new(8).unwrap();
+
+/// A file, and the robot that was read from it.
+#[derive(Default)]
+pub struct Session {
+    file: Vec<u8>,
+    open: Option<Open>,
+}
+
+/// A robot, with the functions that have been expanded.
+struct Open {
+    /// The description as written, without the loops of options.
+    written: Description,
+    request: Request,
+    chain: Chain,
+    check: Check,
+    /// The functions that the robot may have, each with its frame.
+    wanted: Vec<(Vec<Function>, FrameId)>,
+    expanded: BTreeMap<usize, GeneratedFunction>,
+}
+
+impl Session {
+    /// Takes the bytes of a file, for the next `open`.
+    pub fn take(&mut self, file: Vec<u8>) {
+        self.file = file;
+    }
+
+    /// The answer to a request.
+    #[must_use]
+    pub fn answer(&mut self, request: &str) -> String {
+        let request: Value = serde_json::from_str(request).unwrap_or(Value::Null);
+        let answer = match request["do"].as_str() {
+            Some("options") => Ok(options()),
+            Some("open") => self.open(&request),
+            Some("function") => self.opened().and_then(|open| open.function(&request)),
+            Some("values") => self.opened().map(|open| open.values(&request)),
+            Some("code") => self.opened().and_then(|open| open.code(&request)),
+            _ => Err(mistake("unknown request")),
+        };
+        answer.unwrap_or_else(|errors| refused(&errors)).to_string()
+    }
+
+    fn open(&mut self, asked: &Value) -> Result<Value, Errors> {
+        self.open = None;
+        let name = asked["file"].as_str().unwrap_or("robot");
+        let request = request(&asked["options"])?;
+        let mut errors = Errors::new();
+        let given = Given::of(&request, Path::new(""));
+        let written = read_bytes_in(&self.file, name, None, &given, None, &mut errors);
+        let Some(written) = written else {
+            return Err(errors);
+        };
+        let written = errors.into_result(written)?;
+        let mut errors = Errors::new();
+        let mut description = written.clone();
+        let loops = request.loops.iter().map(String::as_str);
+        inline::close(&mut description, loops, &mut errors);
+        let description = errors.into_result(description)?;
+        // The page shows the origin of each name, which an array between sections would hide.
+        let mut shown_request = request.clone();
+        shown_request.section = Some(usize::MAX);
+        let chain = expand::understand(&description, &shown_request)?;
+        let chain = expand::identified_if_asked(chain);
+        let module = expand::without_functions(&chain);
+        let mut answer = crate::robot(&chain, &module)?;
+        let wanted: Vec<_> = wanted(&chain).into_iter().collect();
+        let functions = wanted.iter();
+        let functions =
+            functions.map(|(functions, frame)| function::announced(&chain, functions, *frame));
+        answer["functions"] = functions.collect();
+        answer["format"] = json!(description.source.format.map(FileFormat::name));
+        // As written, since they are values of options.
+        let links = description.links.iter().map(|link| &*link.name.text);
+        answer["every_link"] = links.collect();
+        let joints = description.joints.iter().map(|joint| &*joint.name.text);
+        answer["every_joint"] = joints.collect();
+        self.open = Some(Open {
+            check: Check::of(&chain)?,
+            written,
+            request,
+            chain,
+            wanted,
+            expanded: BTreeMap::new(),
+        });
+        Ok(answer)
+    }
+
+    fn opened(&mut self) -> Result<&mut Open, Errors> {
+        self.open
+            .as_mut()
+            .ok_or_else(|| mistake("no robot is open"))
+    }
+}
+
+impl Open {
+    /// A function, expanded and checked.
+    fn function(&mut self, asked: &Value) -> Result<Value, Errors> {
+        let index = index(&asked["index"]);
+        let (functions, frame) = self
+            .wanted
+            .get(index)
+            .ok_or_else(|| mistake("unknown function"))?;
+        let mut module = expand::one(&self.chain, &self.check, functions.clone(), *frame)?;
+        if module.functions.is_empty() {
+            // Functions without a frame are left out of every module; the page has been told of them.
+            let name = name(functions, None);
+            let mut left_out = module.about.left_out;
+            left_out.retain(|left_out| left_out.functions.contains(&name));
+            module.about.left_out = left_out;
+            return Ok(json!({ "left_out": count::left_out(&module) }));
+        }
+        let layouts = skeleton::layouts(&self.chain, &module);
+        let mut answer = function::functions(&module, &layouts)[0].take();
+        answer["layout"] = shown(layouts.places[layouts.of[0]].clone());
+        if let Some(generated) = module.functions.pop() {
+            self.expanded.insert(index, generated);
+        }
+        Ok(answer)
+    }
+
+    /// Values of functions that have been expanded, in the order of the request; null for others.
+    fn values(&self, asked: &Value) -> Value {
+        let spaces = self.chain.spaces();
+        let number = |variable: Variable, k: u16| {
+            asked[variable.name()][usize::from(k)]
+                .as_f64()
+                .unwrap_or(0.0)
+        };
+        let indices = asked["indices"].as_array().map_or(&[][..], Vec::as_slice);
+        let all = indices.iter().map(|at| {
+            let Some(generated) = self.expanded.get(&index(at)) else {
+                return Value::Null;
+            };
+            let numbers = match self.request.formulation.sines {
+                Sines::Own => computed::<Own<f64>>(generated, number),
+                Sines::Platform => computed::<f64>(generated, number),
+            };
+            let mut rest = &*numbers;
+            let functions = generated.functions.iter().map(|function| {
+                let result = function.result();
+                let (own, others) = rest.split_at(result.size(spaces).min(rest.len()));
+                rest = others;
+                values(result, spaces, own)
+            });
+            functions.collect()
+        });
+        json!({ "values": all.collect::<Value>() })
+    }
+
+    /// Files in a language, and the command that makes them.
+    fn code(&mut self, asked: &Value) -> Result<Value, Errors> {
+        let mut request = self.request.clone();
+        request.scalar = match asked["scalar"].as_str() {
+            Some("f32") => Real::F32,
+            _ => Real::F64,
+        };
+        if let Some(names) = asked["functions"].as_array() {
+            let names = names.iter().map(|name| name.as_str().unwrap_or_default());
+            request.functions = names
+                .map(together)
+                .collect::<Result<_, _>>()
+                .map_err(mistake)?;
+        }
+        let file = self.written.source.file.clone();
+        let builder = Builder::from_description(self.written.clone()).request(request);
+        let name = stem(&self.written.name.text);
+        let (files, command) = match asked["language"].as_str() {
+            Some("c") => {
+                let module = builder.c_module()?;
+                let header = format!("{name}.h");
+                let source = builder.c(&module, &header);
+                let command = builder.command(file.as_deref(), Language::C(&header));
+                (
+                    json!([
+                        { "name": format!("{name}.c"), "text": source.text },
+                        { "name": header, "text": source.header },
+                    ]),
+                    command,
+                )
+            }
+            Some("llvm") => {
+                let text = builder.llvm(&builder.c_module()?, LANES);
+                let file_name = format!("{name}.ll");
+                let command = builder.command(file.as_deref(), Language::Llvm(LANES));
+                (
+                    json!([{ "name": file_name, "text": text }]),
+                    format!("{command} --output {file_name}"),
+                )
+            }
+            Some("python") => {
+                let order = Order::LinearFirst;
+                let text = builder.plain_python(&builder.plain_python_module()?, order);
+                let file_name = format!("{name}.py");
+                let command = builder.command(file.as_deref(), Language::Python(order));
+                (
+                    json!([{ "name": file_name, "text": text }]),
+                    format!("{command} --output {file_name}"),
+                )
+            }
+            _ => {
+                let module = builder.file_module()?;
+                let text = builder.source(&module).to_string();
+                let file_name = format!("{name}.rs");
+                let command = builder.command(file.as_deref(), Language::Rust);
+                (
+                    json!([{ "name": file_name, "text": text }]),
+                    format!("{command} --output {file_name}"),
+                )
+            }
+        };
+        Ok(json!({ "files": files, "command": command }))
+    }
+}
+
+/// The results of a function, with arguments by their entries.
+fn computed<T: Arithmetic + Copy + Into<f64>>(
+    generated: &GeneratedFunction,
+    number: impl Fn(Variable, u16) -> f64,
+) -> Vec<f64> {
+    let input = |input| match input {
+        Input::Variable(variable, k) => T::literal(number(variable, k)),
+        Input::Parameter(..) => unreachable!("a page has no run-time parameters"),
+    };
+    let results = run(&generated.program, input).into_iter();
+    results.map(Into::into).collect()
+}
+
+/// The settings that are options here, each with the word of its group.
+fn offered() -> impl Iterator<Item = (&'static Setting, &'static str)> {
+    // Packages are folders, which a page does not have.
+    let settings = SETTINGS
+        .iter()
+        .filter(|setting| !matches!(setting.form, SettingForm::Packages));
+    settings.filter_map(|setting| {
+        let group = GROUPS.iter().find(|(bit, _)| setting.group & bit != 0);
+        group.map(|(_, word)| (setting, *word))
+    })
+}
+
+/// The table of options.
+fn options() -> Value {
+    let options = offered().map(|(setting, group)| {
+        let repeats = setting.has_list()
+            || matches!(
+                setting.form,
+                SettingForm::Names(_)
+                    | SettingForm::Positions(_)
+                    | SettingForm::Actuator(..)
+                    | SettingForm::Arguments
+                    | SettingForm::Loops
+            );
+        json!({
+            "name": setting.flag_name(), "value": setting.value, "help": setting.help, "group": group,
+            "switch": matches!(setting.form, SettingForm::Switch(_)), "repeats": repeats,
+        })
+    });
+    json!({ "options": options.collect::<Value>(), "functions": Function::names() })
+}
+
+/// The request of pairs of names and values of options.
+fn request(pairs: &Value) -> Result<Request, Errors> {
+    let mut request = Request::default();
+    let mut errors = Errors::new();
+    for pair in pairs.as_array().map_or(&[][..], Vec::as_slice) {
+        let [name, value] = [0, 1].map(|k| pair[k].as_str().unwrap_or_default());
+        let Some((setting, _)) = offered().find(|(setting, _)| setting.flag_name() == name) else {
+            errors.push(Place::Unknown, format!("unknown option --{name}"));
+            continue;
+        };
+        let values = value.split(|letter| letter == ',' && setting.has_list());
+        for value in values.map(str::trim) {
+            if let Err(reason) = setting.take(value, &mut request) {
+                let (message, hint) = match reason.split_once("\n  hint: ") {
+                    Some((message, hint)) => (message.to_owned(), Some(hint.to_owned())),
+                    None => (reason, None),
+                };
+                errors.record(homogen_codegen::error::Diagnostic {
+                    place: Place::Unknown,
+                    message: format!("--{name}: {message}"),
+                    hint,
+                });
+            }
+        }
+    }
+    errors.into_result(request)
+}
+
+fn index(value: &Value) -> usize {
+    let index = value.as_u64().and_then(|index| usize::try_from(index).ok());
+    index.unwrap_or(usize::MAX)
+}
+
+/// The name of a file for a robot: lower case, and nothing that a shell or a file system would change.
+fn stem(robot: &str) -> String {
+    let letters = robot.chars().take(40).map(|letter| match letter {
+        'a'..='z' | '0'..='9' => letter,
+        'A'..='Z' => letter.to_ascii_lowercase(),
+        _ => '_',
+    });
+    let stem: String = letters.collect();
+    match stem.trim_matches('_') {
+        "" => "robot".to_owned(),
+        stem => stem.to_owned(),
+    }
+}
+
+/// An error without a place.
+fn mistake(message: impl Into<String>) -> Errors {
+    let mut errors = Errors::new();
+    errors.push(Place::Unknown, message);
+    errors
+}
+
+fn refused(errors: &Errors) -> Value {
+    shown(json!({
+        "errors": diagnostics::warnings(errors.diagnostics()),
+        "warnings": diagnostics::warnings(errors.warnings()),
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCARA: &str = include_str!("../../robots/scara.urdf");
+
+    fn asked(session: &mut Session, request: &Value) -> Value {
+        serde_json::from_str(&session.answer(&request.to_string())).expect("JSON")
+    }
+
+    fn opened(file: &str, options: &Value) -> (Session, Value) {
+        let mut session = Session::default();
+        session.take(file.as_bytes().to_vec());
+        let open = json!({ "do": "open", "file": "robot.urdf", "options": options });
+        let answer = asked(&mut session, &open);
+        (session, answer)
+    }
+
+    #[test]
+    fn functions_come_one_at_a_time_and_have_values() {
+        let (mut session, robot) = opened(SCARA, &json!([["tip", "tool"]]));
+        let functions = robot["functions"].as_array().expect("a list");
+        let at = functions.iter().position(|own| own["name"] == "gravity");
+        let values = json!({ "do": "values", "indices": [at], "q": [0.1, 0.2, 0.3, 0.4] });
+        assert_eq!(asked(&mut session, &values)["values"], json!([null]));
+        let function = asked(&mut session, &json!({ "do": "function", "index": at }));
+        assert_eq!(function["name"], "gravity");
+        assert!(function["count"]["mul"].is_u64() && function["layout"].is_array());
+        let found = &asked(&mut session, &values)["values"][0][0];
+        let lift = found[2].as_f64().expect("a force of the vertical joint");
+        assert!(lift.abs() > 1.0, "{found}");
+    }
+
+    #[test]
+    fn every_function_is_expanded_or_left_out_with_a_reason() {
+        let (mut session, robot) = opened(SCARA, &json!([]));
+        for (index, own) in robot["functions"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .enumerate()
+        {
+            let found = asked(&mut session, &json!({ "do": "function", "index": index }));
+            let reason = &found["left_out"][0]["reason"];
+            assert!(
+                found["name"] == own["name"] || reason.is_string(),
+                "{found}"
+            );
+        }
+    }
+
+    #[test]
+    fn mistakes_have_their_places() {
+        let (_, answer) = opened("<robot name='a'>\n <joint name='b'/></robot>", &json!([]));
+        let first = &answer["errors"][0];
+        assert_eq!(first["line"], 2, "{answer}");
+        let (_, answer) = opened(
+            SCARA,
+            &json!([["tip", "nowhere"], ["lock", "lift=x"], ["paint", ""]]),
+        );
+        assert_eq!(
+            answer["errors"].as_array().map(Vec::len),
+            Some(2),
+            "{answer}"
+        );
+        let mut session = Session::default();
+        assert!(session.answer("{").contains("unknown request"));
+        assert!(
+            session
+                .answer(r#"{"do":"function","index":0}"#)
+                .contains("no robot is open")
+        );
+    }
+
+    #[test]
+    fn code_has_the_command_that_makes_it() {
+        let (mut session, _) = opened(SCARA, &json!([["tip", "tool"]]));
+        for (language, ending) in [("rust", "rs"), ("c", "c"), ("llvm", "ll"), ("python", "py")] {
+            let code =
+                json!({ "do": "code", "language": language, "functions": ["gravity", "bias"] });
+            let answer = asked(&mut session, &code);
+            let file = format!("scara.{ending}");
+            assert_eq!(answer["files"][0]["name"], file, "{answer}");
+            let command = answer["command"].as_str().expect("a command");
+            assert!(
+                command.starts_with("homogen generate robot.urdf --tip tool"),
+                "{command}"
+            );
+            assert!(command.ends_with(&format!("--output {file}")), "{command}");
+        }
+    }
+}

@@ -5,9 +5,11 @@ use std::path::PathBuf;
 
 use proc_macro2::Span;
 
+use super::number;
 use super::unmodelled::Unmodelled;
 use crate::closure::Closure;
 use crate::error::{Diagnostic, Errors, Place};
+use crate::expression::Double;
 use crate::joint::JointKind;
 use crate::joint::actuator::Parts;
 use crate::list::{Id, id};
@@ -193,6 +195,27 @@ pub struct Joint {
     pub actuator: Parts,
     /// Its place in the text.
     pub place: Place,
+}
+
+impl Joint {
+    /// A fixed joint, which places a link on another.
+    pub(super) fn fixed(name: Name, parent: &Name, child: &Name, origin: Vec<Step>) -> Self {
+        let place = name.place;
+        let zero = number::computed(Double::ZERO, place);
+        Self {
+            name,
+            kind: JointKind::Fixed,
+            parent: parent.clone(),
+            child: child.clone(),
+            origin,
+            axis: [zero; 3],
+            second_axis: [zero; 3],
+            limits: None,
+            mimic: None,
+            actuator: Parts::default(),
+            place,
+        }
+    }
 }
 
 /// A joint that closes a loop between two links of the tree: it joins frame A on the first link to frame B on the

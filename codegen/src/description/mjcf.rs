@@ -34,7 +34,7 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::Span;
 
-use self::assets::Meshes;
+use self::assets::Assets;
 use self::class::Defaults;
 use self::element::Element;
 use self::names::Names;
@@ -97,7 +97,7 @@ fn read_files<'a>(
         defaults: Defaults::none(),
         tree: Tree::default(),
         loop_names: Names::default(),
-        meshes: Meshes::default(),
+        assets: Assets::default(),
         noted: Noted::default(),
         folder: folder.map(Path::to_owned),
         beside: Vec::new(),
@@ -110,7 +110,7 @@ fn read_files<'a>(
         mjcf.read_option(element, &mut gravity);
     }
     mjcf.read_defaults(root);
-    mjcf.list_meshes(root);
+    mjcf.list_assets(root);
     mjcf.read_tree(root);
     mjcf.scale_masses();
     let loops = mjcf.read_equalities(root);

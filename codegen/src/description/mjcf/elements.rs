@@ -62,7 +62,7 @@ static MUJOCO: Content = Content {
 };
 
 /// Each element with attributes or children, under its heading in the guide.
-static PLACES: [(&str, &Content); 22] = [
+static PLACES: [(&str, &Content); 23] = [
     ("`<mujoco>`", &MUJOCO),
     ("`<compiler>`", &settings::COMPILER),
     ("`<option>`", &settings::OPTION),
@@ -78,6 +78,7 @@ static PLACES: [(&str, &Content); 22] = [
     ("`<site>`", &bodies::SITE),
     ("`<asset>`", &settings::ASSET),
     ("`<mesh>`", &settings::MESH),
+    ("`<hfield>`", &settings::HEIGHT_FIELD),
     ("`<equality>`", &actors::EQUALITY),
     (
         "`<joint>`, `<connect>` and `<weld>` of `<equality>`",

@@ -269,6 +269,14 @@ fn mistakes_have_reasons() {
             "name.__class__",
             "a text has no member \"__class__\"; known methods: capitalize, count, endswith, find, format, index, isalpha, isdigit, isspace, join, lower, lstrip, removeprefix, removesuffix, replace, rfind, rsplit, rstrip, split, splitlines, startswith, strip, title and upper",
         ),
+        (
+            "limits in limits",
+            "a dictionary cannot be a key of a dictionary",
+        ),
+        (
+            "limits.get((1, [2]))",
+            "a list cannot be a key of a dictionary",
+        ),
         ("sqrt(-1)", "sqrt of -1 is undefined"),
         ("(-8) ** 0.5", "a power of a negative number is complex"),
         ("1 < 'a'", "an integer and a text have no order"),

@@ -20,6 +20,7 @@ mod files;
 mod geom;
 mod inertial;
 mod joint;
+mod keyframe;
 mod mesh;
 mod names;
 mod orientation;
@@ -115,6 +116,7 @@ fn read_files<'a>(
     mjcf.scale_masses();
     let loops = mjcf.read_equalities(root);
     mjcf.read_actuators(root);
+    let configurations = mjcf.read_keys(root);
     mjcf.survey(root);
     let name = mjcf.robot_name(root, file);
     let warnings = std::mem::take(&mut mjcf.reader.warnings);
@@ -135,6 +137,7 @@ fn read_files<'a>(
         links: mjcf.tree.links,
         joints: mjcf.tree.joints.into(),
         loops,
+        configurations,
         gravity,
         warnings,
         unmodelled: mjcf.reader.unmodelled,

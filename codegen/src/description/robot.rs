@@ -29,6 +29,8 @@ pub struct Description {
     pub joints: Vec<Joint>,
     /// The joints that close loops, in the order of the text.
     pub loops: Vec<Loop>,
+    /// Configurations with names, in the order of the text.
+    pub configurations: Vec<Configuration>,
     /// Acceleration of gravity in the frame of the root link [m/s²], if the file has one.
     pub gravity: Option<[Number; 3]>,
     /// Warnings.
@@ -236,6 +238,15 @@ pub struct Loop {
     pub to_at: Vec<Step>,
     /// The directions that become z of A and of B. Equal if the joint has one axis, unused if it has none.
     pub axes: [[Number; 3]; 2],
+}
+
+/// A configuration with a name.
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// Its name.
+    pub name: Name,
+    /// The joints that move, mimic joints among them, each with its coordinates [rad, m, quaternions x, y, z, w].
+    pub joints: Vec<(Name, Vec<Number>)>,
 }
 
 /// Coordinate of a mimic joint: multiplier · q + offset.

@@ -129,6 +129,7 @@ fn read_files<'a>(files: &'a [Parsed<'a>], errors: &mut Errors) -> Option<Descri
         links: sdf.links,
         joints: sdf.joints,
         loops: Vec::new(),
+        configurations: Vec::new(),
         gravity,
         warnings: sdf.reader.warnings,
         unmodelled: sdf.reader.unmodelled,

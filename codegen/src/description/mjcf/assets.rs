@@ -17,6 +17,9 @@ pub(super) struct Measured {
     pub(super) tensor: Matrix,
 }
 
+/// Rounding errors of moments, relative to the largest: a mesh below this has no thickness.
+const FLAT: f64 = 1e-14;
+
 impl Measured {
     /// Half the side lengths of the box with the principal moments of the mesh, in ascending order, and its axes as
     /// columns.
@@ -29,9 +32,8 @@ impl Measured {
         // A box with half sides x, y, z and volume 1 has Iyy + Izz − Ixx = 2 x² / 3.
         let factor = exactly(1.5) / self.measure;
         let halves = [b + c - a, a + c - b, a + b - c].map(|sum| {
-            let square = factor * sum;
-            if square.to_f64() > 0.0 {
-                square.sqrt()
+            if sum.to_f64() > FLAT * a.to_f64() {
+                (factor * sum).sqrt()
             } else {
                 Double::ZERO
             }

@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 
 use roxmltree::Node;
 
-use crate::description::load::load_text;
+use crate::description::load::{absolute, load_text};
 use crate::description::position::Positions;
 use crate::description::xml::texts::{LIMITS, Texts};
 use crate::description::xml::{self, plain};
@@ -110,7 +110,7 @@ fn open(
         .or(names.first());
     let name = first.ok_or_else(|| refuse("it is outside the folder"))?;
     let path = folder.join(name);
-    let real = |path: &Path| path.canonicalize().ok();
+    let real = |path: &Path| absolute(path)?.canonicalize().ok();
     if let (Some(path), Some(folder)) = (real(&path), real(folder))
         && !path.starts_with(folder)
     {

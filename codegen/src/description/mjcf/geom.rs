@@ -119,8 +119,9 @@ impl<'a> Mjcf<'a> {
             GeomType::Heights => {
                 let sizes = self.extents_of_heights(geom, &subject)?;
                 origin.extend(self.placement(geom, &subject));
-                let of = move |mass: Double| diagonal(Shape::Box.moments(mass, sizes, false));
-                (Shape::Box.measure(sizes, false), Box::new(of))
+                let is_hollow = self.flag(geom.get("shellinertia"), false, &subject);
+                let of = move |mass: Double| diagonal(Shape::Box.moments(mass, sizes, is_hollow));
+                (Shape::Box.measure(sizes, is_hollow), Box::new(of))
             }
             GeomType::Mesh => {
                 let mesh = self.mesh_of(geom, &subject)?;
@@ -217,6 +218,11 @@ impl<'a> Mjcf<'a> {
         shape: Shape,
         subject: &str,
     ) -> Option<(Vec<Step>, Vector)> {
+        if geom.get("fromto").is_some() {
+            let message = format!("{subject} has both mesh and fromto");
+            self.refuse(geom.own, message, "leave one of them out");
+            return None;
+        }
         if self.compiler.fit_extents {
             let message = format!(
                 "{subject} is fitted to the extents of a mesh, so that its mass is not computed"
@@ -231,6 +237,17 @@ impl<'a> Mjcf<'a> {
         let scale = scale.map_or(exactly(1.0), |scale| scale.exact());
         let (halves, axes) = mesh.inertia_box();
         let sizes = spatial::times(shape.fitted(halves), scale);
+        // Only the tube of a capsule may have no length.
+        let needed = if shape == Shape::Capsule {
+            1
+        } else {
+            shape.sizes()
+        };
+        if sizes[..needed].iter().any(|size| size.to_f64() <= 0.0) {
+            let message = format!("{subject} is fitted to a mesh without extent");
+            self.refuse(geom.own, message, "give its body an <inertial>");
+            return None;
+        }
         let mut steps = self.placement(geom, subject);
         steps.push(Step::Translate(
             mesh.center.map(|entry| to_number(entry, place)),

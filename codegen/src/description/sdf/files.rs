@@ -8,7 +8,7 @@ use std::path::{Component, Path, PathBuf};
 
 use roxmltree::Node;
 
-use crate::description::load::load_text;
+use crate::description::load::{absolute, load_text};
 use crate::description::position::Positions;
 use crate::description::xacro::Given;
 use crate::description::xml::texts::{LIMITS, Texts};
@@ -30,11 +30,13 @@ pub(super) fn load(
     given: &Given,
     errors: &mut Errors,
 ) -> Option<Texts> {
+    // Models are also looked for around the folder, which a relative path may not name.
+    let folder = folder.and_then(absolute);
     let mut texts = Texts::new(text, file);
     let mut at = 0;
     while at < texts.len() {
         errors.set_included(texts.names());
-        include(&mut texts, at, folder, given, errors)?;
+        include(&mut texts, at, folder.as_deref(), given, errors)?;
         at += 1;
     }
     errors.set_included(texts.names());

@@ -224,3 +224,24 @@ pub(in crate::description::mjcf) static MESH: Content = Content {
     elements: &[Entry::read("plugin", "an error where its volume is needed")],
     others: Others::Warned,
 };
+
+pub(in crate::description::mjcf) static KEYFRAME: Content = Content {
+    attributes: &[],
+    elements: &[Entry::read("key", "a configuration, if it has a name and `qpos`").with(&KEY)],
+    others: Others::Warned,
+};
+
+pub(in crate::description::mjcf) static KEY: Content = Content {
+    attributes: &[
+        Entry::read("name", "its name"),
+        Entry::read("qpos", "its coordinates, listed by `homogen check`"),
+        Entry::ignored("time", "a state of the simulation"),
+        Entry::ignored("qvel", "a state of the simulation"),
+        Entry::ignored("act", "a state of the simulation"),
+        Entry::ignored("ctrl", "a state of the simulation"),
+        Entry::ignored("mpos", "a state of the simulation"),
+        Entry::ignored("mquat", "a state of the simulation"),
+    ],
+    elements: &[],
+    others: Others::Warned,
+};

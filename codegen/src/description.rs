@@ -38,8 +38,8 @@ pub use self::file::{
 };
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Description, FileFormat, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic,
-    Source, Step,
+    Axis, Configuration, Description, FileFormat, Inertial, Joint, JointId, Limits, Link, LinkId,
+    Loop, Mimic, Source, Step,
 };
 pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};

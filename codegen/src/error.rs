@@ -162,6 +162,21 @@ impl Errors {
         self.warn(other.warnings);
     }
 
+    /// The value of a result, unless this list or the result has errors: then both.
+    ///
+    /// # Errors
+    ///
+    /// The errors of both.
+    pub fn joined<T>(mut self, result: Result<T, Errors>) -> Result<T, Errors> {
+        match result {
+            Ok(value) => self.into_result(value),
+            Err(others) => {
+                self.append(others);
+                Err(self)
+            }
+        }
+    }
+
     /// Adds warnings, each once, to be shown if there are errors.
     pub fn warn(&mut self, warnings: impl IntoIterator<Item = Diagnostic>) {
         for warning in warnings {

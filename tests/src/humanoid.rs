@@ -63,6 +63,7 @@ pub fn humanoid(joints: usize) -> Description {
         }],
         joints: Vec::new(),
         loops: Vec::new(),
+        configurations: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -343,6 +343,7 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
         links,
         joints,
         loops: Vec::new(),
+        configurations: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -1,7 +1,8 @@
 """Compares all MJCF files of some packages, and random ones, with MuJoCo.
 
-In: the binary, and a folder with MJCF files or a count of random ones. Out: a line for each file, and a nonzero exit
-status if a number differs or homogen rejects a file that MuJoCo reads. Files are in the order of their names.
+In: the binary, and a folder with MJCF files or a count of random ones. Out: a line for each file, its section of
+report/ZOO.md, and a nonzero exit status if a number differs or homogen rejects a file that MuJoCo reads. Files are in
+the order of their names.
 """
 
 import argparse
@@ -16,8 +17,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import compare
+import mjcf_report
 import numpy as np
 import random_mjcf
+import section
 from mujoco_peer import MujocoPeer, Unreadable
 from program import Failed, Program, Refused
 
@@ -50,6 +53,8 @@ class Verdict:
     outcome: str = "read"
     reason: str = ""
     joints: int = 0
+    mimics: int = 0
+    loops: int = 0
     warnings: list = field(default_factory=list)
     worst: float = 0.0
     limit: float = LIMIT
@@ -64,7 +69,9 @@ def main():
     arguments.add_argument("--random", type=int, default=0)
     arguments.add_argument("--seed", type=int, default=0)
     arguments.add_argument("--keep", type=Path, help="a folder for random files that failed")
+    arguments.add_argument("--report", type=Path)
     arguments = arguments.parse_args()
+    arguments.report = arguments.report and arguments.report.resolve()
     program = Program(arguments.binary.resolve())
     arguments.robots = arguments.robots and arguments.robots.resolve()
     arguments.keep = arguments.keep and arguments.keep.resolve()
@@ -91,6 +98,9 @@ def main():
     outcomes = {outcome: sum(verdict.outcome == outcome for verdict in verdicts) for outcome in sorted({v.outcome for v in verdicts})}
     worst = max((verdict.worst for verdict in verdicts), default=0.0)
     print(f"{len(verdicts)} files, {failed} with failures, {outcomes}, worst {worst:.1e}")
+    if arguments.report:
+        functions = len(DYNAMICS + KINEMATICS)
+        section.write(arguments.report, "MJCF", mjcf_report.text(verdicts, STATES, functions, LIMIT, LIMIT_OF_SUMS))
     sys.exit(failed > 0)
 
 
@@ -144,7 +154,8 @@ def examine(program, file, how, verdict):
     if peer is None:
         verdict.outcome = "not read by MuJoCo"
         return
-    verdict.joints = len(found["joints"])
+    verdict.joints, verdict.mimics = len(found["joints"]), len(found["mimicked"])
+    verdict.loops = len(found.get("loops", []))
     verdict.warnings = [warning["message"] for warning in found["warnings"]]
     if any("armature or friction of a free joint" in warning for warning in verdict.warnings):
         peer.without_free_armatures()

@@ -3,9 +3,10 @@
 #
 #   mjcf.sh                in a temporary folder, with 500 random files
 #   mjcf.sh FOLDER         keeps downloads in FOLDER for the next run
-#   mjcf.sh FOLDER COUNT   with COUNT random files
+#   mjcf.sh FOLDER COUNT   with COUNT random files, without the report
 #
-# Fetches the packages of mjcf_packages.txt (some 120 MB) and MuJoCo from PyPI, and builds `homogen`. Fails if a number
+# Fetches the packages of mjcf_packages.txt (some 120 MB) and MuJoCo from PyPI, builds `homogen`, and writes its section
+# of report/ZOO.md. Fails if a number
 # differs, if homogen rejects a file that MuJoCo compiles, and if a command crashes or takes more than ten seconds.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -28,5 +29,7 @@ done < <(listed mjcf_packages.txt)
 
 homogen
 
+report=()
+[ $# -gt 1 ] || report=(--report "$root/report/ZOO.md")
 "$python" -W ignore "$here/mjcf.py" "$binary" "$folder/models" \
-    --random "${2:-500}"
+    --random "${2:-500}" "${report[@]}"

@@ -32,6 +32,7 @@ class Robot:
         self.rng, self.folder, self.sums = rng, folder, sums
         self.degrees = rng.random() < 0.5
         self.bodies, self.joints, self.scalars, self.sites, self.meshes = 0, 0, [], [], {}
+        self.height_fields = {}
         self.classes = ["main"] + [f"c{k}" for k in range(rng.randrange(4))]
         self.heavy = {}
         self.names = []
@@ -116,6 +117,7 @@ class Robot:
         equality = self.equality()
         actuators = self.actuators()
         assets = "".join(f'<mesh name="{name}" {attributes}/>\n' for name, attributes in self.meshes.items())
+        assets += "".join(f'<hfield name="{name}" {attributes}/>\n' for name, attributes in self.height_fields.items())
         sections = [
             f"<compiler {' '.join(compiler[:split])}/>",
             f"<compiler {' '.join(compiler[split:])}/>",
@@ -238,8 +240,16 @@ class Robot:
         attributes = [f'type="{kind}"', self.klass()]
         size = [self.positive(0.02, 0.2) for _ in range(3)]
         ends = kind in ("capsule", "box", "cylinder", "ellipsoid") and rng.random() < 0.3
-        if kind == "mesh":
+        fitted = self.sums and kind in ("sphere", "capsule", "box", "cylinder", "ellipsoid") and rng.random() < 0.15
+        heights = kind == "mesh" and rng.random() < 0.1
+        if heights:
+            kind = "hfield"
+            attributes[0] = f'type="hfield" hfield="{self.height_field()}"'
+            attributes.append(self.placement(0.2))
+        elif kind == "mesh" or fitted:
             attributes.append(f'mesh="{self.mesh()}"')
+            if fitted and rng.random() < 0.5:
+                attributes.append(f'fitscale="{self.positive(0.5, 2)}"')
             attributes.append(self.placement(0.2))
         elif ends:
             while True:
@@ -260,7 +270,7 @@ class Robot:
             attributes.append(f'mass="{self.positive(0.1, 3) if always else rng.choice(["0", self.positive(0.1, 3)])}"')
         elif rng.random() < 0.3:
             attributes.append(f'density="{self.positive(200, 4000)}"')
-        if kind not in ("mesh", "ellipsoid") and rng.random() < 0.2:
+        if kind not in ("mesh", "ellipsoid", "hfield") and rng.random() < 0.2:
             attributes.append('shellinertia="true"')
         return f"<geom {' '.join(attributes)}/>"
 
@@ -297,11 +307,15 @@ class Robot:
         if rng.random() < 0.5:
             attributes.append(f'scale="{self.positive(0.2, 2)} {rng.choice(["", "-"])}{self.positive(0.2, 2)} {self.positive(0.2, 2)}"')
         if rng.random() < 0.7:
-            attributes.append(f'inertia="{rng.choice(["exact", "legacy", "shell"])}"')
+            attributes.append(f'inertia="{rng.choice(["exact", "legacy", "shell", "convex"])}"')
         if rng.random() < 0.3:
             attributes.append(f'refpos="{self.vector(0.2)}" refquat="{self.direction()} {self.number()}"')
-        form = rng.choice(["stl", "obj", "inline"])
-        if form == "inline":
+        form = rng.choice(["stl", "obj", "inline", "cloud"])
+        if form == "cloud":
+            # Without faces, a mesh is its convex hull.
+            corners += [[rng.uniform(-0.1, 0.5) for _ in range(3)] for _ in range(rng.randrange(30))]
+            attributes.append(f'vertex="{" ".join(f"{entry:.6g}" for corner in corners for entry in corner)}"')
+        elif form == "inline":
             attributes.append(f'vertex="{" ".join(f"{entry:.6g}" for corner in corners for entry in corner)}"')
             attributes.append(f'face="{" ".join(str(corner) for face in faces for corner in face)}"')
         else:
@@ -317,6 +331,14 @@ class Robot:
                     data += struct.pack("<12fH", 0, 0, 0, *(entry for corner in face for entry in corners[corner]), 0)
                 path.write_bytes(data)
         self.meshes[name] = " ".join(attributes)
+        return name
+
+    def height_field(self):
+        """The size of a height field, and some heights."""
+        name = f"h{len(self.height_fields)}"
+        size = " ".join([self.positive(0.1, 0.5), self.positive(0.1, 0.5), self.positive(0.05, 0.2), self.positive(0.01, 0.1)])
+        heights = " ".join(self.positive(0, 1) for _ in range(6))
+        self.height_fields[name] = f'nrow="2" ncol="3" size="{size}" elevation="{heights}"'
         return name
 
     def equality(self):

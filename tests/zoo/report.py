@@ -11,8 +11,6 @@ from itertools import groupby
 from pathlib import Path
 
 HEAD = """\
-# The zoo
-
 What `homogen check` and `homogen eval` make of robot descriptions as vendors and simulators ship them,
 untouched, beside Pinocchio {pinocchio} (written by `tests/zoo/run.sh`, on {machine}).
 
@@ -84,7 +82,7 @@ def document(verdicts, states, ends, functions, limit):
     for package, verdicts in groupby(verdicts, key=lambda verdict: Path(verdict.name).parts[0]):
         verdicts = list(verdicts)
         folder = os.path.commonpath([str(Path(verdict.name).parent) for verdict in verdicts])
-        text += f"\n## {package.replace('==', ' ')}\n"
+        text += f"\n### {package.replace('==', ' ')}\n"
         read = [verdict for verdict in verdicts if any(verdict.errors.values()) or verdict.joints]
         if read:
             text += ROBOTS + "".join(row(verdict, folder, functions) for verdict in read)

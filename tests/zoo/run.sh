@@ -7,7 +7,7 @@
 #                       other files
 #
 # Fetches the packages of packages.txt (some 600 MB) and Pinocchio from PyPI, builds `homogen`, writes
-# report/ZOO.md. Fails if a number differs, if homogen rejects a file that Pinocchio reads, and if
+# its section of report/ZOO.md. Fails if a number differs, if homogen rejects a file that Pinocchio reads, and if
 # a command crashes or takes more than ten seconds.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"

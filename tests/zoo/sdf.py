@@ -1,6 +1,7 @@
 """Compares random SDF files with Drake.
 
-In: the binary, and a count. Out: a line for each file that differs, and a nonzero exit status if there is one.
+In: the binary, and a count. Out: a line for each file that differs, its section of report/ZOO.md, and a nonzero exit
+status if there is one.
 """
 
 import argparse
@@ -10,11 +11,14 @@ import sys
 import tempfile
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 
 import compare
 import numpy as np
 import random_sdf
+import report
+import section
 from drake_peer import DrakePeer, Unreadable
 from program import Failed, Program, Refused
 
@@ -34,6 +38,14 @@ class How:
 
 EXACT = How(("--exact",))
 
+SECTION = """\
+Random SDF files, with models in models, frames, joints of each type, axes in any frame and mimic joints, beside Drake
+{drake} (written by `tests/zoo/sdf.sh`, on {machine}). {functions} are evaluated at {states} random states, and the poses
+of up to {poses} frames. Errors are relative, as for URDF; more than {limit:.0e} is a failure.
+
+{summary}
+"""
+
 
 def main():
     arguments = argparse.ArgumentParser()
@@ -41,6 +53,7 @@ def main():
     arguments.add_argument("--random", type=int, default=500)
     arguments.add_argument("--seed", type=int, default=0)
     arguments.add_argument("--keep", type=Path, help="a folder for files that failed")
+    arguments.add_argument("--report", type=Path)
     arguments = arguments.parse_args()
     program = Program(arguments.binary.resolve())
     seeds = range(arguments.seed, arguments.seed + arguments.random)
@@ -55,7 +68,20 @@ def main():
             failed += bool(failures)
             if failures and arguments.keep:
                 shutil.copytree(file.parent, arguments.keep / str(seed), dirs_exist_ok=True)
-    print(f"{len(seeds)} files, {failed} with failures, {outcomes}, worst {worst:.1e}")
+    counted = ", ".join(f"{count} {outcome}" for outcome, count in sorted(outcomes.items()))
+    summary = f"{len(seeds)} random files: {counted}; worst error {worst:.0e}; {failed} with failures."
+    print(summary)
+    if arguments.report:
+        text = SECTION.format(
+            drake=version("drake"),
+            machine=report.machine(),
+            functions=", ".join(DYNAMICS).replace("_", " ").capitalize(),
+            states=STATES,
+            poses=POSES,
+            limit=LIMIT,
+            summary=summary,
+        )
+        section.write(arguments.report, "SDF", text)
     sys.exit(failed > 0)
 
 

@@ -3,9 +3,9 @@
 #
 #   sdf.sh                in a temporary folder, with 500 random files
 #   sdf.sh FOLDER         keeps downloads in FOLDER for the next run
-#   sdf.sh FOLDER COUNT   with COUNT random files
+#   sdf.sh FOLDER COUNT   with COUNT random files, without the report
 #
-# Installs Drake from PyPI, and builds `homogen`. Fails if a number differs, if only one of both reads a file, and if a
+# Installs Drake from PyPI, builds `homogen`, and writes its section of report/ZOO.md. Fails if a number differs, if only one of both reads a file, and if a
 # command crashes or takes more than ten seconds.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -14,4 +14,6 @@ environment Drake drake==1.51.1 numpy==2.4.6
 
 homogen
 
-"$python" -W ignore "$here/sdf.py" "$binary" --random "${2:-500}"
+report=()
+[ $# -gt 1 ] || report=(--report "$root/report/ZOO.md")
+"$python" -W ignore "$here/sdf.py" "$binary" --random "${2:-500}" "${report[@]}"

@@ -1,7 +1,7 @@
 """Compares random expressions with ROS's tool, which evaluates them in Python.
 
-In: the binary, a count and a seed. Out: a line for each expression whose values differ, and a nonzero exit status if
-there is one. What Python rejects must be rejected. What homogen does not support by its grammar, or because of a limit,
+In: the binary, a count and a seed. Out: a line for each expression whose values differ, a section of report/ZOO.md, and
+a nonzero exit status if there is one. What Python rejects must be rejected. What homogen does not support by its grammar, or because of a limit,
 is counted.
 """
 
@@ -18,9 +18,18 @@ from contextlib import redirect_stderr
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
+import report
+import section
 import xacro
 
 from xacro_peer import is_near
+
+SECTION = """\
+Random expressions, evaluated by `homogen expand` and by ROS's tool, which gives them to Python (written by
+`tests/zoo/xacro.sh`, on {machine}). Not supported are those beyond the [grammar](../guide/src/xacro.md#expressions).
+
+{summary}
+"""
 
 # Reasons for which homogen may reject what Python accepts.
 LIMITS = [
@@ -134,6 +143,7 @@ def main():
     options.add_argument("binary", type=Path)
     options.add_argument("--count", type=int, default=20000)
     options.add_argument("--seed", type=int, default=0)
+    options.add_argument("--report", type=Path)
     options = options.parse_args()
     source = Source(options.seed)
     expressions = []
@@ -154,13 +164,15 @@ def main():
 
         for at in range(0, len(expressions), 500):
             chunk = list(zip(expressions[at : at + 500], theirs[at : at + 500]))
-            errors = {}
-            for line in run([text for text, _ in chunk]).stderr.splitlines():
-                found = re.match(r"error: e\.xacro:(\d+):\d+: (.*)", line)
-                if found:
-                    errors.setdefault(int(found[1]) - 2, found[2])
-            good = [(text, value) for k, (text, value) in enumerate(chunk) if k not in errors]
-            done = run([text for text, _ in good])
+            # An error that ends the expansion hides those behind it.
+            errors, more = {}, True
+            while more:
+                good = [k for k in range(len(chunk)) if k not in errors]
+                done = run([chunk[k][0] for k in good])
+                found = [re.match(r"error: e\.xacro:(\d+):\d+: (.*)", line) for line in done.stderr.splitlines()]
+                more = {good[int(line[1]) - 2]: line[2] for line in found if line}
+                errors |= more
+            good = [chunk[k] for k in good]
             values = [element.get("v") for element in ElementTree.fromstring(done.stdout).iter("e")]
             for (text, value), ours in zip(good, values, strict=True):
                 if value is None and ".keys()" in text:
@@ -185,7 +197,11 @@ def main():
                 elif k in errors:
                     wrong += 1
                     print(f"${{{text}}}: {errors[k]}, but {value!r} by the tool")
-    print(f"{len(expressions)} expressions: {equal} equal, {rejected} rejected by both, {limited} not supported, {wrong} wrong")
+    summary = f"{len(expressions)} expressions: {equal} equal, {rejected} rejected by both, {limited} not supported, {wrong} wrong."
+    print(summary)
+    if options.report:
+        text = SECTION.format(machine=report.machine(), summary=summary)
+        section.write(options.report, "Expressions of xacro", text)
     sys.exit(wrong > 0)
 
 

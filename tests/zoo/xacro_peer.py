@@ -1,7 +1,7 @@
 """Compares expansions of xacro files with those of ROS's tool, element by element.
 
 In: the binary, a folder with checkouts of repositories, and the table of arguments. Out: a line for each file whose
-expansions differ, and a nonzero exit status if there is one. Texts must be equal; numbers may differ by two units in
+expansions differ, a section of report/ZOO.md, and a nonzero exit status if there is one. Texts must be equal; numbers may differ by two units in
 the last place, because the tool computes sines by the platform. Declarations of namespaces and comments are left out.
 Files of a line `file name=value …` in the table are compared with these arguments in addition.
 """
@@ -16,10 +16,22 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import redirect_stderr, redirect_stdout
+from importlib.metadata import version
 from pathlib import Path
 
+import report
+import section
 import xacro
 import xacro.substitution_args
+
+SECTION = """\
+Every xacro file of the repositories below, and some of them with further arguments, expanded by `homogen expand` and by
+ROS's tool, version {xacro} of PyPI (written by `tests/zoo/xacro.sh`, on {machine}), and compared element by element,
+attribute by attribute. Files of macros alone expand to a robot without links.
+
+{summary}
+
+"""
 
 XACRO = "http://www.ros.org/wiki/xacro"
 PACKAGES = {}
@@ -166,6 +178,7 @@ def main():
     options.add_argument("table", type=Path)
     options.add_argument("--only", default="")
     options.add_argument("--verbose", action="store_true")
+    options.add_argument("--report", type=Path)
     options = options.parse_args()
     binary, robots = options.binary.resolve(), options.robots.resolve()
     for checkout in sorted(robots.iterdir()):
@@ -177,6 +190,7 @@ def main():
             cases.append((robots / file, tuple(tuple(word.split("=", 1)) for word in words)))
     cases = [case for case in cases if options.only in str(case[0])]
     counts, near, elements = {}, 0, 0
+    repositories = {}
     with ProcessPoolExecutor(2) as pool:
         results = pool.map(judge, [binary] * len(cases), [case[0] for case in cases], [case[1] for case in cases], chunksize=4)
         for (file, arguments), (outcome, reason, count, size) in zip(cases, results):
@@ -185,9 +199,18 @@ def main():
             counts[key] = counts.get(key, 0) + 1
             near += count
             elements += size
+            repository = repositories.setdefault(file.relative_to(robots).parts[0].replace("+", "/"), {})
+            repository[key] = repository.get(key, 0) + 1
             if options.verbose or outcome not in ("equal", "rejected by both"):
                 print(f"{name}: {outcome}: {reason}", flush=True)
-    print(f"{len(cases)} files, {elements} elements, {counts}; {near} values differ in the last place of a number")
+    counted = "; ".join(f"{count} {outcome}" for outcome, count in sorted(counts.items()))
+    summary = f"{len(cases)} expansions with {elements} elements: {counted}. {near} values differ in the last place of a number."
+    print(summary)
+    if options.report:
+        columns = sorted(counts)
+        rows = [[f"`{name}`", *(found.get(key, "") for key in columns)] for name, found in repositories.items()]
+        head = SECTION.format(xacro=version("xacro"), machine=report.machine(), summary=summary)
+        section.write(options.report, "xacro", head + section.table(["repository", *columns], rows))
     bad = [outcome for outcome in counts if outcome in ("different", "fails", "rejected by homogen alone", "rejected by the tool alone")]
     sys.exit(bool(bad))
 

@@ -1,6 +1,6 @@
 """Compares all descriptions of some packages with Pinocchio, and writes the report.
 
-In: the binary, and a folder with one folder for each package. Out: a line for each file, report/ZOO.md, and a nonzero
+In: the binary, and a folder with one folder for each package. Out: a line for each file, its section of report/ZOO.md, and a nonzero
 exit status if a check fails. Files are in the order of their names.
 """
 
@@ -11,6 +11,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import report
+import section
 from program import Program
 from robot import DYNAMICS, ENDS, KINEMATICS, LIMIT, STATES, judge
 
@@ -39,7 +40,8 @@ def main():
     print(report.summary(verdicts))
     if arguments.report:
         functions = len(DYNAMICS + KINEMATICS)
-        arguments.report.write_text(report.document(verdicts, STATES, ENDS, functions, LIMIT))
+        text = report.document(verdicts, STATES, ENDS, functions, LIMIT)
+        section.write(arguments.report, "URDF", text)
     sys.exit(any(verdict.failures for verdict in verdicts))
 
 

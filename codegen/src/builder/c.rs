@@ -60,13 +60,7 @@ impl Builder {
         let mut without = self.clone();
         without.request.runtime = None;
         without.core_functions.sin_cos = None;
-        match without.module_where(true, true) {
-            Ok(module) => errors.into_result(module),
-            Err(mistakes) => {
-                errors.append(mistakes);
-                Err(errors)
-            }
-        }
+        errors.joined(without.module_where(true, true))
     }
 
     /// The file in C of a module.

@@ -56,13 +56,7 @@ impl Builder {
         without.request.processor = Processor::Portable;
         without.core_functions.c_prefix = None;
         without.core_functions.sin_cos = Some(quote! { library });
-        match without.module_where(false, true) {
-            Ok(module) => errors.into_result(module),
-            Err(mistakes) => {
-                errors.append(mistakes);
-                Err(errors)
-            }
-        }
+        errors.joined(without.module_where(false, true))
     }
 
     /// The file in Python of a module.

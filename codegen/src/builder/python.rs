@@ -80,13 +80,7 @@ impl Builder {
         without.request.batch = false;
         without.request.processor = Processor::Portable;
         without.core_functions = super::CoreFunctions::default();
-        match without.module_where(false, false) {
-            Ok(generated) => errors.into_result(generated),
-            Err(mistakes) => {
-                errors.append(mistakes);
-                Err(errors)
-            }
-        }
+        errors.joined(without.module_where(false, false))
     }
 
     /// The package for Python of a module.

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::LARGEST_FILE;
 
@@ -34,4 +34,23 @@ pub(super) fn load_text(path: &Path) -> Result<String, String> {
         Some(text) => text.to_owned(),
         None => text,
     })
+}
+
+/// The absolute path of a folder; an empty path is the working directory. `None` if that is gone.
+pub(super) fn absolute(folder: &Path) -> Option<PathBuf> {
+    let is_empty = folder.as_os_str().is_empty();
+    std::path::absolute(if is_empty { Path::new(".") } else { folder }).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `homogen check arm.urdf.xacro` names no folder.
+    #[test]
+    fn an_empty_path_is_the_working_directory() {
+        let here = std::env::current_dir().ok();
+        assert_eq!(absolute(Path::new("")), here);
+        assert!(absolute(Path::new("")).is_some_and(|path| path.is_dir()));
+    }
 }

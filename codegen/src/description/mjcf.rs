@@ -20,6 +20,7 @@ mod files;
 mod geom;
 mod inertial;
 mod joint;
+mod keyframe;
 mod mesh;
 mod names;
 mod orientation;
@@ -34,17 +35,16 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::Span;
 
-use self::assets::Meshes;
+use self::assets::Assets;
 use self::class::Defaults;
 use self::element::Element;
-use self::files::{Parsed, Text};
 use self::names::Names;
 use self::reading::Mjcf;
 use self::settings::Compiler;
 use self::tree::Tree;
 use self::unmodelled::Noted;
-use super::fingerprint::fingerprint;
 use super::xml::element::Reader;
+use super::xml::texts::Parsed;
 use super::xml::{self, survey};
 use super::{Description, FileFormat, Name, Number, Source, names as twice, spatial};
 use crate::error::{Errors, Place};
@@ -71,34 +71,17 @@ pub fn read(
 ) -> Option<Description> {
     errors.set_file(file, anchor);
     let texts = files::load(text, file, folder, errors)?;
-    let plains = files::plains(&texts);
-    let parsed = files::parse(&texts, &plains, errors)?;
+    let plains = texts.plains();
+    let parsed = texts.parse(&plains, files::BEGINS, errors)?;
     let mut found = Errors::new();
     let (mut description, beside) = read_files(&parsed, file, folder, &mut found);
     errors.append(found);
     errors.warn(description.warnings.iter().cloned());
-    description.source = source(&texts, file, folder, anchor);
+    description.source = texts.source(FileFormat::Mjcf, anchor);
     description.source.beside.extend(beside);
     twice::check(&description, errors);
     twice::check_loops(&description, errors);
     Some(description)
-}
-
-/// The files from which a description was read, with their fingerprint.
-fn source(texts: &[Text], file: &str, folder: Option<&Path>, anchor: Option<Span>) -> Source {
-    let included = files::names(texts);
-    let paths = included.iter().map(|name| match folder {
-        Some(folder) => folder.join(name),
-        None => PathBuf::from(name),
-    });
-    Source {
-        file: Some(file.to_owned()),
-        format: Some(FileFormat::Mjcf),
-        anchor,
-        beside: paths.collect(),
-        hash: fingerprint(&files::bytes(texts)),
-        included,
-    }
 }
 
 /// Reads the parsed files; returns the paths of further files that were read, too.
@@ -115,7 +98,7 @@ fn read_files<'a>(
         defaults: Defaults::none(),
         tree: Tree::default(),
         loop_names: Names::default(),
-        meshes: Meshes::default(),
+        assets: Assets::default(),
         noted: Noted::default(),
         folder: folder.map(Path::to_owned),
         beside: Vec::new(),
@@ -128,11 +111,12 @@ fn read_files<'a>(
         mjcf.read_option(element, &mut gravity);
     }
     mjcf.read_defaults(root);
-    mjcf.list_meshes(root);
+    mjcf.list_assets(root);
     mjcf.read_tree(root);
     mjcf.scale_masses();
     let loops = mjcf.read_equalities(root);
     mjcf.read_actuators(root);
+    let configurations = mjcf.read_keys(root);
     mjcf.survey(root);
     let name = mjcf.robot_name(root, file);
     let warnings = std::mem::take(&mut mjcf.reader.warnings);
@@ -153,6 +137,7 @@ fn read_files<'a>(
         links: mjcf.tree.links,
         joints: mjcf.tree.joints.into(),
         loops,
+        configurations,
         gravity,
         warnings,
         unmodelled: mjcf.reader.unmodelled,

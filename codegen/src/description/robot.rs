@@ -5,9 +5,11 @@ use std::path::PathBuf;
 
 use proc_macro2::Span;
 
+use super::number;
 use super::unmodelled::Unmodelled;
 use crate::closure::Closure;
 use crate::error::{Diagnostic, Errors, Place};
+use crate::expression::Double;
 use crate::joint::JointKind;
 use crate::joint::actuator::Parts;
 use crate::list::{Id, id};
@@ -27,6 +29,8 @@ pub struct Description {
     pub joints: Vec<Joint>,
     /// The joints that close loops, in the order of the text.
     pub loops: Vec<Loop>,
+    /// Configurations with names, in the order of the text.
+    pub configurations: Vec<Configuration>,
     /// Acceleration of gravity in the frame of the root link [m/s²], if the file has one.
     pub gravity: Option<[Number; 3]>,
     /// Warnings.
@@ -195,6 +199,27 @@ pub struct Joint {
     pub place: Place,
 }
 
+impl Joint {
+    /// A fixed joint, which places a link on another.
+    pub(super) fn fixed(name: Name, parent: &Name, child: &Name, origin: Vec<Step>) -> Self {
+        let place = name.place;
+        let zero = number::computed(Double::ZERO, place);
+        Self {
+            name,
+            kind: JointKind::Fixed,
+            parent: parent.clone(),
+            child: child.clone(),
+            origin,
+            axis: [zero; 3],
+            second_axis: [zero; 3],
+            limits: None,
+            mimic: None,
+            actuator: Parts::default(),
+            place,
+        }
+    }
+}
+
 /// A joint that closes a loop between two links of the tree: it joins frame A on the first link to frame B on the
 /// second.
 #[derive(Clone, Debug)]
@@ -213,6 +238,15 @@ pub struct Loop {
     pub to_at: Vec<Step>,
     /// The directions that become z of A and of B. Equal if the joint has one axis, unused if it has none.
     pub axes: [[Number; 3]; 2],
+}
+
+/// A configuration with a name.
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// Its name.
+    pub name: Name,
+    /// The joints that move, mimic joints among them, each with its coordinates [rad, m, quaternions x, y, z, w].
+    pub joints: Vec<(Name, Vec<Number>)>,
 }
 
 /// Coordinate of a mimic joint: multiplier · q + offset.

@@ -27,14 +27,13 @@ use std::path::Path;
 use proc_macro2::Span;
 
 use self::element::Element;
-use self::files::Parsed;
 use self::frames::Frames;
 use self::reading::Sdf;
 use self::scope::WORLD;
-use super::fingerprint::fingerprint;
 use super::fresh::FreshNames;
 use super::xacro::Given;
 use super::xml::element::Reader;
+use super::xml::texts::Parsed;
 use super::xml::{self, survey};
 use super::{Description, FileFormat, Name, Source, names as twice};
 use crate::error::{Errors, Place};
@@ -62,21 +61,14 @@ pub fn read(
 ) -> Option<Description> {
     errors.set_file(file, anchor);
     let texts = files::load(text, file, folder, given, errors)?;
-    let plains = files::plains(&texts);
-    let parsed = files::parse(&texts, &plains, errors)?;
+    let plains = texts.plains();
+    let parsed = texts.parse(&plains, files::BEGINS, errors)?;
     let mut found = Errors::new();
     let description = read_files(&parsed, &mut found);
     errors.append(found);
     let mut description = description?;
     errors.warn(description.warnings.iter().cloned());
-    description.source = Source {
-        file: Some(file.to_owned()),
-        format: Some(FileFormat::Sdf),
-        anchor,
-        included: files::names(&texts),
-        beside: files::paths(&texts),
-        hash: fingerprint(&files::bytes(&texts)),
-    };
+    description.source = texts.source(FileFormat::Sdf, anchor);
     twice::check(&description, errors);
     Some(description)
 }
@@ -137,6 +129,7 @@ fn read_files<'a>(files: &'a [Parsed<'a>], errors: &mut Errors) -> Option<Descri
         links: sdf.links,
         joints: sdf.joints,
         loops: Vec::new(),
+        configurations: Vec::new(),
         gravity,
         warnings: sdf.reader.warnings,
         unmodelled: sdf.reader.unmodelled,

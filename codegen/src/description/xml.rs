@@ -7,6 +7,7 @@ pub(super) mod element;
 pub(super) mod elements;
 pub(super) mod plain;
 pub(super) mod survey;
+pub(super) mod texts;
 
 use roxmltree::{Document, Error, ParsingOptions};
 
@@ -31,16 +32,18 @@ const MOST_NAMESPACES: usize = 64;
 pub(super) fn begins_with(text: &str, tag: &str) -> bool {
     let mut rest = text.trim_start_matches('\u{feff}').trim_start();
     loop {
+        let after = |word: &str| rest.find(word).map(|at| at + word.len());
         let end = match rest {
-            _ if rest.starts_with("<!--") => "-->",
-            _ if rest.starts_with("<?") => "?>",
-            _ if rest.starts_with("<!") => ">",
+            _ if rest.starts_with("<!--") => after("-->"),
+            _ if rest.starts_with("<?") => after("?>"),
+            _ if rest.starts_with("<!DOCTYPE") => plain::end_of_type(rest),
+            _ if rest.starts_with("<!") => after(">"),
             _ => break,
         };
-        let Some(at) = rest.find(end) else {
+        let Some(end) = end else {
             return false;
         };
-        rest = rest[at + end.len()..].trim_start();
+        rest = rest[end..].trim_start();
     }
     rest.starts_with(tag)
 }

@@ -23,7 +23,7 @@ const BASE_PARAMETERS: &str = "chain/base_parameters";
 const XACRO: &str = "description/xacro/expression";
 
 /// File, part of a line, reason why it is allowed.
-const ALLOWED: [(&str, &str, &str); 31] = [
+const ALLOWED: [(&str, &str, &str); 34] = [
     ("chain/angle.rs", ".value", "decides what digits mean"),
     (
         "chain/merge/reader.rs",
@@ -63,6 +63,21 @@ const ALLOWED: [(&str, &str, &str); 31] = [
         "description/mjcf/inertial.rs",
         "Double::to_f64",
         "decides as MuJoCo does",
+    ),
+    (
+        "description/mjcf/assets.rs",
+        ".to_f64()",
+        "decides an order, and whether there is a size",
+    ),
+    (
+        "description/mjcf/mesh/hull.rs",
+        ".to_f64()",
+        "decides on which side a point is",
+    ),
+    (
+        "description/mjcf/shape.rs",
+        "along.to_f64() > 0.0",
+        "decides whether there is a size",
     ),
     (
         "description/mjcf/orientation.rs",

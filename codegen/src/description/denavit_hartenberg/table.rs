@@ -126,6 +126,7 @@ pub fn read(
         links,
         joints,
         loops: Vec::new(),
+        configurations: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

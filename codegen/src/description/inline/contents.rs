@@ -149,6 +149,7 @@ pub(super) fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> 
         links: Vec::new(),
         joints: Vec::new(),
         loops: Vec::new(),
+        configurations: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -13,11 +13,9 @@ use super::reading::Mjcf;
 use super::tree::{Item, WORLD};
 use super::values::Attributes;
 use crate::description::spatial::{Pose, exactly, plus, to_number};
-use crate::description::{Joint, Link, Name, Step, number};
+use crate::description::{Joint, Link, Name, Step};
 use crate::error::Place;
 use crate::expression::Double;
-use crate::joint::JointKind;
-use crate::joint::actuator::Parts;
 use crate::wording::quoted;
 
 /// Maximum nesting depth of frames.
@@ -307,23 +305,11 @@ impl<'a> Mjcf<'a> {
 
     /// Adds a fixed joint that places a link on another.
     pub(super) fn weld(&mut self, link: &Name, to: &Name, origin: Vec<Step>, place: Place) {
-        let zero = number::computed(Double::ZERO, place);
         let name = Name {
             text: self.tree.joint_names.fresh(&link.text),
             place,
         };
-        self.tree.joints.push(Joint {
-            name,
-            kind: JointKind::Fixed,
-            parent: to.clone(),
-            child: link.clone(),
-            origin,
-            axis: [zero; 3],
-            second_axis: [zero; 3],
-            limits: None,
-            mimic: None,
-            actuator: Parts::default(),
-            place,
-        });
+        let joint = Joint::fixed(name, to, link, origin);
+        self.tree.joints.push(joint);
     }
 }

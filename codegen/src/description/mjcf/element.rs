@@ -4,7 +4,7 @@
 
 use roxmltree::{Attribute, Node};
 
-use super::files::Parsed;
+use crate::description::xml::texts::Parsed;
 
 /// An element with its file.
 #[derive(Clone, Copy)]

@@ -54,7 +54,7 @@ static MUJOCO: Content = Content {
         Entry::ignored("visual", "visual"),
         Entry::ignored("contact", "contacts"),
         Entry::ignored("sensor", "sensors"),
-        Entry::ignored("keyframe", "configurations by name"),
+        Entry::read("keyframe", "configurations with names").with(&settings::KEYFRAME),
         Entry::ignored("custom", "user data"),
         Entry::ignored("extension", "plug-ins; a warning where they exert forces"),
     ],
@@ -62,7 +62,7 @@ static MUJOCO: Content = Content {
 };
 
 /// Each element with attributes or children, under its heading in the guide.
-static PLACES: [(&str, &Content); 22] = [
+static PLACES: [(&str, &Content); 25] = [
     ("`<mujoco>`", &MUJOCO),
     ("`<compiler>`", &settings::COMPILER),
     ("`<option>`", &settings::OPTION),
@@ -78,6 +78,7 @@ static PLACES: [(&str, &Content); 22] = [
     ("`<site>`", &bodies::SITE),
     ("`<asset>`", &settings::ASSET),
     ("`<mesh>`", &settings::MESH),
+    ("`<hfield>`", &settings::HEIGHT_FIELD),
     ("`<equality>`", &actors::EQUALITY),
     (
         "`<joint>`, `<connect>` and `<weld>` of `<equality>`",
@@ -88,6 +89,8 @@ static PLACES: [(&str, &Content); 22] = [
     ("`<tendon>`", &actors::TENDONS),
     ("a tendon", &actors::TENDON),
     ("`<deformable>`", &actors::DEFORMABLE),
+    ("`<keyframe>`", &settings::KEYFRAME),
+    ("`<key>`", &settings::KEY),
 ];
 
 /// The root element of each included file, with the table of the elements allowed in its place.

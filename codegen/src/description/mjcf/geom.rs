@@ -5,6 +5,7 @@
 use std::rc::Rc;
 
 use super::assets::Measured;
+use super::mesh::unknown;
 use super::orientation::z_along;
 use super::reading::Mjcf;
 use super::shape::Shape;
@@ -116,13 +117,11 @@ impl<'a> Mjcf<'a> {
                 return None;
             }
             GeomType::Heights => {
-                let hint = "give its body an <inertial>, or the geom mass=\"0\"";
-                self.refuse(
-                    geom.own,
-                    format!("{subject} is a height field, whose mass is not computed"),
-                    hint,
-                );
-                return None;
+                let sizes = self.extents_of_heights(geom, &subject)?;
+                origin.extend(self.placement(geom, &subject));
+                let is_hollow = self.flag(geom.get("shellinertia"), false, &subject);
+                let of = move |mass: Double| diagonal(Shape::Box.moments(mass, sizes, is_hollow));
+                (Shape::Box.measure(sizes, is_hollow), Box::new(of))
             }
             GeomType::Mesh => {
                 let mesh = self.mesh_of(geom, &subject)?;
@@ -174,13 +173,7 @@ impl<'a> Mjcf<'a> {
         subject: &str,
     ) -> Option<(Vec<Step>, Vector)> {
         if geom.get("mesh").is_some() {
-            let hint = "give its body an <inertial>, or remove mesh and give the geom a size";
-            self.refuse(
-                geom.own,
-                format!("{subject} is a shape fitted to a mesh, whose mass is not computed"),
-                hint,
-            );
-            return None;
+            return self.fitted(geom, shape, subject);
         }
         let entries = self.entries::<3>(geom, "size", subject);
         let mut sizes = entries.map(|entry| entry.map(|entry| entry.exact()));
@@ -216,6 +209,84 @@ impl<'a> Mjcf<'a> {
             return None;
         }
         Some((steps, sizes.map(|size| size.unwrap_or(Double::ZERO))))
+    }
+
+    /// The placement and the sizes of a shape fitted to a mesh: to the box with its principal moments.
+    fn fitted(
+        &mut self,
+        geom: &Attributes<'a>,
+        shape: Shape,
+        subject: &str,
+    ) -> Option<(Vec<Step>, Vector)> {
+        if geom.get("fromto").is_some() {
+            let message = format!("{subject} has both mesh and fromto");
+            self.refuse(geom.own, message, "leave one of them out");
+            return None;
+        }
+        if self.compiler.fit_extents {
+            let message = format!(
+                "{subject} is fitted to the extents of a mesh, so that its mass is not computed"
+            );
+            let hint = "give its body an <inertial>, or remove fitaabb=\"true\"";
+            self.refuse(geom.own, message, hint);
+            return None;
+        }
+        let mesh = self.mesh_of(geom, subject)?;
+        let place = self.place(geom.own);
+        let scale = self.number(geom.get("fitscale"), subject);
+        let scale = scale.map_or(exactly(1.0), |scale| scale.exact());
+        let (halves, axes) = mesh.inertia_box();
+        let sizes = spatial::times(shape.fitted(halves), scale);
+        // Only the tube of a capsule may have no length.
+        let needed = if shape == Shape::Capsule {
+            1
+        } else {
+            shape.sizes()
+        };
+        if sizes[..needed].iter().any(|size| size.to_f64() <= 0.0) {
+            let message = format!("{subject} is fitted to a mesh without extent");
+            self.refuse(geom.own, message, "give its body an <inertial>");
+            return None;
+        }
+        let mut steps = self.placement(geom, subject);
+        steps.push(Step::Translate(
+            mesh.center.map(|entry| to_number(entry, place)),
+        ));
+        let axes = spatial::quaternion(&axes);
+        steps.push(Step::Quaternion(axes.map(|entry| to_number(entry, place))));
+        Some((steps, sizes))
+    }
+
+    /// Half the side lengths of the box that a height field counts as.
+    fn extents_of_heights(&mut self, geom: &Attributes<'a>, subject: &str) -> Option<Vector> {
+        let Some(written) = geom.get("hfield") else {
+            let message = format!("{subject} has no hfield");
+            self.refuse(geom.own, message, "write hfield=\"…\"");
+            return None;
+        };
+        let name = self.word(written);
+        let Some(&element) = self.assets.height_fields.get(&name.text) else {
+            let names = self.assets.height_fields.keys().map(String::as_str);
+            let refusal = unknown(
+                "height field",
+                "height fields",
+                &name,
+                names.collect(),
+                subject,
+            );
+            self.reader.errors.record(refusal);
+            return None;
+        };
+        let what = format!("height field {}", crate::wording::quoted(&name.text));
+        let size = self.numbers::<4>(element.attribute("size"), &what);
+        let Some([x, y, above, below]) = size.map(|size| size.map(|entry| entry.exact())) else {
+            let hint = "write size=\"…\" with its extents, its height and its depth";
+            self.refuse(element, format!("{what} has no size"), hint);
+            return None;
+        };
+        // As in MuJoCo: a quarter of the height, and half of the depth.
+        let half = above / exactly(4.0) + below / exactly(2.0);
+        Some([x, y, half])
     }
 
     /// The placement of a shape between two points, and half of its length.

@@ -3,6 +3,7 @@
 //! A file is opened only if its mass is needed, and each mesh is computed once.
 
 mod file;
+mod hull;
 mod measure;
 
 use std::path::PathBuf;
@@ -14,6 +15,7 @@ use super::reading::Mjcf;
 use super::values::Attributes;
 use crate::description::Name;
 use crate::description::load::load;
+use crate::error::Diagnostic;
 use crate::wording::{known, quoted};
 
 /// Maximum number of values in a mesh that is written in the XML file.
@@ -47,43 +49,47 @@ struct Mesh {
 }
 
 impl<'a> Mjcf<'a> {
-    /// Collects the `<mesh>` elements by name.
-    pub(super) fn list_meshes(&mut self, root: Element<'a>) {
+    /// Collects the `<mesh>` and `<hfield>` elements by name.
+    pub(super) fn list_assets(&mut self, root: Element<'a>) {
         for section in root.named("asset") {
             for element in section.named("mesh") {
-                let name = element.attribute("name").map(|name| self.word(name).text);
-                let stem = || {
-                    let file = self.word(element.attribute("file")?).text;
-                    let file = file.replace('\\', "/");
-                    let last = file.rsplit('/').next().unwrap_or_default();
-                    let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
-                    Some(stem.to_owned())
-                };
-                if let Some(name) = name.or_else(stem) {
-                    self.meshes.assets.insert(name, element);
+                if let Some(name) = self.asset_name(element) {
+                    self.assets.meshes.insert(name, element);
+                }
+            }
+            for element in section.named("hfield") {
+                if let Some(name) = self.asset_name(element) {
+                    self.assets.height_fields.insert(name, element);
                 }
             }
         }
     }
 
+    /// The name of an asset, or that of its file without folders and ending.
+    fn asset_name(&mut self, element: Element<'a>) -> Option<String> {
+        if let Some(name) = element.attribute("name") {
+            return Some(self.word(name).text);
+        }
+        let file = self.word(element.attribute("file")?).text;
+        let file = file.replace('\\', "/");
+        let last = file.rsplit('/').next().unwrap_or_default();
+        let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
+        Some(stem.to_owned())
+    }
+
     /// The inertia of a named mesh at density 1.
     pub(super) fn measured(&mut self, name: &Name, subject: &str) -> Option<Rc<Measured>> {
-        if let Some(known) = self.meshes.measured.get(&name.text) {
+        if let Some(known) = self.assets.measured.get(&name.text) {
             return known.clone();
         }
-        let Some(&element) = self.meshes.assets.get(&name.text) else {
-            let message = format!(
-                "{subject} names a mesh that does not exist: {}",
-                quoted(&name.text)
-            );
-            let mut names: Vec<&str> = self.meshes.assets.keys().map(String::as_str).collect();
-            names.sort_unstable();
-            let hint = known(&name.text, "meshes", &names);
-            self.reader.errors.push_with_hint(name.place, message, hint);
+        let Some(&element) = self.assets.meshes.get(&name.text) else {
+            let names: Vec<&str> = self.assets.meshes.keys().map(String::as_str).collect();
+            let refusal = unknown("mesh", "meshes", name, names, subject);
+            self.reader.errors.record(refusal);
             return None;
         };
         let measured = self.measure(element, &name.text, subject).map(Rc::new);
-        self.meshes
+        self.assets
             .measured
             .insert(name.text.clone(), measured.clone());
         measured
@@ -103,29 +109,34 @@ impl<'a> Mjcf<'a> {
             InertiaMethod::Legacy,
             &what,
         );
-        let read = if method == InertiaMethod::Convex {
-            Err("inertia=\"convex\" is not supported".to_owned())
-        } else {
-            self.corners(element, &what)
-        };
-        let measured = read.and_then(|(mut mesh, is_swapped)| {
-            let scale = self.numbers::<3>(attributes.get("scale"), &what);
-            let scale = scale.map_or([1.0; 3], |scale| scale.map(|factor| factor.value));
-            let origin = self.numbers::<3>(element.attribute("refpos"), &what);
-            let axes = self.numbers::<4>(element.attribute("refquat"), &what);
-            let origin = origin.map_or([0.0; 3], |origin| origin.map(|entry| entry.value));
-            let axes = axes.map_or([1.0, 0.0, 0.0, 0.0], |axes| axes.map(|entry| entry.value));
-            let edges = measure::twice_used(&mesh);
-            if method == InertiaMethod::Exact && edges {
-                return Err(
-                    "its faces are not consistently oriented, as inertia=\"exact\" requires"
-                        .to_owned(),
-                );
-            }
-            let is_mirrored = scale[0].signum() * scale[1].signum() * scale[2].signum() < 0.0;
-            mesh.place(origin, axes, scale, is_mirrored && !is_swapped);
-            mesh.measured(method)
-        });
+        let most = self.number(attributes.get("maxhullvert"), &what);
+        let measured = self
+            .corners(element, &what)
+            .and_then(|(mut mesh, is_swapped)| {
+                let scale = self.numbers::<3>(attributes.get("scale"), &what);
+                let scale = scale.map_or([1.0; 3], |scale| scale.map(|factor| factor.value));
+                let origin = self.numbers::<3>(element.attribute("refpos"), &what);
+                let axes = self.numbers::<4>(element.attribute("refquat"), &what);
+                let origin = origin.map_or([0.0; 3], |origin| origin.map(|entry| entry.value));
+                let axes = axes.map_or([1.0, 0.0, 0.0, 0.0], |axes| axes.map(|entry| entry.value));
+                let is_hull = method == InertiaMethod::Convex || mesh.faces.is_empty();
+                if is_hull {
+                    if most.is_some_and(|most| most.value >= 0.0) {
+                        return Err("maxhullvert reduces its convex hull".to_owned());
+                    }
+                    mesh.faces = hull::hull(&mesh.corners)?;
+                }
+                let edges = measure::twice_used(&mesh);
+                if method == InertiaMethod::Exact && edges {
+                    return Err(
+                        "its faces are not consistently oriented, as inertia=\"exact\" requires"
+                            .to_owned(),
+                    );
+                }
+                let is_mirrored = scale[0].signum() * scale[1].signum() * scale[2].signum() < 0.0;
+                mesh.place(origin, axes, scale, is_mirrored && (is_hull || !is_swapped));
+                mesh.measured(method)
+            });
         match measured {
             Ok(measured) => Some(measured),
             Err(reason) => {
@@ -157,7 +168,7 @@ impl<'a> Mjcf<'a> {
             )
         };
         let corners = list("vertex").ok_or("it has neither file nor vertex")?;
-        let faces = list("face").ok_or("it has no face, and convex hulls are not computed")?;
+        let faces = list("face").unwrap_or_default();
         file::of_numbers(&corners, &faces).map(|mesh| (mesh, false))
     }
 
@@ -184,5 +195,24 @@ impl<'a> Mjcf<'a> {
         file::read(&bytes, ending)
             .map(|mesh| (mesh, is_msh))
             .map_err(|reason| format!("{}: {reason}", path.display()))
+    }
+}
+
+/// The error for a name of an asset that does not exist.
+pub(super) fn unknown(
+    kind: &str,
+    kinds: &str,
+    name: &Name,
+    mut names: Vec<&str>,
+    subject: &str,
+) -> Diagnostic {
+    names.sort_unstable();
+    Diagnostic {
+        place: name.place,
+        message: format!(
+            "{subject} names a {kind} that does not exist: {}",
+            quoted(&name.text)
+        ),
+        hint: Some(known(&name.text, kinds, &names)),
     }
 }

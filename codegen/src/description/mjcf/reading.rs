@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::assets::Meshes;
+use super::assets::Assets;
 use super::class::Defaults;
 use super::names::Names;
 use super::settings::Compiler;
@@ -17,7 +17,7 @@ pub(super) struct Mjcf<'a> {
     pub(super) defaults: Defaults<'a>,
     pub(super) tree: Tree,
     pub(super) loop_names: Names,
-    pub(super) meshes: Meshes<'a>,
+    pub(super) assets: Assets<'a>,
     pub(super) noted: Noted,
     /// The folder of the first file, which paths of other files are relative to.
     pub(super) folder: Option<PathBuf>,

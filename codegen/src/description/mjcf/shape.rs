@@ -32,6 +32,25 @@ impl Shape {
         }
     }
 
+    /// Its sizes when it is fitted to a box with these half side lengths, as in MuJoCo; those that it lacks are 0.
+    pub(super) fn fitted(self, [a, b, c]: Vector) -> Vector {
+        let [zero, two, three] = [0.0, 2.0, 3.0].map(exactly);
+        let across = (a + b) / two;
+        match self {
+            Self::Sphere => [(a + b + c) / three, zero, zero],
+            Self::Capsule => {
+                let along = c - across / two;
+                [
+                    across,
+                    if along.to_f64() > 0.0 { along } else { zero },
+                    zero,
+                ]
+            }
+            Self::Cylinder => [across, c, zero],
+            Self::Ellipsoid | Self::Box => [a, b, c],
+        }
+    }
+
     /// The volume \[m³\], or the area of a hollow one \[m²\].
     pub(super) fn measure(self, [a, b, c]: Vector, is_hollow: bool) -> Double {
         let [two, three, four, eight] = [2.0, 3.0, 4.0, 8.0].map(exactly);

@@ -169,6 +169,7 @@ fn a_file_is_known_by_its_root() {
         "<mujoco/>",
         "\u{feff}<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<mujoco model=\"a\">",
         "<!DOCTYPE mujoco>\n<mujocoinclude>",
+        "<!DOCTYPE r [<!ENTITY a \"b\">\n]><mujoco/>",
     ] {
         assert!(is_mjcf(text), "{text}");
     }

@@ -2,7 +2,7 @@
 
 use roxmltree::{Attribute, Node};
 
-use super::files::Parsed;
+use crate::description::xml::texts::Parsed;
 
 /// An element with its file.
 #[derive(Clone, Copy)]

@@ -4,52 +4,23 @@
 //! includes it, and beside the folders of both; other places are rejected, and so is more text than a single file may
 //! have.
 
-use std::borrow::Cow;
-use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 
-use crate::description::load::load_text;
+use crate::description::load::{absolute, load_text};
 use crate::description::position::Positions;
 use crate::description::xacro::Given;
-use crate::description::xml::{self, LARGEST_FILE, plain};
+use crate::description::xml::texts::{LIMITS, Texts};
+use crate::description::xml::{self, plain};
 use crate::error::Errors;
 use crate::wording::quoted;
 
 /// Hint for a text without the root element.
-const BEGINS: &str = "an SDF file begins with <sdf version=\"…\">";
-
-/// Maximum number of files.
-const MOST_FILES: usize = 1000;
+pub(super) const BEGINS: &str = "an SDF file begins with <sdf version=\"…\">";
 
 /// Beginning of the address of a model by its name.
 const BY_NAME: &str = "model://";
-
-/// The text of a file.
-pub(super) struct Text {
-    /// Its path from the first file's folder, with `/` between names; for the first file its name.
-    name: String,
-    /// Its path; `None` for the first file.
-    path: Option<PathBuf>,
-    content: String,
-    /// The indices of the included files, by the byte offsets of the `<include>` elements.
-    includes: HashMap<usize, usize>,
-}
-
-/// A parsed file.
-pub(super) struct Parsed<'t> {
-    pub(super) positions: Positions<'t>,
-    pub(super) document: Document<'t>,
-    includes: &'t HashMap<usize, usize>,
-}
-
-impl Parsed<'_> {
-    /// The index of the file that an element includes.
-    pub(super) fn included(&self, node: Node<'_, '_>) -> Option<usize> {
-        self.includes.get(&node.range().start).copied()
-    }
-}
 
 /// Reads a file and all files of included models, the first file first. `None` if one of them cannot be read.
 pub(super) fn load(
@@ -58,74 +29,29 @@ pub(super) fn load(
     folder: Option<&Path>,
     given: &Given,
     errors: &mut Errors,
-) -> Option<Vec<Text>> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut texts = vec![Text {
-        name: file.to_owned(),
-        path: None,
-        content: text.to_owned(),
-        includes: HashMap::new(),
-    }];
+) -> Option<Texts> {
+    // Models are also looked for around the folder, which a relative path may not name.
+    let folder = folder.and_then(absolute);
+    let mut texts = Texts::new(text, file);
     let mut at = 0;
     while at < texts.len() {
-        errors.set_included(names(&texts));
-        include(&mut texts, at, folder, given, errors)?;
+        errors.set_included(texts.names());
+        include(&mut texts, at, folder.as_deref(), given, errors)?;
         at += 1;
     }
-    errors.set_included(names(&texts));
+    errors.set_included(texts.names());
     Some(texts)
-}
-
-/// The names of the included files.
-pub(super) fn names(texts: &[Text]) -> Vec<String> {
-    texts[1..].iter().map(|text| text.name.clone()).collect()
-}
-
-/// The paths of the included files.
-pub(super) fn paths(texts: &[Text]) -> Vec<PathBuf> {
-    let paths = texts.iter().filter_map(|text| text.path.clone());
-    paths.collect()
-}
-
-/// The bytes of all files, in the order in which they are included.
-pub(super) fn bytes(texts: &[Text]) -> Vec<u8> {
-    texts.iter().flat_map(|text| text.content.bytes()).collect()
-}
-
-/// The texts of the files, prepared for the XML parser.
-pub(super) fn plains(texts: &[Text]) -> Vec<Cow<'_, str>> {
-    let plains = texts.iter().map(|text| plain::plain(&text.content));
-    plains.collect()
-}
-
-/// Parses the files.
-pub(super) fn parse<'t>(
-    texts: &'t [Text],
-    plains: &'t [Cow<'t, str>],
-    errors: &mut Errors,
-) -> Option<Vec<Parsed<'t>>> {
-    let files = texts.iter().zip(plains).enumerate();
-    let parsed = files.map(|(at, (text, plain))| {
-        let positions = Positions::of_file(&text.content, at);
-        let document = xml::parse(plain, &positions, BEGINS, errors)?;
-        Some(Parsed {
-            positions,
-            document,
-            includes: &text.includes,
-        })
-    });
-    parsed.collect()
 }
 
 /// Finds and reads the files that one file includes.
 fn include(
-    texts: &mut Vec<Text>,
+    texts: &mut Texts,
     at: usize,
     folder: Option<&Path>,
     given: &Given,
     errors: &mut Errors,
 ) -> Option<()> {
-    let content = texts[at].content.clone();
+    let content = texts.content(at).to_owned();
     let positions = Positions::of_file(&content, at);
     let plain = plain::plain(&content);
     let document = xml::parse(&plain, &positions, BEGINS, errors)?;
@@ -136,32 +62,18 @@ fn include(
             .children()
             .find(|child| child.tag_name().name() == "uri");
         let uri = uri.and_then(|uri| uri.text()).unwrap_or_default().trim();
-        let beside = texts[at].path.as_deref().and_then(Path::parent).or(folder);
+        let beside = texts.path(at).and_then(Path::parent).or(folder);
         let opened = open(uri, beside, folder, given).and_then(|path| {
-            let known = texts
-                .iter()
-                .position(|text| text.path.as_deref() == Some(&path));
-            if let Some(known) = known {
+            if let Some(known) = texts.find(&path) {
                 return Ok(known);
             }
             let refuse = |reason: &str| Refused::new(uri, reason, HINT);
             let text = load_text(&path).map_err(|reason| refuse(&reason))?;
-            let size: usize = texts.iter().map(|text| text.content.len()).sum();
-            if size + text.len() > LARGEST_FILE || texts.len() >= MOST_FILES {
-                return Err(refuse("a robot may have 1000 files, of 64 MB together"));
-            }
-            texts.push(Text {
-                name: shown(&path, folder),
-                path: Some(path),
-                content: text,
-                includes: HashMap::new(),
-            });
-            Ok(texts.len() - 1)
+            let name = shown(&path, folder);
+            texts.add(name, path, text).ok_or_else(|| refuse(LIMITS))
         });
         match opened {
-            Ok(file) => {
-                texts[at].includes.insert(offset, file);
-            }
+            Ok(file) => texts.link(at, offset, file),
             Err(Refused { message, hint }) => {
                 errors.push_with_hint(positions.place(offset), message, hint);
                 return None;

@@ -186,20 +186,8 @@ impl<'a> Sdf<'a> {
         origin: Vec<Step>,
         place: Place,
     ) {
-        let zero = number::computed(Double::ZERO, place);
-        self.joints.push(Joint {
-            name: Name { text: name, place },
-            kind: JointKind::Fixed,
-            parent: parent.clone(),
-            child: child.clone(),
-            origin,
-            axis: [zero; 3],
-            second_axis: [zero; 3],
-            limits: None,
-            mimic: None,
-            actuator: Parts::default(),
-            place,
-        });
+        let name = Name { text: name, place };
+        self.joints.push(Joint::fixed(name, parent, child, origin));
     }
 
     /// The name of the fixed link, which becomes one of the links.

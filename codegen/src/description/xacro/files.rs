@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use super::failure::{Failure, failure, failure_with_hint};
 use super::given::Given;
 use super::tree::FileId;
-use crate::description::load::load_text;
+use crate::description::load::{absolute, load_text};
 use crate::description::position::Positions;
 use crate::description::xml::{self, LARGEST_FILE};
 use crate::error::Errors;
@@ -61,7 +61,7 @@ pub(super) struct Files {
 impl Files {
     /// The first file.
     pub(super) fn new(text: &str, file: &str, folder: Option<&Path>, given: &Given) -> Self {
-        let folder = folder.and_then(|folder| std::path::absolute(folder).ok());
+        let folder = folder.and_then(absolute);
         let home = folder.as_ref().map(|folder| home(folder));
         let beginning = match (&home, &folder) {
             (Some(root), Some(folder)) => {

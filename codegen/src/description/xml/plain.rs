@@ -51,7 +51,7 @@ pub(in crate::description) fn plain(text: &str) -> Cow<'_, str> {
 }
 
 /// The end of `<!DOCTYPE …>`, including its declarations.
-fn end_of_type(text: &str) -> Option<usize> {
+pub(super) fn end_of_type(text: &str) -> Option<usize> {
     let end = text.find('>')?;
     match text[..end].find('[') {
         None => Some(end + 1),

@@ -193,7 +193,7 @@ pub(super) static GEOM: Content = Content {
             "group",
             "the geom has mass if this is in `inertiagrouprange`",
         ),
-        Entry::read("mesh", "the name of its mesh"),
+        Entry::read("mesh", "its mesh; that to which another shape is fitted"),
         Entry::ignored("contype", "contacts"),
         Entry::ignored("conaffinity", "contacts"),
         Entry::ignored("condim", "contacts"),
@@ -206,12 +206,15 @@ pub(super) static GEOM: Content = Content {
         Entry::ignored("gap", "contacts"),
         Entry::ignored("surfacevel", "contacts"),
         Entry::ignored("adhesion", "contacts"),
-        Entry::ignored("hfield", "contacts"),
+        Entry::read(
+            "hfield",
+            "its height field: a box of its extents, as in MuJoCo",
+        ),
         Entry::ignored("material", "visual"),
         Entry::ignored("rgba", "visual"),
         Entry::read(
             "fitscale",
-            "an error where its mass is needed: shapes fitted to meshes are not read",
+            "a factor for the size of a shape fitted to a mesh",
         ),
         Entry::ignored(
             "fluidshape",

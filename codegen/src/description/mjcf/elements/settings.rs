@@ -39,7 +39,10 @@ pub(in crate::description::mjcf) static COMPILER: Content = Content {
             "a warning if MuJoCo moves frames of free bodies",
         ),
         Entry::ignored("fusestatic", "bodies without joints stay links, at no cost"),
-        Entry::ignored("fitaabb", "the mass of shapes fitted to meshes is not read"),
+        Entry::read(
+            "fitaabb",
+            "`true` is an error where a shape is fitted to a mesh and its mass is needed",
+        ),
         Entry::ignored("texturedir", "visual"),
         Entry::ignored("discardvisual", "visual"),
         Entry::ignored("usethread", "a setting of the solver"),
@@ -161,11 +164,28 @@ pub(in crate::description::mjcf) static ASSET: Content = Content {
     elements: &[
         Entry::read("mesh", "a mesh").with(&MESH),
         Entry::read("model", "an error where it is attached"),
-        Entry::ignored("hfield", "contacts"),
+        Entry::read("hfield", "a height field").with(&HEIGHT_FIELD),
         Entry::ignored("texture", "visual"),
         Entry::ignored("material", "visual"),
         Entry::ignored("skin", "visual"),
     ],
+    others: Others::Warned,
+};
+
+pub(in crate::description::mjcf) static HEIGHT_FIELD: Content = Content {
+    attributes: &[
+        Entry::read(
+            "name",
+            "its name; the name of the file without its ending if it is not written",
+        ),
+        Entry::read("size", "its extents, height and depth \\[m\\]"),
+        Entry::ignored("file", "contacts"),
+        Entry::ignored("content_type", "contacts"),
+        Entry::ignored("nrow", "contacts"),
+        Entry::ignored("ncol", "contacts"),
+        Entry::ignored("elevation", "contacts"),
+    ],
+    elements: &[],
     others: Others::Warned,
 };
 
@@ -181,13 +201,16 @@ pub(in crate::description::mjcf) static MESH: Content = Content {
             "an STL, OBJ or MSH file, opened only where its volume is needed",
         ),
         Entry::read("vertex", "its vertices"),
-        Entry::read("face", "its triangles"),
+        Entry::read(
+            "face",
+            "its triangles; a mesh without faces is its convex hull",
+        ),
         Entry::read("scale", "a factor for each axis"),
         Entry::read("refpos", "the origin in the file"),
         Entry::read("refquat", "the axes in the file"),
         Entry::read(
             "inertia",
-            "`legacy`, unless `exact` or `shell` is written; `convex` is an error where its mass is needed",
+            "`legacy`, unless `exact`, `shell` or `convex` is written",
         ),
         Entry::read("builtin", "an error where its volume is needed"),
         Entry::read("params", "an error where its volume is needed"),
@@ -195,9 +218,30 @@ pub(in crate::description::mjcf) static MESH: Content = Content {
         Entry::ignored("normal", "visual"),
         Entry::ignored("texcoord", "visual"),
         Entry::ignored("smoothnormal", "visual"),
-        Entry::ignored("maxhullvert", "contacts"),
+        Entry::read("maxhullvert", "an error where the convex hull has the mass"),
         Entry::ignored("material", "visual"),
     ],
     elements: &[Entry::read("plugin", "an error where its volume is needed")],
+    others: Others::Warned,
+};
+
+pub(in crate::description::mjcf) static KEYFRAME: Content = Content {
+    attributes: &[],
+    elements: &[Entry::read("key", "a configuration, if it has a name and `qpos`").with(&KEY)],
+    others: Others::Warned,
+};
+
+pub(in crate::description::mjcf) static KEY: Content = Content {
+    attributes: &[
+        Entry::read("name", "its name"),
+        Entry::read("qpos", "its coordinates, listed by `homogen check`"),
+        Entry::ignored("time", "a state of the simulation"),
+        Entry::ignored("qvel", "a state of the simulation"),
+        Entry::ignored("act", "a state of the simulation"),
+        Entry::ignored("ctrl", "a state of the simulation"),
+        Entry::ignored("mpos", "a state of the simulation"),
+        Entry::ignored("mquat", "a state of the simulation"),
+    ],
+    elements: &[],
     others: Others::Warned,
 };

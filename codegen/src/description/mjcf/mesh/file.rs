@@ -60,8 +60,8 @@ fn single(number: f64) -> f64 {
 }
 
 fn checked(mesh: Mesh) -> Result<Mesh, String> {
-    if mesh.faces.is_empty() {
-        return Err("it has no faces".to_owned());
+    if mesh.corners.is_empty() {
+        return Err("it has no vertices".to_owned());
     }
     if mesh
         .corners
@@ -293,7 +293,8 @@ mod tests {
         assert!(refusal(b"v 0 0 0\nf 0 1 1\n", "obj").contains("vertex that does not exist"));
         assert!(refusal(b"v 0 0 0\nf 1 1 1 1 1\n", "obj").contains("more than four"));
         assert!(refusal(b"v 0 0 1e99\nf 1 1 1\n", "obj").contains("infinite or NaN"));
-        assert!(refusal(b"v 0 0 0\n", "obj").contains("no faces"));
+        assert!(refusal(b"f\n", "obj").contains("fewer than three"));
+        assert!(refusal(b"# nothing\n", "obj").contains("no vertices"));
         assert!(refusal(b"", "dae").contains("not an STL"));
     }
 }

@@ -9,7 +9,12 @@ fn found(compiler: &str, body: &str) -> (f64, [f64; 3], [f64; 6]) {
     let text = format!(
         "<mujoco><compiler {compiler}/><worldbody><body name=\"a\">{body}</body></worldbody></mujoco>"
     );
-    let robot = fine(&text);
+    of_body(&text)
+}
+
+/// The same for the body `a` of a whole file.
+fn of_body(text: &str) -> (f64, [f64; 3], [f64; 6]) {
+    let robot = fine(text);
     let found = inertial(&robot, "a");
     let (r, center) = pose(&found.origin);
     let [xx, xy, xz, yy, yz, zz] = values(found.inertia);
@@ -86,6 +91,152 @@ fn geoms_between_two_points_lie_along_them() {
     all_near(center, [2.0, 0.0, 0.0]);
     let (along, across) = (12.0 * 0.125, 0.75 + 4.0);
     all_near(tensor, [along, 0.0, 0.0, across, 0.0, across]);
+}
+
+/// Relative deviation from MuJoCo, which stores the orientation of a mesh in single precision.
+const SINGLE: f64 = 2e-6;
+
+/// Asserts that a geom that uses an irregular mesh without faces has the inertia that MuJoCo 4.0.0 computes.
+fn like_mujoco(inertia: &str, geom: &str, mass: f64, center: [f64; 3], tensor: [f64; 6]) {
+    let text = format!(
+        "<mujoco><asset><mesh name=\"m\" inertia=\"{inertia}\" vertex=\"0 0 0 0.1 0 0 0 0.3 0 0 0 0.1 0.12 0.1 0.15 0.05 0.1 0.05\"/>\
+         </asset><worldbody><body name=\"a\"><geom mesh=\"m\" {geom}/></body></worldbody></mujoco>"
+    );
+    let found = of_body(&text);
+    let largest = tensor.into_iter().fold(0.0, f64::max);
+    let pairs = (found.1.into_iter().zip(center)).map(|pair| (pair, 1.0));
+    let entries = (found.2.into_iter().zip(tensor)).map(|pair| (pair, largest));
+    for ((found, wanted), scale) in pairs.chain(entries).chain([((found.0, mass), mass)]) {
+        assert!(
+            (found - wanted).abs() < SINGLE * scale,
+            "{geom}: {found} and {wanted}"
+        );
+    }
+}
+
+#[test]
+fn a_mesh_without_faces_is_its_convex_hull() {
+    let center = [0.045_109_89, 0.091_758_245, 0.050_137_364];
+    let tensor = [
+        0.006_463_617,
+        0.000_444_46,
+        -0.000_530_602,
+        0.002_631_037,
+        0.000_381_616,
+        0.006_061_377,
+    ];
+    for inertia in ["legacy", "exact", "convex"] {
+        let geom = "type=\"mesh\"";
+        like_mujoco(inertia, geom, 1.516_666_764, center, tensor);
+    }
+}
+
+#[test]
+fn shapes_are_fitted_to_the_inertia_of_a_mesh() {
+    let center = [0.045_109_89, 0.091_758_245, 0.050_137_364];
+    like_mujoco(
+        "convex",
+        "type=\"box\" fitscale=\"1.5\"",
+        6.141_961_876,
+        center,
+        [
+            0.058_894_546,
+            0.004_049_785,
+            -0.004_834_688,
+            0.023_973_22,
+            0.003_477_174,
+            0.055_229_457,
+        ],
+    );
+    let ball = 0.002_081_073_083;
+    like_mujoco(
+        "legacy",
+        "type=\"sphere\"",
+        1.198_317_352,
+        center,
+        [ball, 0.0, 0.0, ball, 0.0, ball],
+    );
+    like_mujoco(
+        "legacy",
+        "type=\"cylinder\" shellinertia=\"true\"",
+        76.362_803_260,
+        center,
+        [
+            0.432_047_302,
+            0.034_247_892,
+            -0.004_363_309,
+            0.173_050_67,
+            0.033_564_36,
+            0.432_223_244,
+        ],
+    );
+    like_mujoco(
+        "legacy",
+        "type=\"ellipsoid\"",
+        0.952_866_287,
+        center,
+        [
+            0.002_436_513,
+            0.000_167_543,
+            -0.000_200_015,
+            0.000_991_79,
+            0.000_143_853,
+            0.002_284_885,
+        ],
+    );
+    like_mujoco(
+        "shell",
+        "type=\"capsule\" pos=\"1 0 0\"",
+        3.435_370_859,
+        [1.045_005_502, 0.103_779_993, 0.050_454_053],
+        [
+            0.025_272_569,
+            0.002_622_896,
+            -0.000_379_127,
+            0.007_164_381,
+            0.002_671_259,
+            0.025_258_715,
+        ],
+    );
+}
+
+#[test]
+fn a_flat_mesh_has_no_hull_and_no_fitted_box() {
+    let refusal = |mesh: &str, geom: &str| {
+        errors(&format!(
+            "<mujoco><asset><mesh name=\"m\" vertex=\"0 0 0 1 0 0 1 1 0 0 1 0\" {mesh}/></asset><worldbody><body name=\"a\">\
+             <geom mesh=\"m\" {geom}/></body></worldbody></mujoco>"
+        ))
+    };
+    let found = refusal("", "type=\"mesh\"");
+    assert!(found.contains("its vertices are in a plane"), "{found}");
+    let plate = "inertia=\"shell\" face=\"0 1 2 0 2 3\"";
+    let found = refusal(plate, "type=\"box\"");
+    assert!(found.contains("fitted to a mesh without extent"), "{found}");
+    assert_eq!(refusal(plate, "type=\"mesh\""), "");
+}
+
+#[test]
+fn a_height_field_is_a_box_of_its_extents() {
+    let (mass, center, tensor) = of_body(
+        "<mujoco><asset><hfield name=\"h\" size=\"1 2 0.5 0.1\" nrow=\"2\" ncol=\"2\"/></asset><worldbody><body name=\"a\">\
+         <geom type=\"hfield\" hfield=\"h\" density=\"1\" pos=\"0 0 1\"/></body></worldbody></mujoco>",
+    );
+    near(mass, 2.8);
+    all_near(center, [0.0, 0.0, 1.0]);
+    let third = 2.8 / 3.0;
+    let height = 0.175_f64 * 0.175;
+    all_near(
+        tensor,
+        [
+            third * (4.0 + height),
+            0.0,
+            0.0,
+            third * (1.0 + height),
+            0.0,
+            third * 5.0,
+        ],
+    );
 }
 
 #[test]
@@ -194,6 +345,15 @@ fn wrong_inertias_are_errors() {
             "names a mesh that does not exist: \"m\"",
         ),
         ("<geom type=\"mesh\"/>", "has no mesh"),
+        ("<geom type=\"hfield\"/>", "has no hfield"),
+        (
+            "<geom type=\"hfield\" hfield=\"h\"/>",
+            "names a height field that does not exist: \"h\"",
+        ),
+        (
+            "<geom type=\"box\" mesh=\"m\" fromto=\"0 0 0 1 0 0\"/>",
+            "has both mesh and fromto",
+        ),
         (
             "<geom type=\"ball\"/>",
             "type of a geom of body \"a\" is \"ball\"",

@@ -208,3 +208,32 @@ fn armatures_of_actuators_are_motors() {
     assert_eq!(found.map(f64::to_bits), [1e-4_f64, 50.0].map(f64::to_bits));
     assert!(actuator.further().is_empty());
 }
+
+#[test]
+fn keys_are_configurations() {
+    let text = |qpos: &str| {
+        format!(
+            "<mujoco><worldbody><body name=\"a\"><freejoint name=\"f\"/><geom size=\"1\"/><body name=\"b\"><joint name=\"j\"/><geom size=\"1\"/>\
+             <body name=\"c\"/></body></body></worldbody><keyframe><key name=\"home\" qpos=\"{qpos}\"/><key time=\"1\"/></keyframe></mujoco>"
+        )
+    };
+    let robot = fine(&text("1 2 3 2 0 0 0 90"));
+    let [home] = &robot.configurations[..] else {
+        panic!("{:?}", robot.configurations);
+    };
+    assert_eq!(home.name.text, "home");
+    let found: Vec<(&str, Vec<f64>)> = (home.joints.iter())
+        .map(|(joint, own)| (&*joint.text, own.iter().map(|entry| entry.value).collect()))
+        .collect();
+    // In radians, though angles of the file are in degrees; the quaternion has the order x, y, z, w, and length 1.
+    let free = vec![1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0];
+    assert_eq!(found, [("f", free), ("j", vec![90.0])]);
+    let wrong = text("1 2 3");
+    assert!(fine(&wrong).configurations.is_empty());
+    let message = "key \"home\" has 3 coordinates, and the joints 8";
+    assert!(
+        warnings(&wrong)
+            .iter()
+            .any(|warning| warning.contains(message))
+    );
+}

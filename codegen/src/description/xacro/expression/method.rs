@@ -340,6 +340,7 @@ fn of_map(map: &Map, call: &mut Call<'_>) -> Result<Value, Failure> {
     match call.name {
         "get" => {
             let (key, other) = call.one_or_two()?;
+            key.check_key()?;
             Ok(map.get(&key).or(other).unwrap_or(Value::None))
         }
         "keys" => {

@@ -219,7 +219,10 @@ pub(super) fn compare(comparison: Comparison, a: &Value, b: &Value) -> Result<bo
 fn contains(whole: &Value, part: &Value) -> Result<bool, Failure> {
     match (whole, part) {
         (Value::List(list), part) => Ok(list.items().iter().any(|item| item.equals(part))),
-        (Value::Map(map), part) => Ok(map.get(part).is_some()),
+        (Value::Map(map), part) => {
+            part.check_key()?;
+            Ok(map.get(part).is_some())
+        }
         (Value::Text(whole), Value::Text(part)) => Ok(whole.contains(&**part)),
         _ => Err(failure(format!(
             "{} contains no {}",

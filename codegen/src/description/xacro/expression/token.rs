@@ -121,7 +121,9 @@ fn integer(value: i64) -> Result<Token, Failure> {
 
 /// The prefix of a text in quotes; `None` if no text begins here.
 fn text_prefix(text: &str) -> Option<&str> {
-    let quote = text.find(['\'', '"'])?;
+    // No prefix is longer than a letter.
+    let mut first = text.char_indices().take(2);
+    let (quote, _) = first.find(|(_, letter)| matches!(letter, '\'' | '"'))?;
     let prefix = &text[..quote];
     ["", "r", "R", "u", "U", "f", "F", "b", "B"]
         .contains(&prefix)

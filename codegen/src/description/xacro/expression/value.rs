@@ -109,6 +109,7 @@ impl Map {
         let mut kept: Vec<(Value, Value)> = Vec::with_capacity(entries.len());
         let mut places: HashMap<String, usize> = HashMap::new();
         for (key, value) in entries {
+            key.check_key()?;
             // Equal numbers are one key, whatever their types.
             let word = key.as_number().map_or_else(|| key.literal(), digits);
             match places.entry(word) {
@@ -139,6 +140,20 @@ impl Map {
             inner.is_dotted |= self.is_dotted;
         }
         Some(value)
+    }
+}
+
+impl Value {
+    /// An error for a value that cannot be a key of a dictionary: a list or a dictionary, or a tuple with one.
+    pub(super) fn check_key(&self) -> Result<(), Failure> {
+        match self {
+            Self::List(list) if list.is_tuple => list.items().iter().try_for_each(Self::check_key),
+            Self::List(_) | Self::Map(_) => Err(failure(format!(
+                "{} cannot be a key of a dictionary",
+                self.kind()
+            ))),
+            _ => Ok(()),
+        }
     }
 }
 

@@ -99,11 +99,12 @@ pub(super) fn first_unlike(
     let largest = sizes.fold(0.0, f64::max);
     let mut pairs = found.iter().zip(&expected).enumerate();
     pairs.find_map(|(entry, (found, expected))| {
+        // Programs that lose more than half of the digits are refused, and the bound of the error is far above that. A
+        // bound that is NaN, of a zero times an infinite error, is none.
         let given = SOLVED * (expected.error + ROUNDOFF * largest);
-        let most = given + found.as_found().noise() + expected.noise();
-        // Programs that lose more than half of the digits are refused; the bound of the error is far above it. NaN, of
-        // a zero times an infinite error, is no bound.
-        let most = most.min(UNBOUNDED * largest);
+        let given = given.min(UNBOUNDED * largest);
+        let noise = found.as_found().noise() + expected.noise();
+        let most = given + if noise.is_finite() { noise } else { 0.0 };
         let distance = (found.value - expected.value).to_f64().abs();
         let (found, expected) = (found.to_f64(), expected.to_f64());
         wrong(entry, found, expected, distance <= most)

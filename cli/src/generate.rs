@@ -146,7 +146,7 @@ impl Generate {
 
     /// Writes a module of LLVM IR, or returns its text.
     fn llvm(&self, builder: &Builder) -> Result<(String, Module), Errors> {
-        let module = builder.c_module()?;
+        let module = builder.llvm_module()?;
         let text = builder.llvm(&module, self.lanes);
         Ok((self.put(text)?, module))
     }

@@ -421,6 +421,12 @@ impl Builder {
         self
     }
 
+    /// Adds `CasADi`'s external interface to a file in C: `casadi.external("arm_casadi_gravity", library)`, with Jacobian,
+    /// gradient and Hessian of functions whose derivatives are among the [`generated`](Self::generate) ones.
+    pub fn casadi(self) -> Self {
+        self.with(|asked| asked.casadi = true)
+    }
+
     /// Adds functions for C beside the methods, with names of this prefix and the method: `arm_gravity`. A second
     /// underscore is inserted where the name could belong to another robot, as `mobile_base_regressor` could be the
     /// base regressor of `mobile_`.

@@ -69,6 +69,8 @@ mod constraint_bias;
 mod constraint_jacobian;
 mod coriolis_matrix;
 mod definition;
+#[cfg(feature = "files")]
+mod derivatives;
 mod forward_dynamics;
 mod forward_dynamics_derivatives;
 mod forward_kinematics;
@@ -94,6 +96,8 @@ mod velocity;
 
 pub use definition::Given;
 pub(crate) use definition::Truth;
+#[cfg(feature = "files")]
+pub use derivatives::{Derivatives, First, Second};
 
 macro_rules! functions {
     (

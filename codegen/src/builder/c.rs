@@ -9,12 +9,13 @@ use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
+use crate::real::Real;
 
 impl Builder {
     /// The functions in C99: a source, and a header that it includes by this name.
     ///
     /// Names begin with the prefix of [`Builder::extern_c`], or with [`Builder::name`] or the robot's name in lower
-    /// case: `panda_gravity`. Results are written to arrays of fixed size; fields are those of a struct to which every
+    /// case: `panda_gravity`; those of [`Builder::casadi`] are `panda_casadi_gravity`. Results are written to arrays of fixed size; fields are those of a struct to which every
     /// function takes a pointer. [`Real::Generic`](crate::Real::Generic) becomes `double`. No library function is
     /// called, except the sines of [`Sines::Platform`](crate::formulation::Sines::Platform). Results equal those of the
     /// Rust file bit for bit, or, for a [`Builder::processor`] with fused operations, those of the derive on it.
@@ -56,12 +57,33 @@ impl Builder {
                 "leave it out, since the file has its own sines, or choose the formulation platform_sines",
             );
         }
+        if self.request.casadi && self.request.scalar == Real::F32 {
+            let message = "`casadi` is for numbers of f64: CasADi has no others";
+            errors.push_with_hint(Place::Unknown, message, "leave out the scalar type f32");
+        }
         // Further errors are those without these options.
         let mut without = self.clone();
+        without.request.casadi = false;
         without.request.runtime = None;
         without.core_functions.sin_cos = None;
         match without.module_where(true, true) {
-            Ok(module) => errors.into_result(module),
+            Ok(module) => {
+                let prefix = self.prefix(&module);
+                let is_derivative = ["jac_", "adj1_"]
+                    .iter()
+                    .any(|begin| prefix.starts_with(begin));
+                if self.request.casadi && is_derivative {
+                    let message = format!(
+                        "CasADi takes names with the prefix `{prefix}` for those of derivatives"
+                    );
+                    errors.push_with_hint(
+                        Place::Unknown,
+                        message,
+                        "choose another prefix with extern_c",
+                    );
+                }
+                errors.into_result(module)
+            }
             Err(mistakes) => {
                 errors.append(mistakes);
                 Err(errors)
@@ -79,6 +101,7 @@ impl Builder {
             header,
             asked: &self.asked(module, Language::C(header)),
             fused: self.fuses(module),
+            casadi: self.request.casadi,
         };
         let Source { header, text } = c::print(module, &writing);
         let [header, text] =

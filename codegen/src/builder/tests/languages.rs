@@ -99,6 +99,46 @@ fn the_same_in_c() {
 }
 
 #[test]
+fn the_interface_of_casadi_is_for_c_in_f64() {
+    let functions = [
+        Function::Gravity,
+        Function::GravityDerivative,
+        Function::Bias,
+    ];
+    let builder = arm(as_asked).generate(functions).casadi();
+    let text = builder.to_c("arm.h").expect("no mistakes").text;
+    for part in [
+        " --functions gravity,gravity_derivative,bias --casadi --language c",
+        "/* double_pendulum_casadi_gravity: (q) -> (gravity)\n */\n",
+        "/* jac_double_pendulum_casadi_gravity: (q, out_gravity) -> (jac_gravity_q)\n */\n",
+        "/* adj1_double_pendulum_casadi_gravity: (q, out_gravity, adj_gravity) -> (adj_q)\n */\n",
+        " * Without derivatives:\n * double_pendulum_casadi_bias: they need `inverse_dynamics_derivatives`\n",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(!text.contains("jac_adj1_") && !text.contains("jac_double_pendulum_casadi_bias"));
+    let without = builder.clone().to_c("arm.h").expect("no mistakes");
+    assert!(!without.header.contains("casadi_"), "{}", without.header);
+    let errors = [
+        builder.to_source().map(|_| ()),
+        builder.to_llvm(NonZeroUsize::MIN).map(|_| ()),
+        builder.to_plain_python(Order::LinearFirst).map(|_| ()),
+        builder.clone().scalar(Real::F32).to_c("arm.h").map(|_| ()),
+        builder.extern_c("jac_").to_c("arm.h").map(|_| ()),
+    ];
+    let errors = errors.map(|found| found.expect_err("a mistake").to_string());
+    for (error, part) in errors.iter().zip([
+        "`casadi` is for C only",
+        "`casadi` is for C only",
+        "`casadi` is for C only",
+        "`casadi` is for numbers of f64",
+        "the prefix `jac_` for those of derivatives",
+    ]) {
+        assert!(error.contains(part), "{error}");
+    }
+}
+
+#[test]
 fn products_fuse_in_c_where_the_processor_can_and_never_in_core() {
     let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);
     for (processor, fuses) in [

@@ -15,6 +15,7 @@ const PLAIN: Writing<'_> = Writing {
     header: "pendulum.h",
     asked: "Made by hand.",
     fused: false,
+    casadi: false,
 };
 
 const FUSED: Writing<'_> = Writing {

@@ -6,6 +6,7 @@
 
 mod c;
 mod command;
+mod cpp;
 mod file;
 mod llvm;
 mod output;

@@ -1,10 +1,12 @@
 //! Files in C99 of a [`Builder`]: a header and a source.
 
+use std::mem;
 use std::path::{Path, PathBuf};
 
 use super::Builder;
 use super::command::Language;
 use super::file::write;
+use super::output::CASADI;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::ascii::spelt;
@@ -91,6 +93,24 @@ impl Builder {
         }
     }
 
+    /// The module of another compiled language: that of a file in C.
+    #[doc(hidden)]
+    pub fn compiled_module(&self) -> Result<Module, Errors> {
+        let mut without = self.clone();
+        let is_for_c = mem::take(&mut without.request.casadi);
+        let mut errors = Errors::new();
+        if is_for_c {
+            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
+        }
+        match without.c_module() {
+            Ok(module) => errors.into_result(module),
+            Err(mistakes) => {
+                errors.append(mistakes);
+                Err(errors)
+            }
+        }
+    }
+
     /// The file in C of a module.
     #[doc(hidden)]
     #[must_use]
@@ -102,6 +122,7 @@ impl Builder {
             asked: &self.asked(module, Language::C(header)),
             fused: self.fuses(module),
             casadi: self.request.casadi,
+            templates: false,
         };
         let Source { header, text } = c::print(module, &writing);
         let [header, text] =

@@ -4,8 +4,7 @@ use std::num::NonZeroUsize;
 
 use super::Builder;
 use super::command::Language;
-use super::output::CASADI;
-use crate::error::{Errors, Place};
+use crate::error::Errors;
 use crate::module::Module;
 use crate::print::llvm::{self, Steps, Writing};
 
@@ -22,26 +21,8 @@ impl Builder {
     /// # Errors
     /// All errors of the description and of the request; options that only Rust has.
     pub fn to_llvm(&self, lanes: NonZeroUsize) -> Result<String, Errors> {
-        let module = self.llvm_module()?;
+        let module = self.compiled_module()?;
         Ok(self.llvm(&module, lanes))
-    }
-
-    /// The module of LLVM IR: that of a file in C.
-    #[doc(hidden)]
-    pub fn llvm_module(&self) -> Result<Module, Errors> {
-        let mut without = self.clone();
-        let is_for_c = std::mem::take(&mut without.request.casadi);
-        let mut errors = Errors::new();
-        if is_for_c {
-            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
-        }
-        match without.c_module() {
-            Ok(module) => errors.into_result(module),
-            Err(mistakes) => {
-                errors.append(mistakes);
-                Err(errors)
-            }
-        }
     }
 
     /// The LLVM IR of a module.

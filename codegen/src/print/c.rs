@@ -6,6 +6,7 @@
 mod body;
 mod casadi;
 mod comments;
+pub mod cpp;
 mod declarations;
 mod header;
 mod literals;
@@ -49,8 +50,10 @@ pub struct Writing<'a> {
     /// True if products fuse with sums where the target has the instruction; then results are those of Rust with fused
     /// operations.
     pub fused: bool,
-    /// True if the source has CasADi's external interface as well.
+    /// True if the source has `CasADi`'s external interface as well.
     pub casadi: bool,
+    /// True for bodies of C++ templates over the scalar `T`.
+    pub templates: bool,
 }
 
 /// Default prefix: `double_pendulum_` for the robot `double pendulum`.

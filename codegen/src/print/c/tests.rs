@@ -16,6 +16,7 @@ const PLAIN: Writing<'_> = Writing {
     asked: "Made by hand.",
     fused: false,
     casadi: false,
+    templates: false,
 };
 
 const FUSED: Writing<'_> = Writing {

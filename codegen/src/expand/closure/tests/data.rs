@@ -62,6 +62,7 @@ fn headers_of_c_count_residuals() {
         asked: "",
         fused: false,
         casadi: false,
+        templates: false,
     };
     let c::Source { header, .. } = c::print(&module(), &writing);
     for part in [

@@ -1,4 +1,5 @@
-//! `homogen generate`: a file in Rust that needs only `core`, one in C with its header, LLVM IR, or plain Python.
+//! `homogen generate`: a file in Rust that needs only `core`, one in C with its header, a header in C++, LLVM IR, or plain
+//! Python.
 //!
 //! The output is that of the builder of a build script. Nothing is written if there are errors.
 
@@ -24,6 +25,7 @@ use homogen_codegen::request::setting::FILE;
 enum Language {
     Rust,
     C,
+    Cpp,
     Llvm,
     Python,
 }
@@ -35,12 +37,13 @@ enum Halves {
     AngularFirst,
 }
 
-/// Write the functions of a robot as a file of Rust that needs only core, or of C, LLVM IR or Python
+/// Write the functions of a robot as a file of Rust that needs only core, or of C, C++, LLVM IR or Python
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Example:
   homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
   homogen generate arm.urdf --language c -o arm.c
+  homogen generate arm.urdf --language cpp -o arm.hpp
   homogen generate arm.urdf --language python -o arm.py
 
 Exit status: 0; 1 for an error in the input; 2 for one in the arguments; 3 if all functions were requested and one was
@@ -48,8 +51,8 @@ left out because of a fault of homogen, which standard error and the head of the
 pub(super) struct Generate {
     #[command(flatten)]
     generated: Generated,
-    /// The language; c is C99, with a header beside the file (arm.h beside arm.c); llvm is LLVM IR; python is a module
-    /// for numbers of any library
+    /// The language; c is C99, with a header beside the file (arm.h beside arm.c); cpp is a header of C++17 for numbers of
+    /// any type; llvm is LLVM IR; python is a module for numbers of any library
     #[arg(long, value_enum, default_value = "rust")]
     language: Language,
     /// Number of states in a vector of LLVM IR
@@ -107,6 +110,7 @@ impl Generate {
         let (output, module) = match self.language {
             Language::Rust => self.rust(&builder)?,
             Language::C => self.c(&builder)?,
+            Language::Cpp => self.cpp(&builder)?,
             Language::Llvm => self.llvm(&builder)?,
             Language::Python => self.python(&builder)?,
         };
@@ -144,9 +148,18 @@ impl Generate {
         write(&self.output, &text).map(|()| String::new())
     }
 
+    /// Writes a header in C++, or returns its text.
+    fn cpp(&self, builder: &Builder) -> Result<(String, Module), Errors> {
+        let module = builder.cpp_module()?;
+        let name = self.output.file_name().and_then(|name| name.to_str());
+        let name = name.filter(|_| !is_standard_input(&self.output));
+        let text = builder.cpp(&module, name.unwrap_or("robot.hpp"));
+        Ok((self.put(text)?, module))
+    }
+
     /// Writes a module of LLVM IR, or returns its text.
     fn llvm(&self, builder: &Builder) -> Result<(String, Module), Errors> {
-        let module = builder.c_module()?;
+        let module = builder.compiled_module()?;
         let text = builder.llvm(&module, self.lanes);
         Ok((self.put(text)?, module))
     }

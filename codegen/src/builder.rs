@@ -6,6 +6,7 @@
 
 mod c;
 mod command;
+mod cpp;
 mod file;
 mod llvm;
 mod output;
@@ -421,6 +422,12 @@ impl Builder {
     pub fn sin_cos(mut self, path: &str) -> Self {
         self.core_functions.sin_cos = self.path(path);
         self
+    }
+
+    /// Adds `CasADi`'s external interface to a file in C: `casadi.external("arm_casadi_gravity", library)`, with Jacobian,
+    /// gradient and Hessian of functions whose derivatives are among the [`generated`](Self::generate) ones.
+    pub fn casadi(self) -> Self {
+        self.with(|asked| asked.casadi = true)
     }
 
     /// Adds functions for C beside the methods, with names of this prefix and the method: `arm_gravity`. A second

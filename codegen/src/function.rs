@@ -72,6 +72,8 @@ mod constraint_bias;
 mod constraint_jacobian;
 mod coriolis_matrix;
 mod definition;
+#[cfg(feature = "files")]
+mod derivatives;
 mod forward_dynamics;
 mod forward_dynamics_derivatives;
 mod forward_dynamics_hessian;
@@ -100,6 +102,8 @@ mod velocity;
 
 pub use definition::Given;
 pub(crate) use definition::Truth;
+#[cfg(feature = "files")]
+pub use derivatives::{Derivatives, First, Second};
 
 macro_rules! functions {
     (

@@ -81,6 +81,8 @@ pub struct Request {
     pub section: Option<usize>,
     /// Add `prepare`, which computes once what depends only on fields.
     pub prepare: bool,
+    /// Add `CasADi`'s external interface to a file in C.
+    pub casadi: bool,
     /// The type of numbers in the generated code.
     pub scalar: Real,
     /// The same bits on every processor: no product is fused with a sum.

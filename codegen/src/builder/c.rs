@@ -1,23 +1,27 @@
 //! Files in C99 of a [`Builder`]: a header and a source.
 
+use std::mem;
 use std::path::{Path, PathBuf};
 
 use super::Builder;
 use super::command::Language;
 use super::file::write;
+use super::output::CASADI;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
+use crate::real::Real;
 
 impl Builder {
     /// The functions in C99: a source, and a header that it includes by this name.
     ///
     /// Names begin with the prefix of [`Builder::extern_c`], or with [`Builder::name`] or the robot's name in lower
-    /// case: `panda_gravity`. Results are written to arrays of fixed size; fields are those of a struct to which every
-    /// function takes a pointer. [`Real::Generic`](crate::Real::Generic) becomes `double`. No library function is
-    /// called, except the sines of [`Sines::Platform`](crate::formulation::Sines::Platform). Results equal those of the
-    /// Rust file bit for bit, or, for a [`Builder::processor`] with fused operations, those of the derive on it.
+    /// case: `panda_gravity`; those of [`Builder::casadi`] are `panda_casadi_gravity`. Results are written to arrays of
+    /// fixed size; fields are those of a struct to which every function takes a pointer.
+    /// [`Real::Generic`](crate::Real::Generic) becomes `double`. No library function is called, except the sines of
+    /// [`Sines::Platform`](crate::formulation::Sines::Platform). Results equal those of the Rust file bit for bit, or,
+    /// for a [`Builder::processor`] with fused operations, those of the derive on it.
     ///
     /// # Errors
     /// All errors of the description and of the request; options that only Rust has.
@@ -56,11 +60,42 @@ impl Builder {
                 "leave it out, since the file has its own sines, or choose the formulation platform_sines",
             );
         }
+        if self.request.casadi && self.request.scalar == Real::F32 {
+            let message = "`casadi` is for numbers of f64: CasADi has no others";
+            errors.push_with_hint(Place::Unknown, message, "leave out the scalar type f32");
+        }
         // Further errors are those without these options.
         let mut without = self.clone();
+        without.request.casadi = false;
         without.request.runtime = None;
         without.core_functions.sin_cos = None;
-        errors.joined(without.module_where(true, true))
+        let module = without.module_where(true, true);
+        if let (true, Ok(module)) = (self.request.casadi, &module) {
+            let prefix = self.prefix(module);
+            if ["jac_", "adj1_"]
+                .iter()
+                .any(|begin| prefix.starts_with(begin))
+            {
+                let message = format!(
+                    "CasADi takes names with the prefix `{prefix}` for those of derivatives"
+                );
+                let hint = "choose another prefix with extern_c";
+                errors.push_with_hint(Place::Unknown, message, hint);
+            }
+        }
+        errors.joined(module)
+    }
+
+    /// The module of another compiled language: that of a file in C.
+    #[doc(hidden)]
+    pub fn compiled_module(&self) -> Result<Module, Errors> {
+        let mut without = self.clone();
+        let is_for_c = mem::take(&mut without.request.casadi);
+        let mut errors = Errors::new();
+        if is_for_c {
+            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
+        }
+        errors.joined(without.c_module())
     }
 
     /// The file in C of a module.
@@ -73,6 +108,8 @@ impl Builder {
             header,
             asked: &self.asked(module, Language::C(header)),
             fused: self.fuses(module),
+            casadi: self.request.casadi,
+            templates: false,
         };
         let Source { header, text } = c::print(module, &writing);
         let [header, text] =

@@ -26,6 +26,8 @@ pub enum Language<'a> {
     Rust,
     /// With the name of the header in `#include`.
     C(&'a str),
+    /// With the name of the file.
+    Cpp(&'a str),
     /// With the number of lanes of a vector.
     Llvm(NonZeroUsize),
     /// With the order of six numbers.
@@ -86,6 +88,10 @@ impl Builder {
                 command.option("language", "c");
                 let source = header.strip_suffix(".h").unwrap_or(header);
                 command.option("output", &format!("{source}.c"));
+            }
+            Language::Cpp(file) => {
+                command.option("language", "cpp");
+                command.option("output", file);
             }
             Language::Llvm(lanes) => {
                 command.option("language", "llvm");

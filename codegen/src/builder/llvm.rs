@@ -21,7 +21,7 @@ impl Builder {
     /// # Errors
     /// All errors of the description and of the request; options that only Rust has.
     pub fn to_llvm(&self, lanes: NonZeroUsize) -> Result<String, Errors> {
-        let module = self.c_module()?;
+        let module = self.compiled_module()?;
         Ok(self.llvm(&module, lanes))
     }
 

@@ -20,6 +20,9 @@ use crate::real::{Real, Trigonometry};
 use crate::request::Request;
 use crate::wording::visible;
 
+/// The error of an option that only C has.
+pub(super) const CASADI: &str = "`casadi` is for C only";
+
 impl Builder {
     /// The struct and its methods.
     ///
@@ -108,6 +111,10 @@ impl Builder {
         if request.batch && request.runtime.is_none() {
             let message = "`batch` needs the runtime: code for `core` alone has no batches";
             errors.push(Place::Unknown, message);
+            return Err(errors);
+        }
+        if request.casadi {
+            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
             return Err(errors);
         }
         if request.runtime.is_some() && self.core_functions.c_prefix.is_some() {

@@ -4,6 +4,7 @@ use quote::quote;
 
 use super::Builder;
 use super::command::Language;
+use super::output::CASADI;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::arrays::Order;
@@ -28,6 +29,9 @@ impl Builder {
     #[doc(hidden)]
     pub fn plain_python_module(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
+        if self.request.casadi {
+            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
+        }
         for (is_set, option) in [
             (self.request.runtime.is_some(), "`runtime` is"),
             (self.core_functions.sin_cos.is_some(), "`sin_cos` is"),
@@ -52,6 +56,7 @@ impl Builder {
         without.ascii = false;
         without.request.runtime = None;
         without.request.prepare = false;
+        without.request.casadi = false;
         without.request.section = None;
         without.request.processor = Processor::Portable;
         without.core_functions.c_prefix = None;

@@ -187,7 +187,7 @@ fn arranged(
 }
 
 /// True for a column for each entry of a space.
-fn has_columns(quantity: &Quantity) -> bool {
+pub(super) fn has_columns(quantity: &Quantity) -> bool {
     matches!((quantity.over, quantity.entity.dimensions()), ([_], [_]))
 }
 
@@ -210,7 +210,7 @@ fn shape(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
 }
 
 /// The row below three that a program has.
-const fn below(entity: Entity) -> Option<[f64; 4]> {
+pub(super) const fn below(entity: Entity) -> Option<[f64; 4]> {
     match entity {
         Entity::Pose => Some([0.0, 0.0, 0.0, 1.0]),
         Entity::Acceleration => Some([0.0; 4]),

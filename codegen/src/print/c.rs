@@ -1,9 +1,12 @@
 //! C: functions in C99, and headers for functions in another language.
 //!
-//! In: a [`Module`] and a prefix for names. Out: a [`Source`], or the header alone.
+//! In: a [`Module`] and a prefix for names. Out: a [`Source`], or the header alone; on request with `CasADi`'s external
+//! interface.
 
 mod body;
+mod casadi;
 mod comments;
+pub mod cpp;
 mod declarations;
 mod header;
 mod literals;
@@ -47,6 +50,10 @@ pub struct Writing<'a> {
     /// True if products fuse with sums where the target has the instruction; then results are those of Rust with fused
     /// operations.
     pub fused: bool,
+    /// True if the source has `CasADi`'s external interface as well.
+    pub casadi: bool,
+    /// True for bodies of C++ templates over the scalar `T`.
+    pub templates: bool,
 }
 
 /// Default prefix: `double_pendulum_` for the robot `double pendulum`.

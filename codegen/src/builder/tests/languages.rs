@@ -98,6 +98,83 @@ fn the_same_in_c() {
     assert!(errors.contains("`sin_cos` is for Rust only"), "{errors}");
 }
 
+/// A robot that ships.
+fn two_link() -> Builder {
+    let root = env!("CARGO_MANIFEST_DIR");
+    Builder::from_urdf(format!("{root}/../robots/two_link.urdf"))
+}
+
+#[test]
+fn a_header_of_cpp_has_templates_in_a_namespace() {
+    let builder = two_link()
+        .generate([Function::Gravity, Function::KineticEnergy])
+        .parameter("payload", Target::MassOf("fore".into()));
+    let text = builder.to_cpp("arm.hpp").expect("no mistakes");
+    for part in [
+        " --functions gravity,kinetic_energy --field payload=mass_of:fore --language cpp --output arm.hpp`",
+        "\nnamespace two_link {\n",
+        "inline constexpr std::size_t NQ = 2;\n",
+        "inline constexpr std::array<double, 2> NEUTRAL = {0.0, 0.0};\n",
+        "template <class P = double>\nstruct Robot {\n    P payload; ",
+        "template <class P, class Q>\nauto gravity(const Robot<P>& robot, const Q& q)\n{\n    using T = detail::scalar<P, \
+         decltype(q[0])>;\n    detail::check<2, Q>();\n    std::array<T, 2> gravity;\n    const T q_1 = T(q[0]);\n",
+        "    const T payload = T(robot.payload);\n",
+        "    return gravity;\n}\n",
+        "    T kinetic_energy;\n",
+        "    kinetic_energy = ",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let other = builder.prepare().section(NonZeroUsize::MIN).casadi();
+    let errors = other
+        .to_cpp("arm.hpp")
+        .expect_err("three mistakes")
+        .to_string();
+    for option in ["`prepare`", "`section`", "`casadi`"] {
+        assert!(errors.contains(option), "{errors}");
+    }
+}
+
+#[test]
+fn the_interface_of_casadi_is_for_c_in_f64() {
+    let functions = [
+        Function::Gravity,
+        Function::GravityDerivative,
+        Function::Bias,
+    ];
+    let builder = two_link().generate(functions).casadi();
+    let text = builder.to_c("arm.h").expect("no mistakes").text;
+    for part in [
+        " --functions gravity,gravity_derivative,bias --casadi --language c",
+        "/* two_link_casadi_gravity: (q) -> (gravity)\n */\n",
+        "/* jac_two_link_casadi_gravity: (q, out_gravity) -> (jac_gravity_q)\n */\n",
+        "/* adj1_two_link_casadi_gravity: (q, out_gravity, adj_gravity) -> (adj_q)\n */\n",
+        " * Without derivatives:\n * two_link_casadi_bias: they need `inverse_dynamics_derivatives`\n",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(!text.contains("jac_adj1_") && !text.contains("jac_two_link_casadi_bias"));
+    let without = builder.clone().to_c("arm.h").expect("no mistakes");
+    assert!(!without.header.contains("casadi_"), "{}", without.header);
+    let errors = [
+        builder.to_source().map(|_| ()),
+        builder.to_llvm(NonZeroUsize::MIN).map(|_| ()),
+        builder.to_plain_python(Order::LinearFirst).map(|_| ()),
+        builder.clone().scalar(Real::F32).to_c("arm.h").map(|_| ()),
+        builder.extern_c("jac_").to_c("arm.h").map(|_| ()),
+    ];
+    let errors = errors.map(|found| found.expect_err("a mistake").to_string());
+    for (error, part) in errors.iter().zip([
+        "`casadi` is for C only",
+        "`casadi` is for C only",
+        "`casadi` is for C only",
+        "`casadi` is for numbers of f64",
+        "the prefix `jac_` for those of derivatives",
+    ]) {
+        assert!(error.contains(part), "{error}");
+    }
+}
+
 #[test]
 fn products_fuse_in_c_where_the_processor_can_and_never_in_core() {
     let builder = Builder::from_urdf("../robots/two_link.urdf").generate([Function::Gravity]);

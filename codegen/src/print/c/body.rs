@@ -20,7 +20,9 @@ use crate::print::review::filled;
 use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
-use crate::schedule::{Angle, Loop, Names, Operation, Program, Readable, Routine, Stored, Value};
+use crate::schedule::{
+    Angle, Length, Loop, Names, Operation, Program, Readable, Routine, Stored, Value,
+};
 use crate::space::{Quantity, Variable};
 
 /// Function body, and the sections that it calls.
@@ -98,7 +100,8 @@ pub(super) fn of_step(step: Step, module: &Module, writing: &Writing<'_>) -> Bod
     for (argument, entries) in arguments.zip(&routine.fields) {
         for (k, name) in entries.iter().enumerate() {
             let Some(name) = name else { continue };
-            writer.constant(name, &format!("{argument}[{k}]"));
+            let value = writer.loaded(format!("{argument}[{k}]"));
+            writer.constant(name, &value);
         }
     }
     if !module.parameters.is_empty() {
@@ -106,7 +109,7 @@ pub(super) fn of_step(step: Step, module: &Module, writing: &Writing<'_>) -> Bod
     }
     walk(&mut writer, &routine.statements);
     for (k, value) in routine.results.iter().enumerate() {
-        let value = writer.read(value);
+        let value = writer.stored(value);
         writer.line(&format!("{}[{k}] = {value};", step.name()));
     }
     Body {
@@ -135,8 +138,17 @@ fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> N
     for own in ["sin_cos", SQRT, "turn"] {
         names.take(&writing.own(own));
     }
+    for own in RESERVED.iter().filter(|_| writing.templates) {
+        names.take(own);
+    }
     names
 }
+
+/// Names around a body in C++.
+const RESERVED: [&str; 15] = [
+    "Actions", "P", "Q", "Q0", "Q1", "Qd", "Qdd", "Robot", "T", "Tau", "V", "Weights", "detail",
+    "result", "std",
+];
 
 /// Printer of routines.
 pub(super) struct Writer<'w> {
@@ -180,7 +192,11 @@ impl<'w> Writer<'w> {
             spaces: &module.spaces,
             fields: &in_ascii(fields),
         };
-        let length = module.length;
+        // Templates are inline, so that sections would be, too.
+        let length = match writing.templates {
+            true => Length::UNBOUNDED,
+            false => module.length,
+        };
         let stored = match filled {
             Some(_) => Stored::Early,
             None => Stored::AtTheEnd,
@@ -199,9 +215,18 @@ impl<'w> Writer<'w> {
         (writer, routine)
     }
 
+    /// The type of numbers.
+    fn number(&self) -> &'static str {
+        if self.writing.templates {
+            "T"
+        } else {
+            number(self.real)
+        }
+    }
+
     /// `const double name = value;`.
     pub(super) fn constant(&mut self, name: &str, value: &str) {
-        let number = number(self.real);
+        let number = self.number();
         self.line(&format!("const {number} {name} = {value};"));
     }
 
@@ -216,7 +241,8 @@ impl<'w> Writer<'w> {
             let read = entries.iter().enumerate();
             for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
                 let lengths = argument_lengths(*argument, &module.spaces);
-                self.constant(name, &place(argument.name(), k, &lengths));
+                let value = self.loaded(place(argument.name(), k, &lengths));
+                self.constant(name, &value);
             }
             if entries.iter().all(Option::is_none) {
                 self.line(&format!("(void){};", argument.name()));
@@ -231,10 +257,13 @@ impl<'w> Writer<'w> {
             for (k, name) in entries.iter().enumerate() {
                 let Some(name) = name else { continue };
                 unread = false;
-                match (&**entries, fields) {
-                    ([_], Fields::Own(_)) => self.constant(name, &format!("robot->{member}")),
-                    _ => self.constant(name, &format!("robot->{member}[{k}]")),
-                }
+                let arrow = if self.writing.templates { "." } else { "->" };
+                let value = match (&**entries, fields) {
+                    ([_], Fields::Own(_)) => format!("robot{arrow}{member}"),
+                    _ => format!("robot{arrow}{member}[{k}]"),
+                };
+                let value = self.loaded(value);
+                self.constant(name, &value);
             }
         }
         if unread {
@@ -252,6 +281,30 @@ impl<'w> Writer<'w> {
         }
     }
 
+    /// The same as a number of its type: classes may have no conversion from a literal.
+    fn stored(&self, value: &Value) -> String {
+        match (value, self.read(value)) {
+            (Value::Literal(_), literal) if self.writing.templates => format!("T({literal})"),
+            (_, value) => value,
+        }
+    }
+
+    /// An argument or a field, which may have another type than results.
+    fn loaded(&self, value: String) -> String {
+        match self.writing.templates {
+            true => format!("T({value})"),
+            false => value,
+        }
+    }
+
+    /// Place of an entry of a result.
+    fn entry(&self, name: &str, index: usize, lengths: &[usize]) -> String {
+        match self.writing.templates && lengths.is_empty() {
+            true => name.to_owned(),
+            false => place(name, index, lengths),
+        }
+    }
+
     /// Operation, with fused products if the file has them.
     fn spelled(&self, operation: &Operation<Value>) -> String {
         let fused = self.writing.fused.then(|| self.writing.mul_add());
@@ -260,10 +313,15 @@ impl<'w> Writer<'w> {
             (Operation::Sub(a, b), _) => format!("{a} - {b}"),
             (Operation::Mul(a, b), _) => format!("{a} * {b}"),
             (Operation::Div(a, b), _) => format!("{a} / {b}"),
+            (Operation::Sqrt(a), _) if self.writing.templates => format!("detail::root({a})"),
             (Operation::Sqrt(a), _) => format!("{}({a})", self.writing.own(SQRT)),
             (Operation::Sign(a), _) => {
-                let (number, zero) = (number(self.real), literal(0.0, self.real));
-                format!("({number})(({a} > {zero}) - ({a} < {zero}))")
+                let (number, zero) = (self.number(), literal(0.0, self.real));
+                let difference = format!("(({a} > {zero}) - ({a} < {zero}))");
+                match self.writing.templates {
+                    true => format!("{number}{difference}"),
+                    false => format!("({number}){difference}"),
+                }
             }
             (Operation::Neg(a), _) => negative(&a),
             (Operation::MulAdd(a, b, c), Some(fused)) => format!("{fused}({a}, {b}, {c})"),
@@ -282,8 +340,8 @@ impl<'w> Writer<'w> {
     /// Call of a library function in the scalar type.
     fn call(&self, function: &str, value: &str) -> String {
         match self.real {
-            Real::F32 => format!("{function}f({value})"),
-            Real::F64 | Real::Generic => format!("{function}({value})"),
+            Real::F32 if !self.writing.templates => format!("{function}f({value})"),
+            Real::F32 | Real::F64 | Real::Generic => format!("{function}({value})"),
         }
     }
 
@@ -303,7 +361,10 @@ impl<'w> Writer<'w> {
             }
             return;
         }
-        let [turn, sin_cos] = ["turn", "sin_cos"].map(|name| self.writing.own(name));
+        let [turn, sin_cos] = match self.writing.templates {
+            true => ["auto", "detail::sin_cos"].map(str::to_owned),
+            false => ["turn", "sin_cos"].map(|name| self.writing.own(name)),
+        };
         // `s_1` and `c_1` are parts of `turn_1`.
         let subject = parts.clone().next().map_or("", |(name, ..)| &name[1..]);
         let both = self.names.fresh(&format!("turn{subject}"));
@@ -323,8 +384,8 @@ impl<'w> Writer<'w> {
                 if routine.stored.contains(&result) {
                     continue;
                 }
-                let value = self.read(value);
-                let place = place(name, k, &lengths);
+                let value = self.stored(value);
+                let place = self.entry(name, k, &lengths);
                 self.line(&format!("{place} = {value};"));
             }
         }
@@ -352,15 +413,15 @@ impl Language for Writer<'_> {
     fn store(&mut self, result: usize, value: &Value) {
         let filled = self.filled.as_ref();
         let (name, lengths) = filled.expect("early results have a matrix");
-        let (place, value) = (place(name, result, lengths), self.read(value));
+        let (place, value) = (place(name, result, lengths), self.stored(value));
         self.line(&format!("{place} = {value};"));
     }
 
     fn begin_loop(&mut self, each: &Loop) {
         let Loop { table, column, .. } = each;
-        let number = number(self.real);
+        let number = self.number();
         let rows = each.rows.iter().map(|row| {
-            let row: Vec<String> = row.iter().map(|value| self.read(value)).collect();
+            let row: Vec<String> = row.iter().map(|value| self.stored(value)).collect();
             format!("{{{}}}", row.join(", "))
         });
         let rows: Vec<String> = rows.collect();

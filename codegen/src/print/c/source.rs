@@ -10,7 +10,7 @@ use super::comments::comment;
 use super::declarations::{self, of_prepare, parameters};
 use super::header::guard;
 use super::names::{prepared_symbols, symbols};
-use super::{review, roots, sections, sines};
+use super::{casadi, review, roots, sections, sines};
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::print::steps::{Step, has_angles, has_roots};
@@ -56,7 +56,11 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     if functions.has_sections {
         text.push_str(&sections::no_inline_macro(&writing.no_inline()));
     }
-    text + &functions.text + &review::appendix(module, writing)
+    text.push_str(&functions.text);
+    if writing.casadi {
+        text.push_str(&casadi::interface(module, writing, &symbols));
+    }
+    text + &review::appendix(module, writing)
 }
 
 /// Definitions of functions.

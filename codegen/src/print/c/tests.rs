@@ -15,6 +15,8 @@ const PLAIN: Writing<'_> = Writing {
     header: "pendulum.h",
     asked: "Made by hand.",
     fused: false,
+    casadi: false,
+    templates: false,
 };
 
 const FUSED: Writing<'_> = Writing {

@@ -61,6 +61,8 @@ fn headers_of_c_count_residuals() {
         header: "bars.h",
         asked: "",
         fused: false,
+        casadi: false,
+        templates: false,
     };
     let c::Source { header, .. } = c::print(&module(), &writing);
     for part in [

@@ -1,0 +1,116 @@
+//! C++17: a header of templates over the scalar, in a namespace, without sources.
+//!
+//! In: a [`Module`] and a [`Header`]. Out: the text of the header. Bodies are those of the C file: operations, their order
+//! and, for `double`, the sines are the same, and so are the bits.
+
+mod described;
+mod functions;
+mod support;
+
+use std::fmt::Write;
+
+use super::Writing;
+use super::comments::comment;
+use super::names::{self, unscoped};
+use crate::formulation::Sines;
+use crate::module::Module;
+use crate::print::documentation::{self, Angles};
+
+/// Options of the output.
+#[derive(Clone, Copy, Debug)]
+pub struct Header<'a> {
+    /// Prefix of the names of the file in C, whose letters are the namespace.
+    pub prefix: &'a str,
+    /// The request.
+    pub asked: &'a str,
+}
+
+/// Text of the header; generic numbers are by default `double`.
+#[must_use]
+pub fn header(module: &Module, header: &Header<'_>) -> String {
+    let namespace = namespace(header.prefix);
+    let angles = match module.sines {
+        Sines::Own => Angles::own(module.scalar),
+        Sines::Platform => Angles::As("std::sin".to_owned()),
+    };
+    let writing = Writing {
+        prefix: "",
+        header: "",
+        asked: header.asked,
+        fused: false,
+        casadi: false,
+        templates: true,
+    };
+    let mut head = documentation::head(module, header.asked);
+    head.push(NEEDS.to_owned());
+    let mut text = comment(&head);
+    let guard = format!("HOMOGEN_{}_HPP", namespace.to_uppercase());
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "#ifndef {guard}\n#define {guard}\n\n{INCLUDES}\nnamespace {namespace} {{\n"
+    );
+    text.push_str(&described::constants(module));
+    text.push_str(&described::structure(module));
+    text.push_str(&support::text(module, &writing));
+    text.push_str(&functions::text(module, &writing, &angles));
+    let _ = writeln!(text, "{EIGEN}\n}} // namespace {namespace}\n\n#endif");
+    text
+}
+
+/// Namespace for a prefix: `two_link` for `two_link_`.
+fn namespace(prefix: &str) -> String {
+    let name = prefix.trim_matches('_');
+    let name = if name.is_empty() { "robot" } else { name };
+    let mut names = unscoped();
+    for other in ["std", "Eigen"] {
+        names.take(other);
+    }
+    names.alone(&names::ascii(name))
+}
+
+/// Requirements for compilation.
+const NEEDS: &str = "Needs: C++17. An argument is anything with one number for each index: arrays, std::array, std::vector, \
+                     vectors of Eigen. Results are std::array, row by row, and eigen(…) makes vectors and matrices of Eigen \
+                     of them. Numbers are those of the file, or of a class with +, -, *, / and sin, cos, sqrt: dual numbers, \
+                     symbols. Results have the bits of the file in C with -ffp-contract=off and without -ffast-math.";
+
+/// Headers of the standard library, and of Eigen if it is there.
+const INCLUDES: &str = "\
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#if __has_include(<Eigen/Core>)
+#include <Eigen/Core>
+#endif
+";
+
+/// Results as vectors and matrices of Eigen.
+const EIGEN: &str = "
+#if __has_include(<Eigen/Core>)
+/* A result as a vector of Eigen. */
+template <class T, std::size_t N>
+Eigen::Matrix<T, static_cast<int>(N), 1> eigen(const std::array<T, N>& result)
+{
+    return Eigen::Map<const Eigen::Matrix<T, static_cast<int>(N), 1>>(result.data());
+}
+
+/* A result as a matrix of Eigen: `result[row][column]` is its entry (row, column). */
+template <class T, std::size_t Rows, std::size_t Columns>
+Eigen::Matrix<T, static_cast<int>(Rows), static_cast<int>(Columns)> eigen(
+    const std::array<std::array<T, Columns>, Rows>& result)
+{
+    Eigen::Matrix<T, static_cast<int>(Rows), static_cast<int>(Columns)> matrix;
+    for (std::size_t row = 0; row < Rows; row++) {
+        for (std::size_t column = 0; column < Columns; column++) {
+            matrix(static_cast<int>(row), static_cast<int>(column)) = result[row][column];
+        }
+    }
+    return matrix;
+}
+#endif
+";

@@ -1,0 +1,164 @@
+//! Functions in C++: templates over the types of their arguments, which return arrays.
+
+use std::fmt::Write;
+
+use crate::formulation::Sines;
+use crate::module::{GeneratedFunction, Module};
+use crate::print::Fields;
+use crate::print::c::Writing;
+use crate::print::c::body::{body, of_step};
+use crate::print::c::comments::comment;
+use crate::print::c::declarations::{argument_lengths, lengths, results};
+use crate::print::c::names::symbols;
+use crate::print::documentation::{self, Angles};
+use crate::print::steps::{Step, has_angles};
+use crate::space::Quantity;
+
+/// All functions.
+pub(super) fn text(module: &Module, writing: &Writing<'_>, angles: &Angles) -> String {
+    let mut text = String::new();
+    for (generated, name) in module.functions.iter().zip(symbols(module, writing.prefix)) {
+        let about = documentation::of_function(module, generated, Some(angles), None);
+        let fields = Fields::Own(&module.parameters);
+        // Functions are whole, so that no section needs a name.
+        let body = body(module, (generated, fields), writing, &mut str::to_owned);
+        let results = members(module, generated);
+        let arguments = generated.arguments(&module.spaces);
+        let arguments = arguments
+            .iter()
+            .map(|&of| (of.name(), argument_lengths(of, &module.spaces)));
+        let function = Function {
+            name: &name,
+            arguments: arguments.collect(),
+            results,
+        };
+        text.push_str(&function.structure());
+        text.push_str(&comment(&about));
+        text.push_str(&function.text(module, &body.text));
+    }
+    for &step in Step::of(module) {
+        let about = documentation::of_step(module, step, Some(angles));
+        let body = of_step(step, module, writing);
+        let length = |space| vec![module.spaces.len(space)];
+        let arguments = step
+            .arguments()
+            .iter()
+            .map(|&(name, space)| (name, length(space)));
+        let name = step.name().to_owned();
+        let function = Function {
+            name: step.name(),
+            arguments: arguments.collect(),
+            results: vec![(name.clone(), name, length(step.result()))],
+        };
+        text.push_str(&comment(&about));
+        text.push_str(&function.text(module, &body.text));
+    }
+    text
+}
+
+/// A function and the lengths of its arrays.
+struct Function<'f> {
+    name: &'f str,
+    arguments: Vec<(&'f str, Vec<usize>)>,
+    /// Name in the body, name of the member, and lengths of each result.
+    results: Vec<(String, String, Vec<usize>)>,
+}
+
+/// Results with their names in the body and in the struct.
+fn members(module: &Module, generated: &GeneratedFunction) -> Vec<(String, String, Vec<usize>)> {
+    let named = results(&generated.functions);
+    let lengths_of = |quantity: &Quantity| lengths(quantity, &module.spaces);
+    let parts = generated
+        .functions
+        .iter()
+        .flat_map(|function| function.result().parts());
+    let is_one = generated.functions.len() == 1;
+    let members = named
+        .into_iter()
+        .zip(parts)
+        .map(|((name, quantity), (part, _))| {
+            let member = part
+                .filter(|_| is_one)
+                .map_or_else(|| name.clone(), str::to_owned);
+            (name, member, lengths_of(&quantity))
+        });
+    members.collect()
+}
+
+/// `std::array<std::array<T, 3>, 2>`.
+fn array(lengths: &[usize]) -> String {
+    let inner = lengths.iter().rev();
+    inner.fold("T".to_owned(), |of, length| {
+        format!("std::array<{of}, {length}>")
+    })
+}
+
+impl Function<'_> {
+    /// Name of the struct of several results.
+    fn structure_name(&self) -> String {
+        format!("{}_results", self.name)
+    }
+
+    /// The struct of several results.
+    fn structure(&self) -> String {
+        if self.results.len() == 1 {
+            return String::new();
+        }
+        let mut text = format!("template <class T>\nstruct {} {{\n", self.structure_name());
+        for (_, member, lengths) in &self.results {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "    {} {member};", array(lengths));
+        }
+        text + "};\n\n"
+    }
+
+    /// The definition around a body.
+    fn text(&self, module: &Module, body: &str) -> String {
+        let has_fields = !module.parameters.is_empty();
+        let mut types = Vec::new();
+        let mut parameters = Vec::new();
+        let mut scalars = Vec::new();
+        if has_fields {
+            types.push("class P".to_owned());
+            parameters.push("const Robot<P>& robot".to_owned());
+            scalars.push("P".to_owned());
+        }
+        let mut checks = String::new();
+        for (name, lengths) in &self.arguments {
+            let kind = format!("{}{}", name[..1].to_uppercase(), &name[1..]);
+            types.push(format!("class {kind}"));
+            parameters.push(format!("const {kind}& {name}"));
+            let first = "[0]".repeat(lengths.len());
+            scalars.push(format!("decltype({name}{first})"));
+            // Writing to a string cannot fail.
+            let _ = writeln!(checks, "    detail::check<{}, {kind}>();", lengths[0]);
+        }
+        let (types, parameters, scalars) =
+            (types.join(", "), parameters.join(", "), scalars.join(", "));
+        let template = match &*types {
+            "" => "inline ".to_owned(),
+            types => format!("template <{types}>\n"),
+        };
+        let scalar = format!("    using T = detail::scalar<{scalars}>;\n");
+        let mut locals = String::new();
+        let value = if let [(name, _, lengths)] = &*self.results {
+            let _ = writeln!(locals, "    {} {name};", array(lengths));
+            name.clone()
+        } else {
+            let result = format!("{}<T> result", self.structure_name());
+            let _ = writeln!(locals, "    {result};");
+            for (name, member, _) in &self.results {
+                let _ = writeln!(locals, "    auto& {name} = result.{member};");
+            }
+            "result".to_owned()
+        };
+        let sines = match module.sines == Sines::Platform && has_angles(module) {
+            true => "    using std::cos;\n    using std::sin;\n",
+            false => "",
+        };
+        format!(
+            "{template}auto {}({parameters})\n{{\n{scalar}{checks}{sines}{locals}{body}    return {value};\n}}\n\n",
+            self.name
+        )
+    }
+}

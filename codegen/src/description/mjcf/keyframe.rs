@@ -31,7 +31,7 @@ impl<'a> Mjcf<'a> {
         let mut rest = &all[..];
         let mut joints = Vec::new();
         let mut needed = 0;
-        for joint in self.tree.joints.iter() {
+        for joint in &self.tree.joints {
             let count = match joint.kind {
                 JointKind::Fixed => continue,
                 JointKind::Spherical => 4,

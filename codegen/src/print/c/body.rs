@@ -193,9 +193,10 @@ impl<'w> Writer<'w> {
             fields: &in_ascii(fields),
         };
         // Templates are inline, so that sections would be, too.
-        let length = match writing.templates {
-            true => Length::UNBOUNDED,
-            false => module.length,
+        let length = if writing.templates {
+            Length::UNBOUNDED
+        } else {
+            module.length
         };
         let stored = match filled {
             Some(_) => Stored::Early,
@@ -291,17 +292,19 @@ impl<'w> Writer<'w> {
 
     /// An argument or a field, which may have another type than results.
     fn loaded(&self, value: String) -> String {
-        match self.writing.templates {
-            true => format!("T({value})"),
-            false => value,
+        if self.writing.templates {
+            format!("T({value})")
+        } else {
+            value
         }
     }
 
     /// Place of an entry of a result.
     fn entry(&self, name: &str, index: usize, lengths: &[usize]) -> String {
-        match self.writing.templates && lengths.is_empty() {
-            true => name.to_owned(),
-            false => place(name, index, lengths),
+        if self.writing.templates && lengths.is_empty() {
+            name.to_owned()
+        } else {
+            place(name, index, lengths)
         }
     }
 
@@ -318,9 +321,10 @@ impl<'w> Writer<'w> {
             (Operation::Sign(a), _) => {
                 let (number, zero) = (self.number(), literal(0.0, self.real));
                 let difference = format!("(({a} > {zero}) - ({a} < {zero}))");
-                match self.writing.templates {
-                    true => format!("{number}{difference}"),
-                    false => format!("({number}){difference}"),
+                if self.writing.templates {
+                    format!("{number}{difference}")
+                } else {
+                    format!("({number}){difference}")
                 }
             }
             (Operation::Neg(a), _) => negative(&a),
@@ -361,9 +365,10 @@ impl<'w> Writer<'w> {
             }
             return;
         }
-        let [turn, sin_cos] = match self.writing.templates {
-            true => ["auto", "detail::sin_cos"].map(str::to_owned),
-            false => ["turn", "sin_cos"].map(|name| self.writing.own(name)),
+        let [turn, sin_cos] = if self.writing.templates {
+            ["auto", "detail::sin_cos"].map(str::to_owned)
+        } else {
+            ["turn", "sin_cos"].map(|name| self.writing.own(name))
         };
         // `s_1` and `c_1` are parts of `turn_1`.
         let subject = parts.clone().next().map_or("", |(name, ..)| &name[1..]);

@@ -152,9 +152,10 @@ impl Function<'_> {
             }
             "result".to_owned()
         };
-        let sines = match module.sines == Sines::Platform && has_angles(module) {
-            true => "    using std::cos;\n    using std::sin;\n",
-            false => "",
+        let sines = if module.sines == Sines::Platform && has_angles(module) {
+            "    using std::cos;\n    using std::sin;\n"
+        } else {
+            ""
         };
         format!(
             "{template}auto {}({parameters})\n{{\n{scalar}{checks}{sines}{locals}{body}    return {value};\n}}\n\n",

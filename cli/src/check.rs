@@ -15,7 +15,7 @@ use homogen_codegen::expand;
 use homogen_codegen::request::setting::FRAMES;
 use homogen_codegen::wording::visible;
 use homogen_page::diagnostics::line_and_column;
-use homogen_page::report::{described, report, root, tip};
+use homogen_page::report::{configurations, described, report, root, tip};
 
 /// Print what was read, merged, locked, left out or read as exact, and every warning with its place
 #[derive(Args, Clone, Debug)]
@@ -173,6 +173,10 @@ fn in_text(chain: &Chain) -> String {
         ));
         k += if mimic_of.is_some() { 0 } else { names.len() };
     }
+    for (name, q) in configurations(chain) {
+        let q: Vec<String> = q.iter().map(f64::to_string).collect();
+        line(format!("configuration {name}: {}", q.join(" ")));
+    }
     loops(chain, &mut line);
     line(counted(
         report.links.len(),
@@ -204,3 +208,6 @@ fn in_text(chain: &Chain) -> String {
     let _ = write!(text, "{}", options::warnings(chain));
     text
 }
+
+#[cfg(test)]
+mod tests;

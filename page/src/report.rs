@@ -107,6 +107,11 @@ pub fn report(chain: &Chain) -> Value {
             "joints": details.collect::<Value>(),
         },
     });
+    let configurations = configurations(chain).map(|(name, q)| (name.to_owned(), json!(q)));
+    let configurations: serde_json::Map<String, Value> = configurations.collect();
+    if !configurations.is_empty() {
+        answer["configurations"] = Value::Object(configurations);
+    }
     if !chain.loops.is_empty() {
         let loops = chain.loops.iter().map(|closed| {
             let [from, to] = closed.frames.each_ref().map(|frame| &frame.name);
@@ -118,6 +123,25 @@ pub fn report(chain: &Chain) -> Value {
         answer["dependent"] = json!(report.dependent);
     }
     answer
+}
+
+/// The configurations of the file, each as q; those without a value for each joint are left out.
+pub fn configurations(chain: &Chain) -> impl Iterator<Item = (&str, Vec<f64>)> {
+    let report = &chain.report;
+    let configurations = chain.description.configurations.iter();
+    configurations.filter_map(move |configuration| {
+        let mut q = Vec::new();
+        for joint in &report.joints {
+            if report.mimicked.iter().any(|mimic| mimic.joint == *joint) {
+                continue;
+            }
+            let mut joints = configuration.joints.iter();
+            let (_, own) = joints.find(|(name, _)| name.text == *joint)?;
+            q.extend(own.iter().map(|entry| entry.value));
+        }
+        let is_whole = q.len() == chain.spaces().names(Space::Coordinates).count();
+        is_whole.then_some((configuration.name.text.as_str(), q))
+    })
 }
 
 /// Quaternions that were read as rotations by right angles.

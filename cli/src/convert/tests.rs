@@ -254,6 +254,29 @@ fn robots_that_ship_are_the_same_in_both_formats() {
     }
 }
 
+/// Forward dynamics is chosen for the velocities within the limits, which MJCF does not have.
+#[test]
+fn forward_dynamics_is_the_same_without_limits_of_velocities() {
+    let folder = folder("convert-limits");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots/panda_class.urdf");
+    let text = fs::read_to_string(path).expect("a robot");
+    let mut parts = text.split(" velocity=\"");
+    let first = parts.next().unwrap_or_default();
+    let others = parts.map(|part| part.split_once('"').expect("a quote").1);
+    let unlimited: String = std::iter::once(first).chain(others).collect();
+    assert_ne!(unlimited, text);
+    let path = file(&folder, "unlimited.urdf", &unlimited);
+    let written = folder.join("unlimited.xml").display().to_string();
+    output(&["convert", &path, "-o", &written]);
+    let [ours, theirs] = [&*path, &written].map(|file| {
+        let counted = json_of(&["count", file, "--functions", "forward_dynamics"]);
+        let count = &counted["functions"]["forward_dynamics"];
+        ["mul", "add", "sin", "cos", "div"].map(|operation| count[operation].clone())
+    });
+    assert!(ours[0].is_u64(), "{ours:?}");
+    assert_eq!(ours, theirs);
+}
+
 #[test]
 fn several_joints_balls_and_free_bodies_of_mjcf_are_the_same() {
     let folder = folder("convert-creature");

@@ -32,6 +32,12 @@ use crate::states::Random;
 pub enum Language {
     /// URDF.
     Urdf,
+    /// URDF with the macros of ROS.
+    Xacro,
+    /// The format of MuJoCo.
+    Mjcf,
+    /// The format of Gazebo and Drake.
+    Sdf,
     /// A Denavit–Hartenberg table.
     Table,
     /// The grammar of `chain!`.
@@ -96,6 +102,7 @@ fn random(seed: u64, number: u64) -> Random {
 
 fn take(input: &Input, random: &mut Random) -> Result<Outcome, String> {
     let mut errors = Errors::new();
+    let read = |file: &str, errors: &mut Errors| read_bytes(&input.bytes, file, None, errors);
     let (description, mut request) = match input.language {
         Language::Inline => {
             // A macro only gets what Rust can split into tokens.
@@ -106,11 +113,11 @@ fn take(input: &Input, random: &mut Random) -> Result<Outcome, String> {
             let item = inline::read(tokens, Path::new("/no/such/folder"), &mut errors);
             item.map_or((None, None), |item| (item.description, Some(item.request)))
         }
-        Language::Urdf => (
-            read_bytes(&input.bytes, "arm.urdf", None, &mut errors),
-            None,
-        ),
-        Language::Table => (read_bytes(&input.bytes, "arm.dh", None, &mut errors), None),
+        Language::Urdf => (read("arm.urdf", &mut errors), None),
+        Language::Xacro => (read("arm.urdf.xacro", &mut errors), None),
+        Language::Mjcf => (read("arm.xml", &mut errors), None),
+        Language::Sdf => (read("arm.sdf", &mut errors), None),
+        Language::Table => (read("arm.dh", &mut errors), None),
     };
     if input.language != Language::Inline && input.bytes.len() < SHORT {
         answers(&input.bytes)?;

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::Language;
-use super::splinters::{BORNE, INLINE, NUMBERS, TABLE, URDF, VECTORS, WORDS};
+use super::splinters::{BORNE, INLINE, MJCF, NUMBERS, SDF, TABLE, URDF, VECTORS, WORDS, XACRO};
 use super::texts::{blocks, values};
 use crate::states::Random;
 
@@ -60,6 +60,9 @@ fn change(language: Language, text: &mut String, random: &mut Random) {
         14 => {
             let between = match language {
                 Language::Urdf => random.choose(&URDF),
+                Language::Xacro => random.choose(&XACRO),
+                Language::Mjcf => random.choose(&MJCF),
+                Language::Sdf => random.choose(&SDF),
                 Language::Table => random.choose(&TABLE),
                 Language::Inline => random.choose(&INLINE),
             };
@@ -118,6 +121,20 @@ fn wrap(language: Language, text: &mut String, random: &mut Random) {
     let at = pick(&blocks(language, text), random);
     let (open, close) = match language {
         Language::Urdf => ("<a>", "</a>"),
+        Language::Xacro => *random.choose(&[
+            ("<a>", "</a>"),
+            ("<xacro:if value=\"1\">", "</xacro:if>"),
+            ("${(", ")}"),
+        ]),
+        Language::Mjcf => *random.choose(&[
+            ("<frame pos=\"0.1 0 0\">", "</frame>"),
+            ("<body>", "</body>"),
+            ("<replicate count=\"2\">", "</replicate>"),
+        ]),
+        Language::Sdf => *random.choose(&[
+            ("<model name=\"m\">", "</model>"),
+            ("<frame name=\"f\">", "</frame>"),
+        ]),
         Language::Table => ("# ", "\n"),
         Language::Inline => *random.choose(&[("(", ")"), ("[", "]"), ("{", "}")]),
     };

@@ -1,7 +1,10 @@
 //! Descriptions before they are damaged.
 //!
-//! In: a random source. Out: a robot that ships, a table, an inline description, or a long robot.
+//! In: a random source. Out: a robot that ships or one with more elements, in any language, or a long robot.
 
+mod simulators;
+
+use self::simulators::{MJCF, SDF, XACRO};
 use super::Language;
 use crate::states::Random;
 
@@ -111,9 +114,12 @@ denavit_hartenberg(standard) {
 pub(super) fn choose(random: &mut Random) -> (Language, String) {
     match random.below(100) {
         0 => (Language::Urdf, snake(1 + random.below(6000))),
-        1..50 => (Language::Urdf, (*random.choose(&URDF)).to_owned()),
-        50..75 => (Language::Table, (*random.choose(&TABLES)).to_owned()),
-        _ => (Language::Inline, (*random.choose(&INLINE)).to_owned()),
+        1..28 => (Language::Urdf, (*random.choose(&URDF)).to_owned()),
+        28..42 => (Language::Table, (*random.choose(&TABLES)).to_owned()),
+        42..58 => (Language::Inline, (*random.choose(&INLINE)).to_owned()),
+        58..72 => (Language::Xacro, (*random.choose(&XACRO)).to_owned()),
+        72..86 => (Language::Mjcf, (*random.choose(&MJCF)).to_owned()),
+        _ => (Language::Sdf, (*random.choose(&SDF)).to_owned()),
     }
 }
 

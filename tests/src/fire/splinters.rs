@@ -58,6 +58,45 @@ pub(super) const URDF: [&str; 26] = [
     "<xacro:macro name=\"m\" xmlns:xacro=\"http://ros.org/wiki/xacro\"/>", "xmlns=\"u\"",
 ];
 
+/// Texts to insert into a xacro file.
+#[rustfmt::skip]
+pub(super) const XACRO: [&str; 22] = [
+    "<xacro:chain k=\"1\" last=\"1\"/>", "<xacro:chain k=\"-1000000\"/>", "<xacro:include filename=\"arm.urdf.xacro\"/>",
+    "<xacro:include filename=\"../../../etc/passwd\"/>", "<xacro:include filename=\"$(find x)/*\"/>",
+    "<xacro:property name=\"k\" value=\"${k}\"/>", "<xacro:property name=\"a\" value=\"${a + a}\" lazy_eval=\"false\"/>",
+    "<xacro:macro name=\"m\" params=\"a *b\"><xacro:m a=\"1\"><b/></xacro:m></xacro:macro><xacro:m a=\"1\"><b/></xacro:m>",
+    "<xacro:macro name=\"property\" params=\":= ^ ** a:=^|\"/>", "<xacro:insert_block name=\"body\"/>",
+    "<xacro:if value=\"maybe\"/>", "<xacro:call macro=\"chain\"/>", "<xacro:attribute name=\"x\" value=\"1\"/>",
+    "${'a' * 10**9}", "${9**9**9}", "${[[0] * 1000 for i in range(100000)]}", "${((((1", "${1 if}", "$${", "$(arg )",
+    "${load_yaml('x.yaml')}", "<!DOCTYPE r [<!ENTITY a \"aa\"><!ENTITY b \"&a;&a;&a;\">]>",
+];
+
+/// Texts to insert into an MJCF file.
+#[rustfmt::skip]
+pub(super) const MJCF: [&str; 24] = [
+    "<body><joint/><geom size=\"1\"/></body>", "<joint type=\"ball\"/>", "<freejoint/>", "<inertial pos=\"0 0 0\" mass=\"-1\"/>",
+    "<geom type=\"mesh\" mesh=\"m\" size=\"1\"/>", "<geom type=\"capsule\" fromto=\"0 0 0 0 0 0\"/>", "<site name=\"tip\"/>",
+    "<mesh name=\"m\" vertex=\"0 0 0 1 0 0 0 1 0\"/>", "<mesh name=\"m\" vertex=\"0 0 0 0 0 0 0 0 0 0 0 0\"/>",
+    "<mesh name=\"m\" vertex=\"0 0 0 1 0 0 0 1 0 0 0 1\" face=\"0 1 9\"/>", "<replicate count=\"100000\"><body/></replicate>",
+    "<include file=\"arm.xml\"/>", "<include file=\"/etc/passwd\"/>", "<include/>", "<default class=\"main\"><default/></default>",
+    "<attach model=\"x\" body=\"y\" prefix=\"z\"/>", "<composite/>", "<compiler coordinate=\"global\" eulerseq=\"xxx\"/>",
+    "<compiler settotalmass=\"1e-300\" inertiafromgeom=\"true\"/>", "<equality><connect body1=\"tip\" anchor=\"0 0 0\"/></equality>",
+    "<equality><joint joint1=\"yaw\" joint2=\"yaw\"/></equality>", "<equality><weld site1=\"end\" site2=\"end\"/></equality>",
+    "<keyframe><key qpos=\"nan\"/><key/></keyframe>", "<tendon><fixed stiffness=\"1\"/></tendon>",
+];
+
+/// Texts to insert into an SDF file.
+#[rustfmt::skip]
+pub(super) const SDF: [&str; 16] = [
+    "<link name=\"x\"/>", "<frame name=\"base\" attached_to=\"base\"/>", "<frame name=\"a\" attached_to=\"a\"/>",
+    "<frame name=\"c\"><pose relative_to=\"d\"/></frame><frame name=\"d\"><pose relative_to=\"c\"/></frame>",
+    "<pose relative_to=\"\">0 0</pose>", "<pose rotation_format=\"quat_xyzw\">0 0 0 0 0 0 0</pose>",
+    "<include><uri>model://arm</uri></include>", "<include><uri>../../etc</uri><name>x</name></include>", "<include merge=\"true\"/>",
+    "<joint name=\"g\" type=\"gearbox\"><parent>base</parent><child>fore</child><gearbox_ratio>0</gearbox_ratio></joint>",
+    "<joint name=\"x\" type=\"revolute2\"><parent>world</parent><child>world</child></joint>", "<axis><xyz>0 0 0</xyz></axis>",
+    "<inertial auto=\"true\"/>", "<static>true</static>", "<model name=\"__model__\"/>", "<mimic joint=\"both\" axis=\"axis2\"/>",
+];
+
 /// Texts to insert into a table.
 #[rustfmt::skip]
 pub(super) const TABLE: [&str; 12] = [

@@ -10,7 +10,17 @@ use super::Language;
 /// Ranges of the values, without quotes.
 pub(super) fn values(language: Language, text: &str) -> Vec<Range<usize>> {
     match language {
-        Language::Urdf => between_quotes(text),
+        Language::Urdf | Language::Mjcf => between_quotes(text),
+        Language::Xacro => {
+            let mut values = between_quotes(text);
+            values.extend(runs(text, |c| c.is_alphanumeric() || "_.'".contains(c)));
+            values
+        }
+        Language::Sdf => {
+            let mut values = between_quotes(text);
+            values.extend(between_tags(text));
+            values
+        }
         Language::Table => runs(text, |c| !c.is_whitespace()),
         Language::Inline => {
             let mut values = runs(text, |c| c.is_alphanumeric() || "_.-".contains(c));
@@ -24,7 +34,7 @@ pub(super) fn values(language: Language, text: &str) -> Vec<Range<usize>> {
 pub(super) fn blocks(language: Language, text: &str) -> Vec<Range<usize>> {
     let mut blocks = lines(text);
     match language {
-        Language::Urdf => {
+        Language::Urdf | Language::Xacro | Language::Mjcf | Language::Sdf => {
             blocks.extend(elements(text));
             // The attribute with the space before it, its name and its quotes.
             blocks.extend(between_quotes(text).into_iter().filter_map(|value| {
@@ -68,6 +78,16 @@ fn between_quotes(text: &str) -> Vec<Range<usize>> {
         .chunks_exact(2)
         .map(|pair| pair[0] + 1..pair[1])
         .collect()
+}
+
+/// Texts between tags that are not blank.
+fn between_tags(text: &str) -> Vec<Range<usize>> {
+    let ends = text.match_indices('>').map(|(at, _)| at + 1);
+    let found = ends.filter_map(|start| {
+        let end = start + text[start..].find('<')?;
+        (!text[start..end].trim().is_empty()).then_some(start..end)
+    });
+    found.collect()
 }
 
 /// Elements, from the opening to the closing tag.

@@ -234,7 +234,7 @@ pub(in crate::description::mjcf) static KEYFRAME: Content = Content {
 pub(in crate::description::mjcf) static KEY: Content = Content {
     attributes: &[
         Entry::read("name", "its name"),
-        Entry::read("qpos", "its coordinates"),
+        Entry::read("qpos", "its coordinates, listed by `homogen check`"),
         Entry::ignored("time", "a state of the simulation"),
         Entry::ignored("qvel", "a state of the simulation"),
         Entry::ignored("act", "a state of the simulation"),

@@ -87,7 +87,7 @@ const OWN: [&str; 13] = [
 
 /// True if the file of some robot has this name after its prefix.
 fn is_own(name: &str) -> bool {
-    let within = ["prepared_", "casadi_"].into_iter();
+    let mut within = ["prepared_", "casadi_"].into_iter();
     let of_state = within.find_map(|within| name.strip_prefix(within));
     let of_state = of_state.unwrap_or(name);
     let goes_on =

@@ -89,21 +89,18 @@ impl Body<'_> {
                 continue;
             }
             let name = self.names.alone(variable.name());
-            match *argument_lengths(variable, &self.module.spaces) {
-                [rows, columns] => {
-                    self.line(1, &format!("double {name}[{rows}][{columns}];"));
-                    self.line(1, &format!("for (int i = 0; i < {rows}; i++) {{"));
-                    self.line(2, &format!("for (int j = 0; j < {columns}; j++) {{"));
-                    let value = format!("arg[{k}] ? arg[{k}][i + {rows} * j] : 0.0");
-                    self.line(3, &format!("{name}[i][j] = {value};"));
-                    self.line(2, "}");
-                    self.line(1, "}");
-                }
-                _ => {
-                    let zeros = self.zeros(variable);
-                    let value = format!("arg[{k}] ? arg[{k}] : {zeros}");
-                    self.line(1, &format!("const double *const {name} = {value};"));
-                }
+            if let [rows, columns] = *argument_lengths(variable, &self.module.spaces) {
+                self.line(1, &format!("double {name}[{rows}][{columns}];"));
+                self.line(1, &format!("for (int i = 0; i < {rows}; i++) {{"));
+                self.line(2, &format!("for (int j = 0; j < {columns}; j++) {{"));
+                let value = format!("arg[{k}] ? arg[{k}][i + {rows} * j] : 0.0");
+                self.line(3, &format!("{name}[i][j] = {value};"));
+                self.line(2, "}");
+                self.line(1, "}");
+            } else {
+                let zeros = self.zeros(variable);
+                let value = format!("arg[{k}] ? arg[{k}] : {zeros}");
+                self.line(1, &format!("const double *const {name} = {value};"));
             }
             self.local.push((variable, name));
         }
@@ -185,8 +182,8 @@ impl Body<'_> {
         for (name, quantity) in results(&generated.functions) {
             let name = scope.alone(&name);
             let lengths = lengths(&quantity, &self.module.spaces);
-            let sizes: String = lengths.iter().map(|length| format!("[{length}]")).collect();
-            self.line(2, &format!("double {name}{sizes};"));
+            let sizes: Vec<String> = lengths.iter().map(|length| format!("[{length}]")).collect();
+            self.line(2, &format!("double {name}{};", sizes.concat()));
             first.push(match lengths.len() {
                 0 => format!("&{name}"),
                 depth => format!("&{name}{}", "[0]".repeat(depth)),

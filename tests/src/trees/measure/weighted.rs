@@ -6,7 +6,7 @@
 use homogen_codegen::Function;
 use homogen_codegen::space::Variable;
 
-use super::{Change, Measure, product, sum};
+use super::{Change, Measure, largest, product, sum};
 use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::oracle::frame_0;
@@ -24,8 +24,38 @@ struct Solutions {
 }
 
 impl Measure {
+    /// The error of a function with weights.
+    ///
+    /// # Panics
+    /// If there is no measure for it.
+    pub(super) fn weighted_error(
+        &self,
+        function: Function,
+        found: &[f64],
+        arguments: &Arguments,
+    ) -> f64 {
+        let expected = || frame_0::evaluate(&self.robot, function, 0, arguments);
+        match function {
+            Function::InverseDynamicsVjp => {
+                let (sizes, count) = (self.torque_gradient(arguments), found.len() / 3);
+                largest(found, &expected(), &|k| sizes[k / count])
+            }
+            Function::ForwardDynamicsVjp => {
+                let sizes = self.acceleration_gradient(arguments);
+                largest(found, &expected(), &|k| sizes[k])
+            }
+            Function::InverseDynamicsHessian => {
+                self.hessian_error(function, found, arguments, Variable::Tau)
+            }
+            Function::ForwardDynamicsHessian => {
+                self.hessian_error(function, found, arguments, Variable::Qdd)
+            }
+            other => panic!("{} has no measure", other.name()),
+        }
+    }
+
     /// Sizes of the gradient of λᵀτ by q, q̇ and q̈.
-    pub(super) fn torque_gradient(&self, at: &Arguments) -> [f64; 3] {
+    fn torque_gradient(&self, at: &Arguments) -> [f64; 3] {
         let [by_q, by_qd] = self.changes(at);
         let inertia = self.gain * self.gain * (self.mass * self.arm * self.arm + self.second);
         let armatures = self.robot.actuators.iter();
@@ -35,7 +65,7 @@ impl Measure {
     }
 
     /// Sizes of the entries of the gradient of λᵀq̈ by q, q̇ and τ.
-    pub(super) fn acceleration_gradient(&self, at: &Arguments) -> Vec<f64> {
+    fn acceleration_gradient(&self, at: &Arguments) -> Vec<f64> {
         let count = at[Variable::Qd].len();
         let Solutions { at, y, .. } = self.solutions(at);
         let [by_q, by_qd, _] = self.torque_gradient(&at);
@@ -44,7 +74,7 @@ impl Measure {
 
     /// The error of a Hessian, whose matrices are multiplied from the left by an argument that the function does not
     /// have.
-    pub(super) fn hessian_error(
+    fn hessian_error(
         &self,
         function: Function,
         found: &[f64],

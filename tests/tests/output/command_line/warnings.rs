@@ -103,8 +103,8 @@ fn functions_left_out_are_reported_with_the_reason() {
     let reason = "<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix \
                   is singular";
     let note = format!(
-        "note: left out: forward_dynamics, mass_matrix_inverse and forward_dynamics_derivatives: \
-         {reason}\n  hint: give"
+        "note: left out: forward_dynamics, mass_matrix_inverse, forward_dynamics_derivatives, \
+         forward_dynamics_vjp and forward_dynamics_hessian: {reason}\n  hint: give"
     );
     for command in ["count - --tip hand", "generate - --tip hand"] {
         let answer = homogen(command, &text);
@@ -128,8 +128,9 @@ fn functions_left_out_are_reported_with_the_reason() {
 #[test]
 fn a_file_lists_functions_left_out_at_its_head_and_above_the_struct() {
     let answer = homogen("generate - --tip hand", &massless());
-    let line = "Left out: `forward_dynamics`, `mass_matrix_inverse` and \
-                `forward_dynamics_derivatives` (<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix is singular).\n";
+    let line = "Left out: `forward_dynamics`, `mass_matrix_inverse`, \
+                `forward_dynamics_derivatives`, `forward_dynamics_vjp` and \
+                `forward_dynamics_hessian` (<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix is singular).\n";
     for opening in ["// ", "/// "] {
         let count = answer.output.matches(&format!("\n{opening}{line}")).count();
         assert_eq!(count, 1, "{}", answer.output);

@@ -45,6 +45,10 @@ mod guide {
     struct BuildScript;
     #[doc = include_str!("../../guide/src/python.md")]
     struct Python;
+    #[doc = include_str!("../../guide/src/cpp.md")]
+    struct Cpp;
+    #[doc = include_str!("../../guide/src/solvers.md")]
+    struct Solvers;
     #[doc = include_str!("../../guide/src/functions.md")]
     struct Functions;
     #[doc = include_str!("../../guide/src/joints.md")]

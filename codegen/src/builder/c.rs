@@ -19,7 +19,7 @@ impl Builder {
     /// Names begin with the prefix of [`Builder::extern_c`], or with [`Builder::name`] or the robot's name in lower
     /// case: `panda_gravity`; those of [`Builder::casadi`] are `panda_casadi_gravity`. Results are written to arrays of
     /// fixed size; fields are those of a struct to which every function takes a pointer.
-    /// [`Real::Generic`](crate::Real::Generic) becomes `double`. No library function is called, except the sines of
+    /// [`Real::Generic`] becomes `double`. No library function is called, except the sines of
     /// [`Sines::Platform`](crate::formulation::Sines::Platform). Results equal those of the Rust file bit for bit, or,
     /// for a [`Builder::processor`] with fused operations, those of the derive on it.
     ///

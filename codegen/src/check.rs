@@ -18,12 +18,12 @@ mod tests;
 mod vectors;
 
 use crate::chain::Chain;
-use crate::dense::{Approximate, Dense, State};
+use crate::dense::{Approximate, Dense, State, row_times};
 use crate::description::Source;
 use crate::error::{Errors, Place};
 use crate::expression::{Arithmetic, Input};
 use crate::function::{Function, Given, Truth};
-use crate::list::{self, List};
+use crate::list::{self, List, Square};
 use crate::module::{ChainData, Module};
 use crate::plan::Planned;
 use crate::real::Real;
@@ -342,12 +342,12 @@ fn first_wrong(
             return solved::first_wrong_derivative(dense, found);
         }
         Truth::Solution(Given::Gradient) => {
-            return solved::first_unlike(dense.acceleration_gradient(), found);
+            return solved::first_unlike(&dense.driven()?.gradient(), found);
         }
         Truth::Solution(Given::Hessian) => {
             let direction = direction(dense, function);
             let contracted = sums_of_rows(found, &direction);
-            return solved::first_unlike(dense.acceleration_hessian(&direction), &contracted);
+            return solved::first_unlike(&dense.driven()?.hessian(&direction), &contracted);
         }
     };
     debug_assert_eq!(expected.len(), found.len());
@@ -385,15 +385,8 @@ fn sums_of_rows(
     direction: &List<VelocityId, Approximate>,
 ) -> Vec<Approximate> {
     let size = direction.len();
-    let sums = matrices.chunks(size * size).flat_map(|matrix| {
-        let mut sums = vec![Approximate::exact(0.0); size];
-        for (row, &factor) in matrix.chunks(size).zip(direction) {
-            for (sum, &entry) in sums.iter_mut().zip(row) {
-                *sum = *sum + factor * entry;
-            }
-        }
-        sums
-    });
+    let matrices = matrices.chunks(size * size);
+    let sums = matrices.flat_map(|matrix| row_times(direction, &Square::of_rows(matrix)));
     sums.collect()
 }
 

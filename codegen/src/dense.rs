@@ -16,6 +16,7 @@ use std::cell::OnceCell;
 pub(crate) use approximate::{Approximate, ROUNDOFF};
 pub(crate) use matrix::Matrix;
 pub(crate) use robot::{Body, BodyId, Closed, Columns, DegreeOfFreedom, Moved, Robot};
+pub(crate) use solved::row_times;
 
 use crate::expression::{Double, Input};
 use crate::list::{self, Id, List, Square};
@@ -375,7 +376,7 @@ impl Dense {
         let weights = self.state.of_velocities(Variable::Weights);
         let [by_q, by_qd] = self.torque_derivatives();
         let parts = [&by_q, &by_qd, self.mass_matrix()];
-        let parts = parts.map(|matrix| solved::row_times(&weights, matrix));
+        let parts = parts.map(|matrix| row_times(&weights, matrix));
         parts.into_iter().flatten().collect()
     }
 

@@ -156,7 +156,7 @@ impl Open {
             .ok_or_else(|| mistake("unknown function"))?;
         let mut module = expand::one(&self.chain, &self.check, functions.clone(), *frame)?;
         if module.functions.is_empty() {
-            // Functions without a frame are left out of every module; the page has been told of them.
+            // Functions without a frame are left out of every module; the page has their reason already.
             let name = name(functions, None);
             let mut left_out = module.about.left_out;
             left_out.retain(|left_out| left_out.functions.contains(&name));
@@ -218,50 +218,37 @@ impl Open {
         let file = self.written.source.file.clone();
         let builder = Builder::from_description(self.written.clone()).request(request);
         let name = stem(&self.written.name.text);
-        let (files, command) = match asked["language"].as_str() {
+        let one = |ending: &str, text: String| json!([{ "name": format!("{name}.{ending}"), "text": text }]);
+        let header = format!("{name}.h");
+        let (language, files) = match asked["language"].as_str() {
             Some("c") => {
-                let module = builder.c_module()?;
-                let header = format!("{name}.h");
-                let source = builder.c(&module, &header);
-                let command = builder.command(file.as_deref(), Language::C(&header));
-                (
-                    json!([
-                        { "name": format!("{name}.c"), "text": source.text },
-                        { "name": header, "text": source.header },
-                    ]),
-                    command,
-                )
+                let source = builder.c(&builder.c_module()?, &header);
+                let files = json!([
+                    { "name": format!("{name}.c"), "text": source.text },
+                    { "name": header, "text": source.header },
+                ]);
+                (Language::C(&header), files)
             }
             Some("llvm") => {
-                let text = builder.llvm(&builder.c_module()?, LANES);
-                let file_name = format!("{name}.ll");
-                let command = builder.command(file.as_deref(), Language::Llvm(LANES));
-                (
-                    json!([{ "name": file_name, "text": text }]),
-                    format!("{command} --output {file_name}"),
-                )
+                let text = builder.llvm(&builder.compiled_module()?, LANES);
+                (Language::Llvm(LANES), one("ll", text))
             }
             Some("python") => {
                 let order = Order::LinearFirst;
                 let text = builder.plain_python(&builder.plain_python_module()?, order);
-                let file_name = format!("{name}.py");
-                let command = builder.command(file.as_deref(), Language::Python(order));
-                (
-                    json!([{ "name": file_name, "text": text }]),
-                    format!("{command} --output {file_name}"),
-                )
+                (Language::Python(order), one("py", text))
             }
             _ => {
-                let module = builder.file_module()?;
-                let text = builder.source(&module).to_string();
-                let file_name = format!("{name}.rs");
-                let command = builder.command(file.as_deref(), Language::Rust);
-                (
-                    json!([{ "name": file_name, "text": text }]),
-                    format!("{command} --output {file_name}"),
-                )
+                let text = builder.source(&builder.file_module()?).to_string();
+                (Language::Rust, one("rs", text))
             }
         };
+        let mut command = builder.command(file.as_deref(), language);
+        // The command of C names its file already, beside which the header stands.
+        if !matches!(language, Language::C(_)) {
+            let file = files[0]["name"].as_str().unwrap_or_default();
+            command = format!("{command} --output {file}");
+        }
         Ok(json!({ "files": files, "command": command }))
     }
 }

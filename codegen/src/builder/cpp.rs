@@ -54,13 +54,7 @@ impl Builder {
         let mut without = self.clone();
         without.request.prepare = false;
         without.request.section = None;
-        match without.compiled_module() {
-            Ok(module) => errors.into_result(module),
-            Err(mistakes) => {
-                errors.append(mistakes);
-                Err(errors)
-            }
-        }
+        errors.joined(without.compiled_module())
     }
 
     /// The header in C++ of a module.

@@ -88,16 +88,11 @@ pub(super) fn first_wrong_derivative(dense: &Dense, found: &[Approximate]) -> Op
     })
 }
 
-/// The first entry that is not the expected one, beyond what roundings of the description's own numbers explain. A
-/// singular mass matrix has no solution, and nothing is compared.
-pub(super) fn first_unlike(
-    expected: Option<Vec<Approximate>>,
-    found: &[Approximate],
-) -> Option<Wrong> {
-    let expected = expected?;
+/// The first entry that is not the expected one, beyond what roundings of the description's own numbers explain.
+pub(super) fn first_unlike(expected: &[Approximate], found: &[Approximate]) -> Option<Wrong> {
     let sizes = expected.iter().map(|entry| entry.size());
     let largest = sizes.fold(0.0, f64::max);
-    let mut pairs = found.iter().zip(&expected).enumerate();
+    let mut pairs = found.iter().zip(expected).enumerate();
     pairs.find_map(|(entry, (found, expected))| {
         // Programs that lose more than half of the digits are refused, and the bound of the error is far above that. A
         // bound that is NaN, of a zero times an infinite error, is none.

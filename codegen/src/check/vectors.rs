@@ -264,7 +264,7 @@ fn truth(
     match function.truth() {
         Truth::Value(value) | Truth::OfMass(value) => Some(value(dense, frame)),
         Truth::Directional(value) => {
-            rows_of(dense.state.velocities(), |unit| Some(value(dense, unit)))
+            Some(rows_of(dense.state.velocities(), |unit| value(dense, unit)))
         }
         Truth::Constrained(value) => Some(value(dense, scalar.zero_pivot())),
         Truth::Solution(Given::Torques) => acceleration(),
@@ -279,31 +279,33 @@ fn truth(
             found.extend(dense.inverse_mass_matrix()?.concat());
             Some(found)
         }
-        Truth::Solution(Given::Gradient) => dense.acceleration_gradient(),
-        Truth::Solution(Given::Hessian) => rows_of(dense.state.velocities(), |unit| {
-            dense.acceleration_hessian(unit)
-        }),
+        Truth::Solution(Given::Gradient) => Some(dense.driven()?.gradient()),
+        Truth::Solution(Given::Hessian) => {
+            let driven = dense.driven()?;
+            Some(rows_of(dense.state.velocities(), |unit| {
+                driven.hessian(unit)
+            }))
+        }
     }
 }
 
 /// Some square matrices, by rows, from their products with a row from the left, one after the other.
 fn rows_of(
     count: usize,
-    product: impl Fn(&List<VelocityId, Approximate>) -> Option<Vec<Approximate>>,
-) -> Option<Vec<Approximate>> {
+    product: impl Fn(&List<VelocityId, Approximate>) -> Vec<Approximate>,
+) -> Vec<Approximate> {
     let unit = |row: VelocityId| {
         let mut unit = List::filled(Approximate::exact(0.0), count);
         unit[row] = Approximate::exact(1.0);
         product(&unit)
     };
-    let rows = list::ids(count).map(unit);
-    let rows = rows.collect::<Option<Vec<Vec<Approximate>>>>()?;
+    let rows: Vec<Vec<Approximate>> = list::ids(count).map(unit).collect();
     let matrices = 0..rows.first().map_or(0, |row| row.len() / count);
     let entries = matrices.flat_map(|k| {
         let rows = rows.iter();
         rows.flat_map(move |row| row[k * count..][..count].to_vec())
     });
-    Some(entries.collect())
+    entries.collect()
 }
 
 /// Bounds of the rounding errors of a program's results at a state.

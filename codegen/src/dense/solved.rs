@@ -58,38 +58,64 @@ impl Dense {
         pairs.map(|(tau, bias)| tau - bias).collect()
     }
 
-    /// The derivatives of λᵀq̈ by q, q̇ and τ.
-    pub(crate) fn acceleration_gradient(&self) -> Option<Vec<Approximate>> {
+    /// The motion that τ produces, and y = M⁻¹ λ.
+    pub(crate) fn driven(&self) -> Option<Driven<'_>> {
         let solver = Solver::of(self)?;
         let accelerations = solver.solution(&self.unbalanced_torques());
-        let moved = solver.solution(&self.state.of_velocities(Variable::Weights));
-        let [by_q, by_qd] = self.torque_derivatives_of(accelerations);
-        let [by_q, by_qd] = [by_q, by_qd].map(|by| opposite(&row_times(&moved, &by)));
-        Some([by_q, by_qd, moved].into_iter().flatten().collect())
+        Some(Driven {
+            dense: self,
+            y: solver.solution(&self.state.of_velocities(Variable::Weights)),
+            by_motion: self.torque_derivatives_of(accelerations.clone()),
+            accelerations,
+            solver,
+        })
+    }
+}
+
+/// The motion that τ produces, with what all derivatives of λᵀq̈ are made of.
+pub(crate) struct Driven<'d> {
+    dense: &'d Dense,
+    solver: Solver<'d>,
+    accelerations: Vector,
+    /// M⁻¹ λ.
+    y: Vector,
+    /// ∂τ/∂q and ∂τ/∂q̇.
+    by_motion: [Square<VelocityId, Approximate>; 2],
+}
+
+impl Driven<'_> {
+    /// The derivatives of λᵀq̈ by q, q̇ and τ.
+    pub(crate) fn gradient(&self) -> Vec<Approximate> {
+        let by_motion = self.by_motion.iter();
+        let by_motion = by_motion.flat_map(|by| opposite(&row_times(&self.y, by)));
+        by_motion.chain(self.y.clone()).collect()
     }
 
     /// The second derivatives of λᵀq̈, of the blocks by q and q, q and q̇, q̇ and q̇, q and τ: the sum of the rows of
     /// each, times the entries of a direction.
-    pub(crate) fn acceleration_hessian(&self, direction: &Vector) -> Option<Vec<Approximate>> {
-        let solver = Solver::of(self)?;
-        let accelerations = solver.solution(&self.unbalanced_torques());
-        let moved = solver.solution(&self.state.of_velocities(Variable::Weights));
-        let [q_q, q_qd, qd_qd, q_qdd] =
-            self.torque_hessian_of(accelerations.clone(), &moved, direction);
-        let by_tau = solver.solution(&opposite(&q_qdd));
-        let [by_q, by_qd] = self.torque_derivatives_of(accelerations.clone());
+    pub(crate) fn hessian(&self, direction: &Vector) -> Vec<Approximate> {
+        let [by_q, by_qd] = &self.by_motion;
+        let accelerations = || self.accelerations.clone();
+        let of_torques = self
+            .dense
+            .torque_hessian_of(accelerations(), &self.y, direction);
+        let [q_q, q_qd, qd_qd, q_qdd] = of_torques;
+        let by_tau = self.solver.solution(&opposite(&q_qdd));
         // A change of q along the direction changes q̈ by −w, and τ of a further q̈ = w is M w.
-        let w = solver.solution(&times_column(&by_q, direction));
-        let further = accelerations.into_iter().zip(w).map(|(qdd, w)| qdd + w);
-        let [with_further, _] = self.torque_derivatives_of(further.collect());
-        let of_inertia = difference(&row_times(&moved, &with_further), &row_times(&moved, &by_q));
+        let w = self.solver.solution(&times_column(by_q, direction));
+        let further = sum(&accelerations(), &w);
+        let [with_further, _] = self.dense.torque_derivatives_of(further);
+        let of_inertia = difference(
+            &row_times(&self.y, &with_further),
+            &row_times(&self.y, by_q),
+        );
         let parts = [
-            difference(&of_inertia, &sum(&q_q, &row_times(&by_tau, &by_q))),
-            opposite(&sum(&q_qd, &row_times(&by_tau, &by_qd))),
+            difference(&of_inertia, &sum(&q_q, &row_times(&by_tau, by_q))),
+            opposite(&sum(&q_qd, &row_times(&by_tau, by_qd))),
             opposite(&qd_qd),
             by_tau,
         ];
-        Some(parts.into_iter().flatten().collect())
+        parts.into_iter().flatten().collect()
     }
 }
 
@@ -142,7 +168,7 @@ fn difference(a: &Vector, b: &Vector) -> Vector {
 }
 
 /// The product xᵗ A.
-pub(super) fn row_times(x: &Vector, a: &Square<VelocityId, Approximate>) -> Vector {
+pub(crate) fn row_times(x: &Vector, a: &Square<VelocityId, Approximate>) -> Vector {
     let column = |column: VelocityId| dot(x.iter().copied().zip(a.column(column)));
     a.ids().map(column).collect()
 }

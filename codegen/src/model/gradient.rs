@@ -15,8 +15,8 @@
 //! Each is computed as often as there are bodies: the gradient costs little more than τ itself.
 
 use super::carry::{Joint, Joints};
-use super::derivatives::{Whole, rates};
-use super::newton_euler::{Moving, motion};
+use super::derivatives::{Rates, Whole, rates};
+use super::newton_euler::{Motion, Moving, motion};
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -38,21 +38,17 @@ pub fn inverse_dynamics<'g>(
     [qdd, weights]: [&List<BodyId, Term<'g>>; 2],
     external: &[(BodyId, Action<Term<'g>>)],
 ) -> Gradient<'g> {
-    let motion = motion(joints, gravity, state, qdd, external);
-    let rates = rates(joints, gravity, &motion.motions);
-    // Each velocity enters doubled.
-    let whole = Whole::of(joints, state, &motion.motions, |v| v + v);
-    let lambda = Lambda::of(joints, state, weights);
-    let weighted = Weighted::of(joints, &lambda, &motion.motions, &whole);
+    let of = WeightedMotion::of(joints, gravity, state, [qdd, weights], external);
+    let weighted = of.sums(joints);
     let mut found = Gradient {
         q: List::new(),
         qd: List::new(),
         qdd: List::new(),
     };
     for (k, joint) in joints.numbered() {
-        let (rates, weight) = (&rates[k], weights[k]);
+        let (rates, weight) = (&of.rates[k], weights[k]);
         let (momentum, couple) = (weighted.momenta[k], weighted.couples[k]);
-        let by_q = motion.actions[k].along(lambda.rate(k, joint))
+        let by_q = of.motion.actions[k].along(of.lambda.rate(k, joint))
             + momentum.along(rates.second)
             + couple.dot(rates.carried.u);
         let by_qd = momentum.along(rates.own + rates.carried)
@@ -101,6 +97,40 @@ pub fn add_constant_wrenches<'g>(
     }
 }
 
+/// A motion with weights, of which the derivatives of λᵀτ are made.
+pub(super) struct WeightedMotion<'g> {
+    pub(super) motion: Motion<'g>,
+    pub(super) rates: List<BodyId, Rates<'g>>,
+    pub(super) whole: Whole<'g>,
+    pub(super) lambda: Lambda<'g>,
+}
+
+impl<'g> WeightedMotion<'g> {
+    pub(super) fn of(
+        joints: &Joints<'g>,
+        gravity: Vector<Term<'g>>,
+        state: &State<'g>,
+        [qdd, weights]: [&List<BodyId, Term<'g>>; 2],
+        external: &[(BodyId, Action<Term<'g>>)],
+    ) -> Self {
+        let motion = motion(joints, gravity, state, qdd, external);
+        let rates = rates(joints, gravity, &motion.motions);
+        // Each velocity enters doubled.
+        let whole = Whole::of(joints, state, &motion.motions, |v| v + v);
+        Self {
+            motion,
+            rates,
+            whole,
+            lambda: Lambda::of(joints, state, weights),
+        }
+    }
+
+    /// The sums with Λ over all bodies that each joint carries.
+    pub(super) fn sums(&self, joints: &Joints<'g>) -> Weighted<'g> {
+        Weighted::of(joints, &self.lambda, &self.motion.motions, &self.whole)
+    }
+}
+
 /// Λ = Σ λ L of the joints that carry a body.
 pub(super) struct Lambda<'g> {
     /// Λ of each body.
@@ -110,11 +140,7 @@ pub(super) struct Lambda<'g> {
 }
 
 impl<'g> Lambda<'g> {
-    pub(super) fn of(
-        joints: &Joints<'g>,
-        state: &State<'g>,
-        weights: &List<BodyId, Term<'g>>,
-    ) -> Self {
+    fn of(joints: &Joints<'g>, state: &State<'g>, weights: &List<BodyId, Term<'g>>) -> Self {
         let rest = Velocity::zero(state.graph);
         let mut outer: List<BodyId, Velocity<Term<'g>>> = List::new();
         let mut bodies: List<BodyId, Velocity<Term<'g>>> = List::new();
@@ -147,7 +173,7 @@ pub(super) struct Weighted<'g> {
 }
 
 impl<'g> Weighted<'g> {
-    pub(super) fn of(
+    fn of(
         joints: &Joints<'g>,
         lambda: &Lambda<'g>,
         motions: &List<BodyId, Moving<'g>>,

@@ -12,9 +12,8 @@
 use std::collections::BTreeMap;
 
 use super::carry::{Joint, Joints};
-use super::derivatives::{Rates, Whole, rates};
-use super::gradient::{Lambda, Weighted};
-use super::newton_euler::motion;
+use super::derivatives::{Rates, Whole};
+use super::gradient::{Lambda, Weighted, WeightedMotion};
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -39,16 +38,18 @@ pub fn inverse_dynamics<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    [qdd, weights]: [&List<BodyId, Term<'g>>; 2],
+    arguments: [&List<BodyId, Term<'g>>; 2],
     external: &[(BodyId, Action<Term<'g>>)],
 ) -> Hessian<'g> {
-    let motion = motion(joints, gravity, state, qdd, external);
-    let rates = rates(joints, gravity, &motion.motions);
-    // Each velocity enters doubled.
-    let whole = Whole::of(joints, state, &motion.motions, |v| v + v);
-    let lambda = Lambda::of(joints, state, weights);
-    let turned = carried_rates(joints, &lambda);
-    let weighted = Weighted::of(joints, &lambda, &motion.motions, &whole);
+    let of = WeightedMotion::of(joints, gravity, state, arguments, external);
+    let WeightedMotion {
+        motion,
+        rates,
+        whole,
+        lambda,
+    } = &of;
+    let turned = carried_rates(joints, lambda);
+    let weighted = of.sums(joints);
     let zero = || Square::filled(state.zero(), joints.len());
     let mut found = Hessian {
         q_q: zero(),
@@ -63,7 +64,7 @@ pub fn inverse_dynamics<'g>(
             &rates[k],
             turned[k][&k],
             motion.actions[k],
-            &whole,
+            whole,
             &weighted,
         );
         // All velocities of one joint have the same frame, and observers of their own.

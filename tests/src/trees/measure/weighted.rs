@@ -11,7 +11,7 @@ use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::oracle::frame_0;
 
-/// What the rounding of M makes of its solutions.
+/// Solutions with M, and the growth of roundings in them.
 struct Solutions {
     /// A state with the sizes of q̈ and of its rounding as q̈, and those of y as λ.
     at: Arguments,

@@ -40,7 +40,7 @@ pub(super) struct Group {
     pub stores: Vec<(usize, usize, Store)>,
 }
 
-/// What is stored of a result.
+/// The part of a result that is stored.
 #[derive(Clone, Debug)]
 pub(super) enum Store {
     /// Its entries.

@@ -1,4 +1,4 @@
-//! What functions in C++ share: their scalar type, checks of lengths, sines and roots.
+//! The head that functions in C++ share: their scalar type, checks of lengths, sines and roots.
 
 use std::fmt::Write;
 

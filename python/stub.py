@@ -26,6 +26,7 @@ from . import results
 
 _Floats: TypeAlias = NDArray[np.floating[Any]]
 _Order: TypeAlias = Literal["linear_first", "angular_first"]
+_Integrator: TypeAlias = Literal["semi_implicit", "euler", "rk4"]
 
 class Robot:
     NQ: int
@@ -64,6 +65,14 @@ class Robot:
     def random(
         self, rng: np.random.Generator | int | None = None, size: int | tuple[int, ...] = ()
     ) -> NDArray[np.float64]: ...
+    def step(
+        self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None, *,
+        integrator: _Integrator = "semi_implicit",
+    ) -> results.NextState: ...
+    def step_derivatives(
+        self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None, *,
+        integrator: _Integrator = "semi_implicit",
+    ) -> results.StepDerivatives: ...
     def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True) -> None: ...
     def check(self) -> str: ...
     def count(self, *functions: str, frames: Sequence[str] = ()) -> dict[str, Any]: ...
@@ -81,6 +90,24 @@ class Robot:
     # Fields, by the names that `homogen.load` was called with.
     def __getattr__(self, name: str) -> Any: ...
     def __setattr__(self, name: str, value: ArrayLike) -> None: ...
+'''
+
+OF_STEPS = '''
+class NextState(NamedTuple):
+    q: NDArray[np.floating[Any]]
+    qd: NDArray[np.floating[Any]]
+
+class StepDerivatives(NamedTuple):
+    q_by_q: NDArray[np.floating[Any]]
+    q_by_qd: NDArray[np.floating[Any]]
+    q_by_tau: NDArray[np.floating[Any]]
+    qd_by_q: NDArray[np.floating[Any]]
+    qd_by_qd: NDArray[np.floating[Any]]
+    qd_by_tau: NDArray[np.floating[Any]]
+    @property
+    def a(self) -> NDArray[np.floating[Any]]: ...
+    @property
+    def b(self) -> NDArray[np.floating[Any]]: ...
 '''
 
 STEPS = {"integrate": ["q", "v"], "difference": ["q0", "q1"], "normalize": ["q"]}
@@ -122,7 +149,7 @@ def results():
         if parts:
             text += f"\nclass {title(name)}(NamedTuple):\n"
             text += "".join(f"    {part}: NDArray[np.floating[Any]]\n" for part in parts)
-    return text + "\ndef of(name: str) -> type[tuple[NDArray[np.floating[Any]], ...]] | None: ...\n"
+    return text + OF_STEPS + "\ndef of(name: str) -> type[tuple[NDArray[np.floating[Any]], ...]] | None: ...\n"
 
 
 def main():

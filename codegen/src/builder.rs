@@ -40,7 +40,7 @@ use crate::print::rust::CoreFunctions;
 use crate::print::rust::in_every_edition;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::request::{Parameter, Request, Target};
+use crate::request::{Integrator, Parameter, Request, Target};
 
 /// Reads a robot and writes its functions.
 ///
@@ -427,7 +427,20 @@ impl Builder {
     /// Adds `CasADi`'s external interface to a file in C: `casadi.external("arm_casadi_gravity", library)`, with Jacobian,
     /// gradient and Hessian of functions whose derivatives are among the [`generated`](Self::generate) ones.
     pub fn casadi(self) -> Self {
-        self.with(|asked| asked.casadi = true)
+        self.with(|asked| asked.for_c.casadi = true)
+    }
+
+    /// Adds time steps by a rule to a file in C: `arm_step`, and as far as derivatives of forward dynamics are
+    /// [generated](Self::generate) `arm_step_derivatives` (A and B) and `arm_step_hessian`.
+    pub fn steps(self, rule: Integrator) -> Self {
+        self.with(|asked| asked.for_c.steps = Some(rule))
+    }
+
+    /// Adds these steps to a file in C as discrete dynamics of acados, for `dyn_ext_fun_type = 'generic'`:
+    /// `arm_acados_fun`, `arm_acados_fun_jac` and, with the Hessian, `arm_acados_fun_jac_hess`. The first parameter of
+    /// the model is the duration of a step \[s\].
+    pub fn acados(self) -> Self {
+        self.with(|asked| asked.for_c.acados = true)
     }
 
     /// Adds functions for C beside the methods, with names of this prefix and the method: `arm_gravity`. A second

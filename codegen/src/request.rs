@@ -3,10 +3,12 @@
 //! All front ends build the same [`Request`]: attributes of a derive, calls of the builder, options of the command
 //! line. Names in it are not resolved yet.
 
+mod for_c;
 #[doc(hidden)]
 pub mod setting;
 mod target;
 
+pub use for_c::{ForC, Integrator};
 pub use target::{Parameter, Target, TargetOf};
 
 use proc_macro2::TokenStream;
@@ -81,8 +83,8 @@ pub struct Request {
     pub section: Option<usize>,
     /// Add `prepare`, which computes once what depends only on fields.
     pub prepare: bool,
-    /// Add `CasADi`'s external interface to a file in C.
-    pub casadi: bool,
+    /// Parts of a file in C beside its functions.
+    pub for_c: ForC,
     /// The type of numbers in the generated code.
     pub scalar: Real,
     /// The same bits on every processor: no product is fused with a sum.

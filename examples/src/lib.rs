@@ -65,6 +65,8 @@ mod guide {
     struct Sdf;
     #[doc = include_str!("../../guide/src/derivatives.md")]
     struct Derivatives;
+    #[doc = include_str!("../../guide/src/time-steps.md")]
+    struct TimeSteps;
     #[doc = include_str!("../../guide/src/inverse-kinematics.md")]
     struct InverseKinematics;
     #[doc = include_str!("../../guide/src/batches.md")]

@@ -1,11 +1,8 @@
-//! Desired motions of arms, and their simulation.
+//! Desired motions of arms.
 //!
-//! In: amplitudes and rates; or a robot, a state and torques. Out: desired q, q̇ and q̈ at a time; or the state after a
-//! step.
+//! In: amplitudes and rates. Out: desired q, q̇ and q̈ at a time.
 
 use std::array::from_fn;
-
-use homogen::robot::ForwardDynamics;
 
 /// A desired motion: q, q̇, q̈.
 pub type Desired<const N: usize> = [[f64; N]; 3];
@@ -32,29 +29,6 @@ impl<const N: usize> Waves<N> {
             of(&|a, w| a * w * (w * t).sin()),
             of(&|a, w| a * w * w * (w * t).cos()),
         ]
-    }
-}
-
-/// One step of the Runge–Kutta method of order 4 with constant torques.
-pub fn step<R, const N: usize>(
-    robot: &R,
-    period: f64,
-    q: &mut [f64; N],
-    qd: &mut [f64; N],
-    tau: &[f64; N],
-) where
-    R: ForwardDynamics<N>,
-{
-    let after = |x: &[f64; N], h: f64, d: &[f64; N]| -> [f64; N] { from_fn(|i| x[i] + h * d[i]) };
-    let rate = |q: &[f64; N], qd: &[f64; N]| (*qd, robot.forward_dynamics(q, qd, tau));
-    let half = 0.5 * period;
-    let (v_1, a_1) = rate(q, qd);
-    let (v_2, a_2) = rate(&after(q, half, &v_1), &after(qd, half, &a_1));
-    let (v_3, a_3) = rate(&after(q, half, &v_2), &after(qd, half, &a_2));
-    let (v_4, a_4) = rate(&after(q, period, &v_3), &after(qd, period, &a_3));
-    for i in 0..N {
-        q[i] += period / 6.0 * (v_1[i] + 2.0 * (v_2[i] + v_3[i]) + v_4[i]);
-        qd[i] += period / 6.0 * (a_1[i] + 2.0 * (a_2[i] + a_3[i]) + a_4[i]);
     }
 }
 

@@ -3,11 +3,13 @@
 //! dynamics.
 //!
 //! In: a robot, its start and its goal, both at rest. Out: torques over time with their motion, and the cost after each
-//! iteration. The model is q̇' = q̇ + h q̈, q' = q + h q̇'.
+//! iteration. The motion is that of semi-implicit steps.
 
 use std::array::from_fn;
 
+use homogen::Robot;
 use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives};
+use homogen::step::{Integrator, Step};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// An optimal control problem.
@@ -53,7 +55,7 @@ impl<const N: usize> Problem<N> {
     /// If the weight of torques is zero, or a number is NaN.
     pub fn solve<R>(&self, robot: &R, hold: &[f64; N], iterations: usize) -> Plan<N>
     where
-        R: ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,
+        R: Robot<N> + ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,
     {
         let torques = vec![*hold; self.steps];
         let mut plan = self.simulate(robot, &torques, |_, _| [0.0; N]);
@@ -99,7 +101,7 @@ impl<const N: usize> Problem<N> {
         change: impl Fn(usize, &[[f64; N]; 2]) -> [f64; N],
     ) -> Plan<N>
     where
-        R: ForwardDynamics<N>,
+        R: Robot<N> + ForwardDynamics<N>,
     {
         let mut states = vec![[self.from, [0.0; N]]];
         let mut changed = Vec::new();
@@ -107,9 +109,8 @@ impl<const N: usize> Problem<N> {
             let [q, qd] = states[k];
             let change = change(k, &states[k]);
             let tau = from_fn(|i| tau[i] + change[i]);
-            let qdd = robot.forward_dynamics(&q, &qd, &tau);
-            let qd = from_fn(|i| qd[i] + self.period * qdd[i]);
-            states.push([from_fn(|i| q[i] + self.period * qd[i]), qd]);
+            let next = robot.step(Integrator::SemiImplicit, &q, &qd, &tau, self.period);
+            states.push([next.q, next.qd]);
             changed.push(tau);
         }
         Plan {
@@ -134,7 +135,7 @@ impl<const N: usize> Problem<N> {
     /// The corrections of all steps, by the backward pass.
     fn improve<R>(&self, robot: &R, plan: &Plan<N>, hold: &[f64; N]) -> Vec<Correction>
     where
-        R: ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,
+        R: Robot<N> + ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,
     {
         let [q, qd] = plan.states[self.steps];
         let [place, rest] = self.miss;
@@ -191,28 +192,21 @@ impl<const N: usize> Problem<N> {
         tau: &[f64; N],
     ) -> (DMatrix<f64>, DMatrix<f64>)
     where
-        R: ForwardDynamicsDerivatives<N>,
+        R: Robot<N> + ForwardDynamics<N> + ForwardDynamicsDerivatives<N>,
     {
-        let h = self.period;
-        let by = robot.forward_dynamics_derivatives(q, qd, tau);
-        // ∂q̇' first; ∂q' = ∂q + h ∂q̇'.
+        let by = robot.step_derivatives(Integrator::SemiImplicit, q, qd, tau, self.period);
         let a = DMatrix::from_fn(2 * N, 2 * N, |i, j| {
-            let (row, column) = (i % N, j % N);
-            let same = if row == column { 1.0 } else { 0.0 };
-            let rate = if j < N {
-                h * by.dq[row][column]
-            } else {
-                same + h * by.dqd[row][column]
+            let block = match (i < N, j < N) {
+                (true, true) => &by.q_by_q,
+                (true, false) => &by.q_by_qd,
+                (false, true) => &by.qd_by_q,
+                (false, false) => &by.qd_by_qd,
             };
-            match (i < N, j < N) {
-                (true, true) => same + h * rate,
-                (true, false) => h * rate,
-                (false, _) => rate,
-            }
+            block[i % N][j % N]
         });
         let b = DMatrix::from_fn(2 * N, N, |i, j| {
-            let rate = h * by.dtau[i % N][j];
-            if i < N { h * rate } else { rate }
+            let block = if i < N { &by.q_by_tau } else { &by.qd_by_tau };
+            block[i % N][j]
         });
         (a, b)
     }

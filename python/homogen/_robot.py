@@ -12,6 +12,7 @@ from . import _engine, results
 from ._compile import compiled
 from ._function import Function
 from ._library import STEPS, Plain
+from ._step import step
 
 _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
 _OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
@@ -50,8 +51,9 @@ class Robot:
             own[name].flags.writeable = False
         own["_neutral"] = np.array(facts["neutral"], float)
         own["_kinds"] = np.array(facts["kinds"])
+        own["_motions"] = tuple(facts["motions"])
         # Each coordinate is added to and has a velocity of its own: there are no quaternions and no planar joints.
-        own["_is_euclidean"] = facts["euclidean"]
+        own["_is_euclidean"] = set(self._motions) <= {"along", "mimic"}
         own["_fields"] = _places(recipe, facts["fields"])
         names = [*STEPS, *_FUNCTIONS]
         if not self.constraint_names:
@@ -191,6 +193,21 @@ class Robot:
             numbers = rng.standard_normal((*size, 4))
             q[..., first : first + 4] = numbers / np.linalg.norm(numbers, axis=-1, keepdims=True)
         return q
+
+    def step(self, q, qd, tau, dt, actions=None, *, integrator="semi_implicit"):
+        """The state after `dt` seconds under constant τ: q and qd.
+
+        integrator: `semi_implicit`, q̇⁺ = q̇ + Δt q̈ and q⁺ = q ⊕ Δt q̇⁺; `euler`, q⁺ = q ⊕ Δt q̇; `rk4`, of order 4
+        actions: constant external wrenches, of robots that have them
+        """
+        return step(self, integrator, q, qd, tau, dt, () if actions is None else (actions,), False)
+
+    def step_derivatives(self, q, qd, tau, dt, actions=None, *, integrator="semi_implicit"):
+        """The derivatives of `step` by q, q̇ and τ; `a` and `b` of the result are the matrices of a discrete-time controller.
+
+        With quaternions, rows and columns of q are along velocities.
+        """
+        return step(self, integrator, q, qd, tau, dt, () if actions is None else (actions,), True)
 
     def compile(self, *names, dtype=np.float64, many=True):
         """Compiles functions before they are called, all of them where none is named.

@@ -11,6 +11,7 @@ from . import results
 
 _Floats: TypeAlias = NDArray[np.floating[Any]]
 _Order: TypeAlias = Literal["linear_first", "angular_first"]
+_Integrator: TypeAlias = Literal["semi_implicit", "euler", "rk4"]
 
 class Robot:
     NQ: int
@@ -49,6 +50,14 @@ class Robot:
     def random(
         self, rng: np.random.Generator | int | None = None, size: int | tuple[int, ...] = ()
     ) -> NDArray[np.float64]: ...
+    def step(
+        self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None, *,
+        integrator: _Integrator = "semi_implicit",
+    ) -> results.NextState: ...
+    def step_derivatives(
+        self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None, *,
+        integrator: _Integrator = "semi_implicit",
+    ) -> results.StepDerivatives: ...
     def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True) -> None: ...
     def check(self) -> str: ...
     def count(self, *functions: str, frames: Sequence[str] = ()) -> dict[str, Any]: ...

@@ -1,6 +1,8 @@
-"""The types of results that are several arrays: named tuples, one for each function that has such."""
+"""The types of results that are several arrays: named tuples, one for each function that has such, and those of steps."""
 
 from collections import namedtuple
+
+import numpy as np
 
 from ._engine import functions
 
@@ -11,7 +13,27 @@ _TYPES = {
 }
 globals().update({of.__name__: of for of in _TYPES.values()})
 
-__all__ = sorted(of.__name__ for of in _TYPES.values())
+#: The state after a time step.
+NextState = namedtuple("NextState", ["q", "qd"])
+
+
+class StepDerivatives(namedtuple("StepDerivatives", "q_by_q q_by_qd q_by_tau qd_by_q qd_by_qd qd_by_tau")):
+    """The derivatives of the state after a time step, a row for each entry of it: by q along velocities, q̇ and τ."""
+
+    __slots__ = ()
+
+    @property
+    def a(self):
+        """A = ∂(q, q̇)⁺/∂(q, q̇), (..., 2n, 2n)."""
+        return np.block([[self.q_by_q, self.q_by_qd], [self.qd_by_q, self.qd_by_qd]])
+
+    @property
+    def b(self):
+        """B = ∂(q, q̇)⁺/∂τ, (..., 2n, n)."""
+        return np.concatenate([self.q_by_tau, self.qd_by_tau], -2)
+
+
+__all__ = sorted(["NextState", "StepDerivatives", *(of.__name__ for of in _TYPES.values())])
 
 
 def of(name):

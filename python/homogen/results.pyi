@@ -39,4 +39,20 @@ class ConstrainedForwardDynamics(NamedTuple):
     qdd: NDArray[np.floating[Any]]
     multipliers: NDArray[np.floating[Any]]
 
+class NextState(NamedTuple):
+    q: NDArray[np.floating[Any]]
+    qd: NDArray[np.floating[Any]]
+
+class StepDerivatives(NamedTuple):
+    q_by_q: NDArray[np.floating[Any]]
+    q_by_qd: NDArray[np.floating[Any]]
+    q_by_tau: NDArray[np.floating[Any]]
+    qd_by_q: NDArray[np.floating[Any]]
+    qd_by_qd: NDArray[np.floating[Any]]
+    qd_by_tau: NDArray[np.floating[Any]]
+    @property
+    def a(self) -> NDArray[np.floating[Any]]: ...
+    @property
+    def b(self) -> NDArray[np.floating[Any]]: ...
+
 def of(name: str) -> type[tuple[NDArray[np.floating[Any]], ...]] | None: ...

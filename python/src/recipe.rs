@@ -18,6 +18,7 @@ use homogen_codegen::description::{self, Description, inline};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::function::Function;
+use homogen_codegen::joint::Manifold;
 use homogen_codegen::module::{DataMotion, Module};
 use homogen_codegen::name::Name;
 use homogen_codegen::print::arrays::{self, Order, Signature};
@@ -228,10 +229,14 @@ impl Recipe {
             Kind::Quaternion => "quaternion",
             _ => "turn",
         });
-        let is_manifold = |motion: &DataMotion| matches!(motion, DataMotion::Manifold(_));
-        let is_euclidean = !module.data.motions.iter().any(is_manifold);
-        let is_euclidean = is_euclidean.into_pyobject(py)?;
-        set("euclidean", is_euclidean.to_owned().into_any())?;
+        let motions = module.data.motions.iter().map(|motion| match motion {
+            DataMotion::Along => "along",
+            DataMotion::Mimic { .. } => "mimic",
+            DataMotion::Manifold(Manifold::Planar) => "planar",
+            DataMotion::Manifold(Manifold::Spherical) => "spherical",
+            DataMotion::Manifold(Manifold::Floating) => "floating",
+        });
+        set("motions", motions.collect::<Vec<_>>().into_pyobject(py)?)?;
         set("kinds", kinds.collect::<Vec<_>>().into_pyobject(py)?)?;
         let names = |space| spaces.names(space).map(str::to_owned).collect::<Vec<_>>();
         set("constraints", names(Space::Constraints).into_pyobject(py)?)?;

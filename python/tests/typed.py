@@ -19,6 +19,9 @@ def main(file: str) -> None:
     derivatives = arm.inverse_dynamics_derivatives(q, qd, qd)
     parts: homogen.results.InverseDynamicsDerivatives = derivatives
     assert parts.dqd.shape == (20, 6, 6) and tau.shape == (20, arm.NV) and jacobian.shape == (20, 6, 6)
+    after: homogen.results.NextState = arm.step(q, qd, tau, 1e-3, integrator="rk4")
+    a: NDArray[np.floating[Any]] = arm.step_derivatives(q, qd, tau, 1e-3).a
+    assert after.q.shape == (20, 6) and a.shape == (20, 12, 12)
     energy = float(arm.kinetic_energy(q[0], qd[0]))
     text: str | None = arm.generate("c", "gravity", scalar="f32")
     assert energy == 0.0 and text is not None and arm.tip == "link8"

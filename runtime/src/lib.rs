@@ -20,6 +20,7 @@ mod paper;
 mod reference;
 pub mod robot;
 mod scalar;
+pub mod step;
 
 pub use error::Error;
 pub use matrix::{

@@ -32,7 +32,7 @@ pub(crate) mod joint;
 mod loops;
 pub mod manifold;
 pub(crate) mod payload;
-mod step;
+pub(crate) mod step;
 
 pub use batched::Batched;
 #[cfg(feature = "batch")]

@@ -1,17 +1,17 @@
 //! Files in C99 of a [`Builder`]: a header and a source.
 
-use std::mem;
 use std::path::{Path, PathBuf};
 
 use super::Builder;
 use super::command::Language;
 use super::file::write;
-use super::output::CASADI;
+use super::output::only_for_c;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
 use crate::real::Real;
+use crate::request::ForC;
 
 impl Builder {
     /// The functions in C99: a source, and a header that it includes by this name.
@@ -60,17 +60,27 @@ impl Builder {
                 "leave it out, since the file has its own sines, or choose the formulation platform_sines",
             );
         }
-        if self.request.casadi && self.request.scalar == Real::F32 {
-            let message = "`casadi` is for numbers of f64: CasADi has no others";
+        let for_c = self.request.for_c;
+        if let (Some(key), Real::F32) = (for_c.first_of_f64(), self.request.scalar) {
+            let message = format!("`{key}` is for numbers of f64: the solver has no others");
             errors.push_with_hint(Place::Unknown, message, "leave out the scalar type f32");
         }
         // Further errors are those without these options.
         let mut without = self.clone();
-        without.request.casadi = false;
+        without.request.for_c = ForC::default();
         without.request.runtime = None;
         without.core_functions.sin_cos = None;
         let module = without.module_where(true, true);
-        if let (true, Ok(module)) = (self.request.casadi, &module) {
+        if let (Some(_), Ok(module)) = (for_c.steps, &module)
+            && let Err([message, hint]) = c::check_steps(module, for_c.acados)
+        {
+            errors.push_with_hint(Place::Unknown, message, hint);
+        }
+        if for_c.acados && for_c.steps.is_none() {
+            let hint = "add a rule by steps";
+            errors.push_with_hint(Place::Unknown, "`acados` needs `steps`", hint);
+        }
+        if let (true, Ok(module)) = (for_c.casadi, &module) {
             let prefix = self.prefix(module);
             if ["jac_", "adj1_"]
                 .iter()
@@ -90,10 +100,10 @@ impl Builder {
     #[doc(hidden)]
     pub fn compiled_module(&self) -> Result<Module, Errors> {
         let mut without = self.clone();
-        let is_for_c = mem::take(&mut without.request.casadi);
+        without.request.for_c = ForC::default();
         let mut errors = Errors::new();
-        if is_for_c {
-            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
+        if let Some(message) = only_for_c(&self.request) {
+            errors.push_with_hint(Place::Unknown, message, "leave it out");
         }
         errors.joined(without.c_module())
     }
@@ -108,7 +118,7 @@ impl Builder {
             header,
             asked: &self.asked(module, Language::C(header)),
             fused: self.fuses(module),
-            casadi: self.request.casadi,
+            for_c: self.request.for_c,
             templates: false,
         };
         let Source { header, text } = c::print(module, &writing);

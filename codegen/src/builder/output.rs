@@ -21,7 +21,10 @@ use crate::request::Request;
 use crate::wording::visible;
 
 /// The error of an option that only C has.
-pub(super) const CASADI: &str = "`casadi` is for C only";
+pub(super) fn only_for_c(request: &Request) -> Option<String> {
+    let key = request.for_c.first()?;
+    Some(format!("`{key}` is for C only"))
+}
 
 impl Builder {
     /// The struct and its methods.
@@ -113,8 +116,8 @@ impl Builder {
             errors.push(Place::Unknown, message);
             return Err(errors);
         }
-        if request.casadi {
-            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
+        if let Some(message) = only_for_c(&request) {
+            errors.push_with_hint(Place::Unknown, message, "leave it out");
             return Err(errors);
         }
         if request.runtime.is_some() && self.core_functions.c_prefix.is_some() {

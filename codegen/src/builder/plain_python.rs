@@ -4,12 +4,13 @@ use quote::quote;
 
 use super::Builder;
 use super::command::Language;
-use super::output::CASADI;
+use super::output::only_for_c;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::arrays::Order;
 use crate::print::plain_python::{self, Writing};
 use crate::processor::Processor;
+use crate::request::ForC;
 
 impl Builder {
     /// The functions as a module of Python that needs `math` alone, over numbers of any type: floats, arrays of `NumPy`,
@@ -29,8 +30,8 @@ impl Builder {
     #[doc(hidden)]
     pub fn plain_python_module(&self) -> Result<Module, Errors> {
         let mut errors = Errors::new();
-        if self.request.casadi {
-            errors.push_with_hint(Place::Unknown, CASADI, "leave it out");
+        if let Some(message) = only_for_c(&self.request) {
+            errors.push_with_hint(Place::Unknown, message, "leave it out");
         }
         for (is_set, option) in [
             (self.request.runtime.is_some(), "`runtime` is"),
@@ -56,7 +57,7 @@ impl Builder {
         without.ascii = false;
         without.request.runtime = None;
         without.request.prepare = false;
-        without.request.casadi = false;
+        without.request.for_c = ForC::default();
         without.request.section = None;
         without.request.processor = Processor::Portable;
         without.core_functions.c_prefix = None;

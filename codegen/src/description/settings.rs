@@ -109,8 +109,8 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         SettingForm::Processor => request.processor = processor(value()?, setting)?,
         SettingForm::Scalar => request.scalar = scalar(value()?)?,
         SettingForm::Runtime => request.runtime = Some(path(value()?, setting)?),
-        // In attributes, loops are read with links and joints.
-        SettingForm::Loops => {}
+        // In attributes, loops are read with links and joints; steps are of files in C.
+        SettingForm::Loops | SettingForm::Steps => {}
     }
     Ok(())
 }

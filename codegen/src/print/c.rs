@@ -3,6 +3,7 @@
 //! In: a [`Module`] and a prefix for names. Out: a [`Source`], or the header alone; on request with `CasADi`'s external
 //! interface.
 
+mod acados;
 mod body;
 mod casadi;
 mod comments;
@@ -16,6 +17,7 @@ mod roots;
 mod sections;
 mod sines;
 mod source;
+mod steps;
 #[cfg(test)]
 mod tests;
 
@@ -23,11 +25,13 @@ use super::documentation::Angles;
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::real::Real;
+use crate::request::ForC;
 
 pub(super) use declarations::results;
 pub(super) use header::Header;
 pub use names::own;
 pub(super) use names::symbols;
+pub use steps::check as check_steps;
 
 /// Functions in C99.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,8 +54,8 @@ pub struct Writing<'a> {
     /// True if products fuse with sums where the target has the instruction; then results are those of Rust with fused
     /// operations.
     pub fused: bool,
-    /// True if the source has `CasADi`'s external interface as well.
-    pub casadi: bool,
+    /// Parts beside the functions.
+    pub for_c: ForC,
     /// True for bodies of C++ templates over the scalar `T`.
     pub templates: bool,
 }
@@ -76,6 +80,7 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> Source {
         asked: writing.asked,
         angles: &angles,
         needs: Some(&writing.needs()),
+        steps: writing.for_c.steps,
     };
     Source {
         header: header.text(module),

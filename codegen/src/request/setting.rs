@@ -70,6 +70,8 @@ pub enum SettingForm {
     Scalar,
     /// The path of the runtime.
     Runtime,
+    /// The rule of time steps.
+    Steps,
     /// Loops, each written as after the word `loop` in attributes.
     Loops,
 }
@@ -104,7 +106,7 @@ const SETTING: Setting = Setting {
 
 /// All keys, in the order of help, heads of files and messages.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 37] = [
+pub const SETTINGS: [Setting; 39] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
     Setting { key: "mjcf", form: SettingForm::File, example: r#"mjcf = "arm.xml""#, ..SETTING },
     Setting { key: "sdf", form: SettingForm::File, example: r#"sdf = "arm.sdf""#, ..SETTING },
@@ -169,8 +171,12 @@ pub const SETTINGS: [Setting; 37] = [
         help: "Functions of slices of states in addition", ..SETTING },
     Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the maximum number of statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
         help: "Maximum number of statements of one compiled function: longer ones are cut into sections that are called in order [default: 2000, of functions with more than 8000]", ..SETTING },
-    Setting { key: "casadi", form: SettingForm::Switch(|asked| &mut asked.casadi), group: FILE,
+    Setting { key: "casadi", form: SettingForm::Switch(|asked| &mut asked.for_c.casadi), group: FILE,
         help: "In C, add CasADi's external interface, with the derivatives that are generated", ..SETTING },
+    Setting { key: "steps", form: SettingForm::Steps, group: FILE, value: "RULE",
+        help: "In C, add time steps of forward dynamics, with the derivatives that are generated: semi-implicit, euler or rk4", ..SETTING },
+    Setting { key: "acados", form: SettingForm::Switch(|asked| &mut asked.for_c.acados), group: FILE, needs: Some("steps"),
+        help: "In C, add these steps as discrete dynamics of acados", ..SETTING },
     Setting { key: "crate", form: SettingForm::Runtime, example: r#"crate = "::homogen""#, name: Some("runtime"), ..SETTING },
 ];
 

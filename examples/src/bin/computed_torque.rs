@@ -8,10 +8,11 @@ use std::io;
 use std::time::{Duration, Instant};
 
 use homogen::Robot;
+use homogen::step::{Integrator, NextState, Step};
 use homogen_examples::control::{Gains, computed_torque};
 use homogen_examples::drawing::joints;
 use homogen_examples::machine;
-use homogen_examples::motion::{Waves, largest, step};
+use homogen_examples::motion::{Waves, largest};
 use homogen_plot::{self as plot, Page, Panel};
 
 /// The arm, as the controller's model and as the simulated robot.
@@ -101,7 +102,7 @@ fn simulate() -> Run {
         let [q_d, ..] = desired;
         let error = std::array::from_fn(|i| q_d[i] - q[i]);
         run.samples.push(Sample { t, error, tau });
-        step(&arm, PERIOD, &mut q, &mut qd, &tau);
+        NextState { q, qd } = arm.step(Integrator::Rk4, &q, &qd, &tau, PERIOD);
         run.controller += between - start;
         run.simulation += between.elapsed();
     }

@@ -8,10 +8,11 @@ use std::array::from_fn;
 use std::f64::consts::TAU;
 use std::io;
 
+use homogen::step::{Integrator, NextState, Step};
 use homogen::{Pose, Robot};
 use homogen_examples::control::{Gains, Task, apart, operational_space};
 use homogen_examples::drawing::{joints, over_time};
-use homogen_examples::motion::{largest, step};
+use homogen_examples::motion::largest;
 use homogen_plot::{self as plot, Color, Curve, Page, Style};
 
 #[derive(Robot)]
@@ -103,7 +104,7 @@ fn simulate() -> Run {
         let error = apart(&Panda.forward_kinematics(&q), &task.pose);
         let sample = Sample { t, q, error };
         let tau = operational_space(&Panda, &q, &qd, &task, &NULL_SPACE_TARGET, GAINS);
-        step(&Panda, PERIOD, &mut q, &mut qd, &tau);
+        NextState { q, qd } = Panda.step(Integrator::Rk4, &q, &qd, &tau, PERIOD);
         sample
     });
     Run {

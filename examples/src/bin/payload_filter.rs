@@ -8,10 +8,11 @@ use std::array::from_fn;
 use std::io;
 
 use homogen::Robot;
+use homogen::step::{Integrator, NextState, Step};
 use homogen_examples::control::{Gains, computed_torque};
 use homogen_examples::drawing::{joints, over_time};
 use homogen_examples::filter::{Deviations, Estimate};
-use homogen_examples::motion::{Waves, step};
+use homogen_examples::motion::Waves;
 use homogen_plot::{self as plot, Color, Curve, Page, Style};
 use homogen_random::Random;
 
@@ -100,7 +101,8 @@ fn simulate() -> Vec<Sample> {
             error: from_fn(|i| desired[0][i] - q[i]),
         });
         estimate.predict(PERIOD, &tau, |payload| Panda { payload });
-        step(&Panda { payload: held(t) }, PERIOD, &mut q, &mut qd, &tau);
+        let robot = Panda { payload: held(t) };
+        NextState { q, qd } = robot.step(Integrator::Rk4, &q, &qd, &tau, PERIOD);
     }
     samples
 }

@@ -3,12 +3,14 @@
 //! In: a description. Out: counts, names, limits and the neutral configuration as constants of a trait, the bound of
 //! controllers for any robot.
 
+use super::joint::Motion;
+
 /// A robot that describes itself: counts, names, limits and the neutral configuration.
 ///
 /// `N` is the number of degrees of freedom, `Q` the number of coordinates. `#[derive(Robot)]`, [`chain!`](crate::chain)
-/// and files made for this crate implement the trait; the same constants are associated constants of the struct. Limits
-/// are those of the description, infinite where it has none. Orders are those of arguments and results: entry k of
-/// [`MAX_EFFORT`](Self::MAX_EFFORT) belongs to entry k of τ.
+/// and files made for this crate implement the trait; the same constants but [`MOTIONS`](Self::MOTIONS) are associated
+/// constants of the struct. Limits are those of the description, infinite where it has none. Orders are those of
+/// arguments and results: entry k of [`MAX_EFFORT`](Self::MAX_EFFORT) belongs to entry k of τ.
 ///
 /// ```
 /// use homogen::Robot;
@@ -31,6 +33,8 @@ pub trait Robot<const N: usize, const Q: usize = N> {
     type Chain;
     /// Names of the joints that move, parents before children.
     const JOINTS: &'static [&'static str];
+    /// Types of motion of these joints, in the same order.
+    const MOTIONS: &'static [Motion];
     /// Names of the entries of q.
     const COORDINATES: [&'static str; Q];
     /// Names of the entries of q̇, q̈ and τ.

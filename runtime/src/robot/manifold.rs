@@ -213,7 +213,7 @@ pub fn difference_floating<T: Scalar>(from: [T; 7], to: [T; 7]) -> [T; 6] {
 
 /// ‖ω‖ with [`LEAST`] added to its square, so that it is never zero.
 #[inline]
-fn angle<T: Scalar>(omega: [T; 3]) -> T {
+pub(crate) fn angle<T: Scalar>(omega: [T; 3]) -> T {
     (dot(omega, omega) + T::constant(LEAST)).sqrt()
 }
 

@@ -1,7 +1,7 @@
 //! Integration and difference of configurations of a whole robot, and normalised quaternions.
 //!
-//! In: a [`Chain`], coordinates, and velocities times a duration. Out: coordinates, or velocities times a
-//! duration. [`manifold`] has the same for planar, spherical and floating joints alone.
+//! In: a [`Chain`] or the motions of its joints, coordinates, and velocities times a duration. Out: coordinates, or
+//! velocities times a duration. [`manifold`] has the same for planar, spherical and floating joints alone.
 
 use super::chain::Chain;
 use super::joint::Motion;
@@ -41,21 +41,7 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
     /// ```
     #[must_use]
     pub fn integrate<T: Scalar>(&self, q: &[T; Q], v: &[T; N]) -> [T; Q] {
-        let mut moved = *q;
-        for (i, joint) in self.joints.iter().enumerate() {
-            let (own, rates) = (self.coordinates(i), self.velocities(i));
-            let (Some(q), Some(v)) = (moved.get_mut(own), v.get(rates)) else {
-                continue;
-            };
-            match joint.motion {
-                Motion::Along => step(q, v, |[q], [v]| [q + v]),
-                Motion::Mimic { .. } => {}
-                Motion::Planar => step(q, v, manifold::integrate_planar),
-                Motion::Spherical => step(q, v, manifold::integrate_spherical),
-                Motion::Floating => step(q, v, manifold::integrate_floating),
-            }
-        }
-        moved
+        integrate(self.joints.iter().map(|joint| joint.motion), q, v)
     }
 
     /// The step q̇ Δt from `from` to `to`: the inverse of [`integrate`](Self::integrate).
@@ -102,6 +88,32 @@ impl<const N: usize, const F: usize, const Q: usize, const B: usize> Chain<N, F,
             }
         }
     }
+}
+
+/// The configuration of joints with these motions after a step `v` from `q`.
+pub(crate) fn integrate<T: Scalar, const N: usize, const Q: usize>(
+    motions: impl Iterator<Item = Motion>,
+    q: &[T; Q],
+    v: &[T; N],
+) -> [T; Q] {
+    let mut moved = *q;
+    let (mut coordinate, mut velocity) = (0, 0);
+    for motion in motions {
+        let own = coordinate..coordinate + motion.coordinates();
+        let rates = velocity..velocity + motion.velocities();
+        (coordinate, velocity) = (own.end, rates.end);
+        let (Some(q), Some(v)) = (moved.get_mut(own), v.get(rates)) else {
+            continue;
+        };
+        match motion {
+            Motion::Along => step(q, v, |[q], [v]| [q + v]),
+            Motion::Mimic { .. } => {}
+            Motion::Planar => step(q, v, manifold::integrate_planar),
+            Motion::Spherical => step(q, v, manifold::integrate_spherical),
+            Motion::Floating => step(q, v, manifold::integrate_floating),
+        }
+    }
+    moved
 }
 
 /// Applies `integrate` to the coordinates of a joint, if the lengths match.

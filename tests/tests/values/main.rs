@@ -22,4 +22,5 @@ mod reference;
 mod regressor;
 mod residues;
 mod steps;
+mod time_steps;
 mod trees;

@@ -6,9 +6,10 @@ use super::{arm, as_asked, text};
 use crate::builder::{Builder, c};
 use crate::function::Function;
 use crate::print::arrays::Order;
+use crate::print::c::Source;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::request::Target;
+use crate::request::{Integrator, Target};
 
 #[test]
 fn c_has_names_of_its_own_and_no_runtime() {
@@ -170,6 +171,64 @@ fn the_interface_of_casadi_is_for_c_in_f64() {
         "`casadi` is for C only",
         "`casadi` is for numbers of f64",
         "the prefix `jac_` for those of derivatives",
+    ]) {
+        assert!(error.contains(part), "{error}");
+    }
+}
+
+#[test]
+fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
+    let dynamics = [
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsDerivatives,
+    ];
+    let builder = two_link()
+        .generate(dynamics)
+        .steps(Integrator::Rk4)
+        .acados();
+    let Source { header, text } = builder.to_c("arm.h").expect("no mistakes");
+    assert!(
+        text.contains(" --steps rk4 --acados --language c"),
+        "{text}"
+    );
+    for name in ["two_link_step(", "two_link_step_derivatives("] {
+        assert!(header.contains(name) && text.contains(name), "{header}");
+    }
+    assert!(!header.contains("step_hessian") && !text.contains("acados_fun_jac_hess(void"));
+    let floating = two_link().floating().generate(dynamics);
+    let field = two_link()
+        .generate(dynamics)
+        .parameter("payload", Target::MassOf("fore".into()));
+    let errors = [
+        builder.to_source().map(|_| ()),
+        builder.to_cpp("arm.hpp").map(|_| ()),
+        builder.clone().scalar(Real::F32).to_c("arm.h").map(|_| ()),
+        floating.steps(Integrator::Euler).to_c("arm.h").map(|_| ()),
+        two_link()
+            .generate([Function::Gravity])
+            .steps(Integrator::Euler)
+            .to_c("arm.h")
+            .map(|_| ()),
+        two_link()
+            .generate(dynamics)
+            .acados()
+            .to_c("arm.h")
+            .map(|_| ()),
+        field
+            .steps(Integrator::Euler)
+            .acados()
+            .to_c("arm.h")
+            .map(|_| ()),
+    ];
+    let errors = errors.map(|found| found.expect_err("a mistake").to_string());
+    for (error, part) in errors.iter().zip([
+        "`steps` is for C only",
+        "`steps` is for C only",
+        "`acados` is for numbers of f64",
+        "joint `root` has others",
+        "`steps` needs the function forward_dynamics",
+        "`acados` needs `steps`",
+        "`acados` has no place for fields",
     ]) {
         assert!(error.contains(part), "{error}");
     }

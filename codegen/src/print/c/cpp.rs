@@ -15,6 +15,7 @@ use super::names::{self, unscoped};
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::print::documentation::{self, Angles};
+use crate::request::ForC;
 
 /// Options of the output.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +39,7 @@ pub fn header(module: &Module, header: &Header<'_>) -> String {
         header: "",
         asked: header.asked,
         fused: false,
-        casadi: false,
+        for_c: ForC::default(),
         templates: true,
     };
     let mut head = documentation::head(module, header.asked);

@@ -202,7 +202,7 @@ pub(super) fn argument_lengths(argument: Variable, spaces: &Spaces) -> Vec<usize
 }
 
 /// `forward_kinematics[3][4]`; a pointer for a number.
-fn declarator(name: &str, lengths: &[usize]) -> String {
+pub(super) fn declarator(name: &str, lengths: &[usize]) -> String {
     if lengths.is_empty() {
         return format!("*{name}");
     }

@@ -9,10 +9,11 @@ use super::declarations::{
     self, base_parameters, indices, of_prepare, of_step, parameters, structure,
 };
 use super::names::{ascii, own, prepared_symbols, symbols};
-use super::review;
+use super::{review, steps};
 use crate::module::{Module, Prepared};
 use crate::print::documentation::{self, Angles};
 use crate::print::steps::Step;
+use crate::request::Integrator;
 
 /// Options of a header.
 pub(in crate::print) struct Header<'a> {
@@ -26,6 +27,8 @@ pub(in crate::print) struct Header<'a> {
     pub angles: &'a Angles,
     /// Requirements for compilation, for functions in C.
     pub needs: Option<&'a str>,
+    /// Rule of time steps, if the source has them.
+    pub steps: Option<Integrator>,
 }
 
 impl Header<'_> {
@@ -69,6 +72,9 @@ impl Header<'_> {
             text.push_str(&comment(&about));
             let (name, parameters) = (own(prefix, step.name()), of_step(step, module, prefix));
             let _ = writeln!(text, "{qualifier}void {name}({parameters});\n");
+        }
+        if let Some(rule) = self.steps {
+            text.push_str(&steps::declarations(module, prefix, rule));
         }
         if let Some(prepared) = prepared {
             text.push_str(&self.prepared(module, prepared));

@@ -69,7 +69,10 @@ fn is_another(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> bool 
 }
 
 /// Names of definitions that are not functions of the robot.
-const OWN: [&str; 13] = [
+const OWN: [&str; 22] = [
+    "acados_fun",
+    "acados_fun_jac",
+    "acados_fun_jac_hess",
     "base_parameters",
     "difference",
     "failures",
@@ -82,6 +85,12 @@ const OWN: [&str; 13] = [
     "self_test",
     "sin_cos",
     "sqrt",
+    "stage",
+    "stage_derivatives",
+    "step",
+    "step_along",
+    "step_derivatives",
+    "step_hessian",
     "turn",
 ];
 

@@ -10,7 +10,7 @@ use super::comments::comment;
 use super::declarations::{self, of_prepare, parameters};
 use super::header::guard;
 use super::names::{prepared_symbols, symbols};
-use super::{casadi, review, roots, sections, sines};
+use super::{acados, casadi, review, roots, sections, sines, steps};
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::print::steps::{Step, has_angles, has_roots};
@@ -57,7 +57,13 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
         text.push_str(&sections::no_inline_macro(&writing.no_inline()));
     }
     text.push_str(&functions.text);
-    if writing.casadi {
+    if let Some(rule) = writing.for_c.steps {
+        text.push_str(&steps::definitions(module, writing.prefix, rule));
+    }
+    if writing.for_c.acados {
+        text.push_str(&acados::interface(module, writing.prefix));
+    }
+    if writing.for_c.casadi {
         text.push_str(&casadi::interface(module, writing, &symbols));
     }
     text + &review::appendix(module, writing)

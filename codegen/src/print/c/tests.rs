@@ -7,6 +7,7 @@ use crate::function::Function;
 use crate::module::Module;
 use crate::print::rust::tests::{generated, literal, module, revolute, step, with_payload};
 use crate::real::Real;
+use crate::request::ForC;
 use crate::schedule::{Length, Operand, Operation, Program};
 use crate::space::Variable;
 
@@ -15,7 +16,11 @@ const PLAIN: Writing<'_> = Writing {
     header: "pendulum.h",
     asked: "Made by hand.",
     fused: false,
-    casadi: false,
+    for_c: ForC {
+        casadi: false,
+        steps: None,
+        acados: false,
+    },
     templates: false,
 };
 

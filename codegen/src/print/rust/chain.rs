@@ -161,6 +161,25 @@ fn joint(
     }
 }
 
+/// Type of motion of a joint.
+pub(super) fn motion_of(motion: DataMotion, runtime: &TokenStream) -> TokenStream {
+    let kind = match motion {
+        DataMotion::Along => quote! { Along },
+        DataMotion::Mimic {
+            mimicked,
+            multiplier,
+        } => {
+            let mimicked = literal(mimicked.into());
+            let multiplier = Numerals::Bare.write(multiplier);
+            quote! { Mimic { mimicked: #mimicked, multiplier: #multiplier } }
+        }
+        DataMotion::Manifold(Manifold::Planar) => quote! { Planar },
+        DataMotion::Manifold(Manifold::Spherical) => quote! { Spherical },
+        DataMotion::Manifold(Manifold::Floating) => quote! { Floating },
+    };
+    quote! { #runtime::Motion::#kind }
+}
+
 /// Joint that carries an item, as an option.
 pub(super) fn index(joint: Option<u16>) -> TokenStream {
     if let Some(joint) = joint {

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use syn::Visibility;
 
-use super::chain::chain_type;
+use super::chain::{chain_type, motion_of};
 use super::comments::doc;
 use super::declaration::{self, implementation};
 use super::dialect::Dialect;
@@ -114,6 +114,7 @@ pub(super) fn absent(
         #head {
             type Chain = #chain;
             const JOINTS: &'static [#text] = &[];
+            const MOTIONS: &'static [#runtime::Motion] = &[];
             const FRAMES: &'static [#text] = &[];
             #of_trait
         }
@@ -150,6 +151,8 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
         &literal(module.data.frames.len()),
         runtime,
     );
+    let motions = module.data.motions.iter();
+    let motions = motions.map(|&motion| motion_of(motion, runtime));
     let of = quote! { #runtime::Robot<#velocities, #coordinates> };
     let head = implementation(item, &of, &[]);
     // For other types the implementation refers to the constants and prints no literals.
@@ -158,6 +161,7 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
         #allowed #head {
             type Chain = #chain;
             const JOINTS: &'static [#text] = &Self::JOINTS;
+            const MOTIONS: &'static [#runtime::Motion] = &[#(#motions),*];
             const COORDINATES: [#text; #coordinates] = Self::COORDINATES;
             const VELOCITIES: [#text; #velocities] = Self::VELOCITIES;
             const FRAMES: &'static [#text] = &Self::FRAMES;

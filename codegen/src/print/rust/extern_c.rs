@@ -114,6 +114,7 @@ pub fn c_header(
         asked,
         angles: &core_functions.angles(module.scalar),
         needs: None,
+        steps: None,
     };
     Some(header.text(module))
 }

@@ -11,7 +11,7 @@ use crate::name::Name;
 use crate::number::Number;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::request::{Request, Target, TargetOf};
+use crate::request::{Integrator, Request, Target, TargetOf};
 use crate::wording::known;
 
 impl Setting {
@@ -53,6 +53,10 @@ impl Setting {
             SettingForm::Processor => {
                 let refusal = |hint| format!("unknown processor\n  hint: {hint}");
                 request.processor = Processor::from_name(text).map_err(refusal)?;
+            }
+            SettingForm::Steps => {
+                let refusal = |hint| format!("unknown rule\n  hint: {hint}");
+                request.for_c.steps = Some(Integrator::from_name(text).map_err(refusal)?);
             }
             SettingForm::Loops => request.loops.push(text.to_owned()),
             SettingForm::Arguments => request.arguments.push(pair(text, "write NAME=VALUE")?),
@@ -110,6 +114,7 @@ impl Setting {
                 let path = request.runtime.as_ref();
                 one(path.map(spelled))
             }
+            SettingForm::Steps => one(request.for_c.steps.map(|rule| rule.name().to_owned())),
             SettingForm::Loops => request.loops.iter().cloned().map(Some).collect(),
             SettingForm::Arguments => {
                 let pairs = request.arguments.iter();

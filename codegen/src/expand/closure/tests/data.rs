@@ -7,7 +7,7 @@ use crate::function::Function;
 use crate::module::Module;
 use crate::print::c;
 use crate::print::rust::{Item, Library, Source, print};
-use crate::request::Request;
+use crate::request::{ForC, Request};
 
 fn module() -> Module {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
@@ -61,7 +61,7 @@ fn headers_of_c_count_residuals() {
         header: "bars.h",
         asked: "",
         fused: false,
-        casadi: false,
+        for_c: ForC::default(),
         templates: false,
     };
     let c::Source { header, .. } = c::print(&module(), &writing);

@@ -1,0 +1,114 @@
+"""Time steps: the classical rules where coordinates are added, convergence with quaternions, derivatives by differences."""
+
+import numpy as np
+import pytest
+from conftest import REPOSITORY, robot, states
+
+import homogen
+
+INTEGRATORS = ["semi_implicit", "euler", "rk4"]
+
+
+def drawn(of, count, seed=0):
+    return states(of, ["q", "qd", "tau"], count, float, seed)
+
+
+def test_an_arm_moves_by_the_classical_rules():
+    of = robot("arm")
+    q, qd, tau = drawn(of, 10)
+    dt = 0.01
+
+    def rate(q, qd):
+        return np.stack([qd, of.forward_dynamics(q, qd, tau)])
+
+    state = np.stack([q, qd])
+    k1 = rate(*state)
+    k2 = rate(*(state + dt / 2 * k1))
+    k3 = rate(*(state + dt / 2 * k2))
+    k4 = rate(*(state + dt * k3))
+    assert np.allclose(of.step(q, qd, tau, dt, integrator="rk4"), state + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4), atol=1e-11)
+    assert np.allclose(of.step(q, qd, tau, dt, integrator="euler"), state + dt * k1)
+    faster = qd + dt * k1[1]
+    assert np.allclose(of.step(q, qd, tau, dt), [q + dt * faster, faster])
+
+
+@pytest.mark.parametrize("integrator,order", zip(INTEGRATORS, [1, 1, 4]))
+def test_steps_have_their_orders_with_quaternions(integrator, order):
+    of = robot("floating")
+    q, qd, tau = drawn(of, 5, seed=2)
+
+    def after(integrator, steps):
+        state = q, 0.3 * qd
+        for _ in range(steps):
+            state = of.step(*state, tau * 0.02, 0.05 / steps, integrator=integrator)
+        return state
+
+    exact = after("rk4", 400)
+
+    def error(steps):
+        found = after(integrator, steps)
+        return max(np.abs(of.difference(found[0], exact[0])).max(), np.abs(found[1] - exact[1]).max())
+
+    assert abs(np.log2(error(16) / error(32)) - order) < 0.3
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+@pytest.mark.parametrize("case", ["arm", "floating", "every_joint"])
+def test_derivatives_are_those_of_differences(case, integrator):
+    of = homogen.load(REPOSITORY / "tests/robots/every_joint.urdf") if case == "every_joint" else robot(case)
+    q, qd, tau = drawn(of, 3, seed=3)
+    tau, dt, small, n = 0.1 * tau, 0.01, 1e-6, of.NV
+    by = of.step_derivatives(q, qd, tau, dt, integrator=integrator)
+    columns = []
+    for k in range(3 * n):
+        change = np.zeros(3 * n)
+        change[k] = small
+        x, v, f = np.split(change, 3)
+        ends = [
+            of.step(of.integrate(q, sign * x), qd + sign * v, tau + sign * f, dt, integrator=integrator) for sign in (-1, 1)
+        ]
+        moved = of.difference(ends[0].q, ends[1].q)
+        columns.append(np.concatenate([moved, ends[1].qd - ends[0].qd], -1) / (2 * small))
+    expected = np.stack(columns, -1)
+    found = np.concatenate([by.a, by.b], -1)
+    assert np.allclose(found, expected, atol=1e-7 * np.abs(expected).max())
+
+
+def test_rotations_of_any_size_have_derivatives():
+    of = robot("floating")
+    q, qd, _ = drawn(of, 1, seed=4)
+    direction = qd[..., 3:6] / np.linalg.norm(qd[..., 3:6])
+    for angle in [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 1.0, 3.0, 7.0]:
+        qd[..., 3:6] = direction * angle
+        by = of.step_derivatives(q, qd, 0 * qd, 1.0, integrator="euler")
+        small = 1e-6
+        for k in range(6):
+            change = np.zeros(of.NV)
+            change[k] = small
+            less, more = (of.step(q, qd + sign * change, 0 * qd, 1.0, integrator="euler").q for sign in (-1, 1))
+            assert np.allclose(by.q_by_qd[0, :, k], of.difference(less, more)[0] / (2 * small), atol=1e-8), (angle, k)
+
+
+def test_shapes_types_and_durations_broadcast():
+    of = robot("arm")
+    q, qd, tau = drawn(of, 6)
+    some = of.step(q, qd[0], tau[:1], np.linspace(0.001, 0.01, 6), integrator="rk4")
+    assert some.q.shape == (6, 7)
+    one = of.step(q[3], qd[0], tau[0], 0.0064, integrator="rk4")
+    assert np.allclose(some.q[3], one.q) and one.q.shape == (7,)
+    single = of.step_derivatives(*(array.astype(np.float32) for array in (q, qd, tau)), 0.01)
+    assert single.q_by_q.dtype == np.float32 and single.b.shape == (6, 14, 7)
+    assert of.step(q.tolist(), qd.tolist(), tau.tolist(), 0.01).q.dtype == np.float64
+
+
+def test_external_wrenches_are_constant():
+    of = robot("external")
+    q, qd, tau, actions = states(of, ["q", "qd", "tau", "actions"], 4, float)
+    found = of.step(q, qd, tau, 0.01, actions)
+    assert np.allclose(found.qd, qd + 0.01 * of.forward_dynamics(q, qd, tau, actions))
+
+
+def test_an_unknown_integrator_is_named():
+    of = robot("arm")
+    with pytest.raises(ValueError, match="'midpoint'"):
+        of.step(np.zeros(7), np.zeros(7), np.zeros(7), 0.01, integrator="midpoint")

@@ -170,4 +170,5 @@ def main(homogen, folder, *robots):
     assert all(counted.values())
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

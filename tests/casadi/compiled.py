@@ -4,11 +4,11 @@ import importlib.util
 import subprocess
 
 
-def generated(homogen, folder, name, options):
-    """The path of the library, the text of the C file, and the module of Python of a robot."""
+def generated(homogen, folder, name, options, for_c=()):
+    """The path of the library, the text of the C file, and the module of Python of a robot; `for_c` are options of C alone."""
     source, library, plain = folder / f"{name}.c", folder / f"{name}.so", folder / f"{name}.py"
     make = [homogen, "generate", *options, "--ascii"]
-    subprocess.run([*make, "--language", "c", "--casadi", "-o", source], check=True)
+    subprocess.run([*make, *for_c, "--language", "c", "--casadi", "-o", source], check=True)
     without = [option for option in options if not option.startswith("--section")]
     if "--section" in options:
         place = options.index("--section")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compares the external interface of CasADi in C files with CasADi's own derivatives of the same robots, and solves a
-# trajectory of the Panda with both.
+# Compares the external interface of CasADi in C files, and time steps in C, with CasADi's own derivatives of the same
+# robots, and solves a trajectory of the Panda with both.
 #
 # CasADi, with IPOPT, comes from PyPI. Without Python with `venv`, or without a C compiler, nothing is checked and the last
 # line says so.
@@ -40,3 +40,4 @@ loop='pin: rod(0.5) { from: fore, to: base, at: xyz(0.3, 0, 0) }'
 robots[8]="${robots[8]} '$loop'"
 "$folder/python/bin/python" -W error tests/casadi/compare.py "$homogen" "$folder" "${robots[@]}"
 "$folder/python/bin/python" -W error tests/casadi/trajectory.py "$homogen" "$folder"
+"$folder/python/bin/python" -W error tests/casadi/steps.py "$homogen" "$folder"

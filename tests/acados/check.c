@@ -71,8 +71,9 @@ static void rule(const double *z, double dt, double *next)
 static void gradient(const double *z, double dt, const double *weights, double *found)
 {
     static double a[X][X], b[X][N];
+    double next[X];
     int r, c;
-    OF(step_derivatives)(z, z + N, z + X, dt, a, b);
+    OF(step_derivatives)(z, z + N, z + X, dt, next, next + N, a, b);
     for (c = 0; c < Z; ++c) {
         found[c] = 0;
         for (r = 0; r < X; ++r) {

@@ -27,6 +27,7 @@ make --silent -C "$blasfeo" TARGET=GENERIC static_library >/dev/null 2>&1
 headers=(-isystem "$acados" -isystem "$blasfeo/include")
 strict=(-std=c99 -Wall -Wextra -Wconversion -Wpedantic -Werror -O2 -ffp-contract=off)
 functions=forward_dynamics,forward_dynamics_derivatives,forward_dynamics_hessian
+shared=forward_dynamics,forward_dynamics+forward_dynamics_derivatives,forward_dynamics_hessian
 
 check() { # robot, file, rule, options
     local name="$1" rule="$3"
@@ -44,7 +45,7 @@ for rule in semi-implicit euler rk4; do
     check two_link robots/two_link.urdf "$rule"
     check scara robots/scara.urdf "$rule"
 done
-check panda robots/panda_class.urdf rk4 --tip link8
+functions="$shared" check panda robots/panda_class.urdf rk4 --tip link8
 check rubbing robots/two_link.urdf rk4 --damping shoulder=0.5
 # Without acados steps may have fields and external wrenches, and numbers of f32.
 "$homogen" generate robots/two_link.urdf --language c --functions "$functions" --steps rk4 --field payload=mass_of:fore \

@@ -195,7 +195,8 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
         assert!(header.contains(name) && text.contains(name), "{header}");
     }
     assert!(!header.contains("step_hessian") && !text.contains("acados_fun_jac_hess(void"));
-    let floating = two_link().floating().generate(dynamics);
+    let floating = Builder::from_urdf("../robots/quadruped.urdf").floating();
+    let floating = floating.generate([Function::ForwardDynamics]);
     let field = two_link()
         .generate(dynamics)
         .parameter("payload", Target::MassOf("fore".into()));

@@ -69,10 +69,12 @@ fn is_another(prefix: &str, name: &str, is_name: impl Fn(&str) -> bool) -> bool 
 }
 
 /// Names of definitions that are not functions of the robot.
-const OWN: [&str; 22] = [
+const OWN: [&str; 24] = [
     "acados_fun",
     "acados_fun_jac",
     "acados_fun_jac_hess",
+    "acados_read",
+    "acados_store",
     "base_parameters",
     "difference",
     "failures",

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Each module with those that it may use. The macro `every_function` belongs to `robot`, although exported macros
 /// are at the root.
-const MODULES: [(&str, &[&str]); 9] = [
+const MODULES: [(&str, &[&str]); 10] = [
     ("scalar", &[]),
     ("error", &["scalar"]),
     ("matrix", &["scalar", "error"]),
@@ -17,6 +17,7 @@ const MODULES: [(&str, &[&str]); 9] = [
     ("reference", &["matrix", "robot", "every_function"]),
     ("ik", &["scalar", "error", "matrix", "robot"]),
     ("identify", &["scalar", "paper"]),
+    ("step", &["scalar", "matrix", "robot"]),
     ("batch", &["scalar", "matrix", "robot", "every_function"]),
 ];
 

@@ -13,6 +13,7 @@ pub(super) enum FromGeoms {
 }
 
 /// The settings.
+#[derive(Clone)]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is an attribute of its own"
@@ -43,6 +44,18 @@ pub(super) struct Compiler {
     pub(super) fit_extents: bool,
     /// True if frames of free bodies without children are moved to their inertial frames.
     pub(super) align_free: bool,
+    pub(super) conflict: Conflict,
+}
+
+/// Treatment of settings of attached models.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Conflict {
+    /// The settings of the model around them count.
+    Warning,
+    /// So does a setting that only the attached model writes.
+    Merge,
+    /// Different settings are an error.
+    Error,
 }
 
 impl Default for Compiler {
@@ -61,6 +74,7 @@ impl Default for Compiler {
             strip: false,
             fit_extents: false,
             align_free: false,
+            conflict: Conflict::Warning,
         }
     }
 }

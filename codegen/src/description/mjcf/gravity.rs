@@ -8,28 +8,8 @@ use super::parts::ModelId;
 use super::reading::Mjcf;
 use super::settings::Conflict;
 use crate::description::Number;
-use crate::description::number::computed;
 use crate::error::Place;
 use crate::wording::quoted;
-
-/// Gravity as a model writes it.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Gravity {
-    /// The acceleration.
-    pub(super) written: Option<[Number; 3]>,
-    /// True if a flag switches it off, false if a flag leaves it on.
-    pub(super) is_off: Option<(bool, Place)>,
-}
-
-impl Gravity {
-    /// The acceleration that counts; `None` if the model does not write one.
-    pub(super) fn acceleration(&self) -> Option<[Number; 3]> {
-        match self.is_off {
-            Some((true, place)) => Some([0.0; 3].map(|zero| computed(zero, place))),
-            _ => self.written,
-        }
-    }
-}
 
 impl<'a> Mjcf<'a> {
     /// Merges the gravity of an attached model with that of the current one.

@@ -7,9 +7,8 @@ use std::collections::{HashMap, HashSet};
 use super::assets::Assets;
 use super::class::Defaults;
 use super::element::Element;
-use super::gravity::Gravity;
 use super::parts::{ModelId, Parts};
-use super::settings::Compiler;
+use super::settings::{Compiler, Gravity};
 
 /// A model.
 pub(super) struct Model<'a> {

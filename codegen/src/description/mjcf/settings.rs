@@ -1,6 +1,8 @@
-//! Settings of `<compiler>`, with MuJoCo's defaults.
+//! Settings of `<compiler>`, with MuJoCo's defaults, and gravity.
 
 use crate::description::Number;
+use crate::description::number::computed;
+use crate::error::Place;
 use crate::expression::Double;
 
 /// Source of inertias: `inertiafromgeom`.
@@ -75,6 +77,25 @@ impl Default for Compiler {
             fit_extents: false,
             align_free: false,
             conflict: Conflict::Warning,
+        }
+    }
+}
+
+/// Gravity as a model writes it.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Gravity {
+    /// The acceleration.
+    pub(super) written: Option<[Number; 3]>,
+    /// True if a flag switches it off, false if a flag leaves it on.
+    pub(super) is_off: Option<(bool, Place)>,
+}
+
+impl Gravity {
+    /// The acceleration that counts; `None` if the model does not write one.
+    pub(super) fn acceleration(&self) -> Option<[Number; 3]> {
+        match self.is_off {
+            Some((true, place)) => Some([0.0; 3].map(|zero| computed(zero, place))),
+            _ => self.written,
         }
     }
 }

@@ -11,11 +11,12 @@ use clap::Args;
 use super::options::{Asked, Format, Robot};
 use super::{Answer, Outcome, json, options};
 use homogen_codegen::chain::{Chain, Report};
-use homogen_codegen::expand;
+use homogen_codegen::expand::{self, configurations};
+use homogen_codegen::module::NamedConfiguration;
 use homogen_codegen::request::setting::FRAMES;
 use homogen_codegen::wording::visible;
 use homogen_page::diagnostics::line_and_column;
-use homogen_page::report::{configurations, described, report, root, tip};
+use homogen_page::report::{described, report, root, tip};
 
 /// Print what was read, merged, locked, left out or read as exact, and every warning with its place
 #[derive(Args, Clone, Debug)]
@@ -173,7 +174,7 @@ fn in_text(chain: &Chain) -> String {
         ));
         k += if mimic_of.is_some() { 0 } else { names.len() };
     }
-    for (name, q) in configurations(chain) {
+    for NamedConfiguration { name, q } in configurations(chain) {
         let q: Vec<String> = q.iter().map(f64::to_string).collect();
         line(format!("configuration {name}: {}", q.join(" ")));
     }

@@ -6,6 +6,7 @@ mod about;
 mod batches;
 mod closure;
 mod collect;
+mod configurations;
 mod data;
 mod left_out;
 mod prepared;
@@ -14,6 +15,7 @@ mod review;
 mod understood;
 
 pub use closure::settled;
+pub use configurations::configurations;
 pub use understood::{identified, identified_if_asked, understand};
 
 use crate::chain::Chain;

@@ -33,6 +33,8 @@ pub struct Module {
     pub data: ChainData,
     /// Largest torque or force of each velocity \[N m, N\]; infinite where the description has none.
     pub efforts: Vec<f64>,
+    /// Configurations with names, in the order of the description.
+    pub configurations: Vec<NamedConfiguration>,
     /// Values of the base parameters by the description \[kg, kg m, kg m²\].
     pub base_values: Vec<f64>,
     /// True if functions for slices of states are generated as well.
@@ -51,6 +53,15 @@ pub struct Module {
     pub prepared: Option<Prepared>,
     /// Material for the reviewer of a file, if the module becomes one.
     pub review: Option<Review>,
+}
+
+/// Configuration with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedConfiguration {
+    /// Its name in the description.
+    pub name: String,
+    /// Its coordinates [rad, m, quaternions x, y, z, w].
+    pub q: Vec<f64>,
 }
 
 /// Prepared robot: the part that depends on fields, and the rest of each function.

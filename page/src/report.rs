@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use crate::diagnostics::{line_and_column, warnings};
 use homogen_codegen::chain::{BodyId, Chain};
 use homogen_codegen::description::{FileFormat, Joint};
+use homogen_codegen::expand::configurations;
 use homogen_codegen::list::Id;
 use homogen_codegen::space::Space;
 
@@ -107,7 +108,9 @@ pub fn report(chain: &Chain) -> Value {
             "joints": details.collect::<Value>(),
         },
     });
-    let configurations = configurations(chain).map(|(name, q)| (name.to_owned(), json!(q)));
+    let configurations = configurations(chain);
+    let configurations =
+        configurations.map(|configuration| (configuration.name, json!(configuration.q)));
     let configurations: serde_json::Map<String, Value> = configurations.collect();
     if !configurations.is_empty() {
         answer["configurations"] = Value::Object(configurations);
@@ -123,25 +126,6 @@ pub fn report(chain: &Chain) -> Value {
         answer["dependent"] = json!(report.dependent);
     }
     answer
-}
-
-/// The configurations of the file, each as q; those without a value for each joint are left out.
-pub fn configurations(chain: &Chain) -> impl Iterator<Item = (&str, Vec<f64>)> {
-    let report = &chain.report;
-    let configurations = chain.description.configurations.iter();
-    configurations.filter_map(move |configuration| {
-        let mut q = Vec::new();
-        for joint in &report.joints {
-            if report.mimicked.iter().any(|mimic| mimic.joint == *joint) {
-                continue;
-            }
-            let mut joints = configuration.joints.iter();
-            let (_, own) = joints.find(|(name, _)| name.text == *joint)?;
-            q.extend(own.iter().map(|entry| entry.value));
-        }
-        let is_whole = q.len() == chain.spaces().names(Space::Coordinates).count();
-        is_whole.then_some((configuration.name.text.as_str(), q))
-    })
 }
 
 /// Quaternions that were read as rotations by right angles.

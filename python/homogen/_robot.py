@@ -50,6 +50,7 @@ class Robot:
             own[name] = np.array(facts[name], float)
             own[name].flags.writeable = False
         own["_neutral"] = np.array(facts["neutral"], float)
+        own["_configurations"] = facts["configurations"]
         own["_kinds"] = np.array(facts["kinds"])
         own["_motions"] = tuple(facts["motions"])
         # Each coordinate is added to and has a velocity of its own: there are no quaternions and no planar joints.
@@ -171,6 +172,11 @@ class Robot:
         and its value, in kg, kg m, kg m²."""
         names, values = self._recipe.base_parameters()
         return dict(zip(names, values))
+
+    @property
+    def configurations(self):
+        """The configurations with names, from the keyframes of an MJCF file: a dict of arrays."""
+        return {name: np.array(q, float) for name, q in self._configurations.items()}
 
     def neutral(self):
         """The configuration at which every joint is where it was placed: zeros, and 0, 0, 0, 1 of quaternions."""

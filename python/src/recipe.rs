@@ -224,6 +224,11 @@ impl Recipe {
             "neutral",
             described::neutral(&module).numbers.into_pyobject(py)?,
         )?;
+        let configurations = PyDict::new(py);
+        for configuration in &module.configurations {
+            configurations.set_item(&configuration.name, configuration.q.clone())?;
+        }
+        set("configurations", configurations.into_any())?;
         let kinds = spaces.coordinates.iter().map(|entry| match entry.kind {
             Kind::Translation => "slide",
             Kind::Quaternion => "quaternion",

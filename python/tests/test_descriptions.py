@@ -168,3 +168,17 @@ def test_xacro_files_find_packages(tmp_path, monkeypatch):
     assert of.joint_names == ("shoulder", "elbow") and torques(of).shape == (20, 2)
     held = homogen.load(tmp_path / "elsewhere/held.xacro", packages={"arms": tmp_path / "arms"}, arguments={"is_held": True})
     assert held.joint_names == ("grip",)
+
+
+def test_keyframes_are_configurations(tmp_path):
+    file = tmp_path / "arm.xml"
+    key = '<keyframe><key name="home" qpos="0.5"/></keyframe></mujoco>'
+    file.write_text(BODY.replace('type="mesh" mesh="bob" density="1000"', 'size="0.1"').replace("<mujoco>", "<mujoco><worldbody>").replace("</mujoco>", "</worldbody>" + key))
+    robot = homogen.load(file)
+    assert {name: list(q) for name, q in robot.configurations.items()} == {"home": [0.5]}
+    robot.configurations["home"][0] = 1.0
+    assert robot.configurations["home"][0] == 0.5
+
+
+def test_a_file_without_keyframes_has_no_configurations(urdf):
+    assert urdf.configurations == {}

@@ -42,6 +42,19 @@ def kinematics(function, ours, theirs):
     )
 
 
+def configurations(ours, theirs, quaternions):
+    """Difference of the configurations with names, where quaternions begin at given places; infinite if the names differ."""
+    if set(ours) != set(theirs):
+        return float("inf")
+    theirs = {name: np.array(q) for name, q in theirs.items()}
+    for name, q in theirs.items():
+        for first in quaternions:
+            # A quaternion and its negative are one rotation.
+            if q[first : first + 4] @ np.array(ours[name][first : first + 4]) < 0:
+                q[first : first + 4] *= -1
+    return worst(np.abs(np.array(ours[name]) - theirs[name]) for name in ours)
+
+
 def residual_of_accelerations(qdd, state):
     """|M q̈ + h − τ|, each joint relative to the sum of its absolute terms."""
     mass, bias, tau = (state[name] for name in ("mass_matrix", "bias", "tau"))
@@ -62,6 +75,6 @@ def floored(sizes, part):
 
 
 def worst(errors):
-    """The largest error; infinite if one is NaN or infinite."""
+    """The largest error, 0 if there is none; infinite if one is NaN or infinite."""
     errors = [np.max(error, initial=0.0) for error in errors]
-    return float("inf") if any(not np.isfinite(error) for error in errors) else float(max(errors))
+    return float("inf") if any(not np.isfinite(error) for error in errors) else float(max(errors, default=0.0))

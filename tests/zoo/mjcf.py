@@ -163,6 +163,8 @@ def examine(program, file, how, verdict):
     if peer.nq != len(found["coordinates"]):
         verdict.failures.append(f"different joints: {found['joints']}")
         return
+    if not how.rotors:
+        record(verdict, how, "configurations", compare.configurations(found.get("configurations", {}), peer.configurations(), peer.quaternions()), "")
     states = random_states(peer.translations(), peer.quaternions(), len(found["velocities"]))
     with tempfile.TemporaryDirectory() as folder:
         state_file = Path(folder) / "states.json"

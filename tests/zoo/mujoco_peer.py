@@ -6,6 +6,7 @@ and no data with homogen.
 """
 
 import os
+from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -21,6 +22,11 @@ class Unreadable(Exception):
     """MuJoCo does not read this file."""
 
 
+def attached(file, mesh):
+    """True if a mesh is beside a model that the file attaches, which MuJoCo finds by itself."""
+    return any(Path(file).parent.glob(f"*/{mesh}"))
+
+
 def compiled(file):
     """Returns the model, and True if meshes or textures were missing."""
     try:
@@ -28,7 +34,7 @@ def compiled(file):
         missing = False
         for mesh in spec.meshes:
             folder = os.path.join(os.path.dirname(str(file)), spec.compiler.meshdir)
-            if mesh.file and not os.path.exists(os.path.join(folder, mesh.file)):
+            if mesh.file and not os.path.exists(os.path.join(folder, mesh.file)) and not attached(file, mesh.file):
                 mesh.name = mesh.name or os.path.splitext(os.path.basename(mesh.file))[0]
                 mesh.file, mesh.uservert, mesh.userface = "", TETRAHEDRON, FACES
                 missing = True
@@ -191,6 +197,23 @@ class MujocoPeer:
         gravity = self.project.T @ self.torques(np.zeros(self.model.nv))
         self.place(state)
         return gravity
+
+    def configurations(self):
+        """The keyframes with names, each in the order of q."""
+        model, found = self.model, {}
+        for key in range(model.nkey):
+            q = []
+            for joint in self.joints:
+                kind, at = int(model.jnt_type[joint]), model.jnt_qposadr[joint]
+                count = {FREE: 7, BALL: 4}.get(kind, 1)
+                own = model.key_qpos[key, at : at + count]
+                if kind in (FREE, BALL):
+                    turn = own[-4:] / np.linalg.norm(own[-4:])
+                    own = [*own[:-4], *turn[1:], turn[0]]
+                q += list(own)
+            if model.key(key).name:
+                found[model.key(key).name] = q
+        return found
 
     def bodies(self):
         """Names of bodies without children, the last first, and of sites."""

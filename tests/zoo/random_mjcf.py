@@ -2,7 +2,8 @@
 
 In: a folder and a seed. Out: a file, its included files and its meshes, the same for the same seed. MuJoCo compiles
 every file: moving bodies have mass, sizes are positive, names exist. Files of odd seeds have no inertia that is summed,
-full or of a mesh, and so need no principal axes, which MuJoCo computes to some 1e-6 rad.
+full or of a mesh, and so need no principal axes, which MuJoCo computes to some 1e-6 rad. A third of the files attach
+another model, which has settings of its own.
 """
 
 import math
@@ -28,8 +29,11 @@ def sums(seed):
 class Robot:
     """A robot under construction."""
 
-    def __init__(self, rng, folder, sums):
-        self.rng, self.folder, self.sums = rng, folder, sums
+    def __init__(self, rng, folder, sums, is_attached=False):
+        self.rng, self.folder, self.sums, self.is_attached = rng, folder, sums, is_attached
+        self.most_bodies = 4 if is_attached else 9
+        self.child, self.attachments, self.frames, self.coordinates = None, 0, [], []
+        self.bodies_without_free = []
         self.degrees = rng.random() < 0.5
         self.bodies, self.joints, self.scalars, self.sites, self.meshes = 0, 0, [], [], {}
         self.height_fields = {}
@@ -104,29 +108,53 @@ class Robot:
         self.balance = rng.random() < 0.3
         if self.balance:
             compiler.append('balanceinertia="true"')
+        if self.sums and rng.random() < 0.2:
+            compiler.append('fitaabb="true"')
         if rng.random() < 0.15:
             compiler.append(f'settotalmass="{self.positive(1, 50)}"')
         if rng.random() < 0.2:
             compiler.append('fusestatic="false"')
-        split = rng.randrange(len(compiler) + 1)
         options = ""
         if rng.random() < 0.5:
             options = f'<option gravity="{self.vector(10)}"/>'
+        if not self.is_attached and not options and rng.random() < 0.5:
+            compiler.append(f'conflict="{rng.choice(["warning", "merge", "error"])}"')
+        split = rng.randrange(len(compiler) + 1)
         defaults = self.defaults()
-        roots = "\n".join(self.body(0, free=rng.random() < 0.4) for _ in range(rng.choice([1, 1, 1, 2, 3])))
+        if not self.is_attached and rng.random() < 0.35:
+            self.child = Robot(rng, self.folder / "child", self.sums, is_attached=True)
+            self.child.folder.mkdir()
+            text = self.child.text()
+            (self.child.folder / "model.xml").write_text(text)
+            # MuJoCo leaves the values of a keyframe in joints that are attached later.
+            self.most_attachments = 1 if "<key " in text else 3
+        roots = [self.body(0, free=not self.is_attached and rng.random() < 0.4) for _ in range(rng.choice([1, 1, 1, 2, 3]))]
+        keys = self.keys()
+        if self.child:
+            # MuJoCo fills a keyframe up in an order that depends on the attachments before it.
+            keys = ""
+            roots.insert(rng.randrange(len(roots) + 1), self.attach(is_in_world=True))
+        elif self.bodies_without_free and rng.random() < 0.15:
+            roots.append(f'<frame {self.placement()}><attach body="{rng.choice(self.bodies_without_free)}" prefix="copy_"/></frame>')
+            keys = ""
+        roots = "\n".join(roots)
         equality = self.equality()
         actuators = self.actuators()
         assets = "".join(f'<mesh name="{name}" {attributes}/>\n' for name, attributes in self.meshes.items())
         assets += "".join(f'<hfield name="{name}" {attributes}/>\n' for name, attributes in self.height_fields.items())
+        if self.child:
+            assets += '<model name="child" file="child/model.xml"/>\n'
+        floor = "" if self.is_attached else '<geom type="plane" size="1 1 1"/>'
         sections = [
             f"<compiler {' '.join(compiler[:split])}/>",
             f"<compiler {' '.join(compiler[split:])}/>",
             options,
             defaults,
             f"<asset>{assets}</asset>",
-            f'<worldbody>\n<geom type="plane" size="1 1 1"/>\n{roots}\n</worldbody>',
+            f"<worldbody>\n{floor}\n{roots}\n</worldbody>",
             equality,
             actuators,
+            keys,
         ]
         if rng.random() < 0.3:
             (self.folder / "parts").mkdir(exist_ok=True)
@@ -184,8 +212,10 @@ class Robot:
         name = f"b{self.bodies}"
         inside = []
         if free and depth == 0:
+            self.coordinates += [("free", name)]
             inside.append(rng.choice([f'<freejoint name="f{self.bodies}"/>', f'<joint type="free" name="f{self.bodies}" armature="0"  frictionloss="0"/>']))
         else:
+            self.bodies_without_free.append(name)
             inside += [self.joint(name, kind) for kind in self.kinds()]
         inside += [self.geom(always=k == 0) for k in range(rng.randrange(1, 4))]
         if self.inertia_from_geom == "auto" and rng.random() < 0.5:
@@ -193,7 +223,9 @@ class Robot:
         for k in range(rng.choice([0, 0, 1])):
             self.sites.append(f"s{name}_{k}")
             inside.append(f'<site name="s{name}_{k}" {self.placement()}/>')
-        if depth < 4 and self.bodies < 9:
+        if self.child and self.attachments + 1 < self.most_attachments and rng.random() < 0.2:
+            inside.append(self.attach(is_in_world=False))
+        if depth < 4 and self.bodies < self.most_bodies:
             for _ in range(rng.choice([0, 1, 1, 2])):
                 inside.append(self.body(depth + 1))
         rng.shuffle(inside)
@@ -204,8 +236,35 @@ class Robot:
             inside = [f"<frame {self.placement()} {self.childclass()}>" + "\n".join(framed) + "</frame>"] + rest
         text = f'<body name="{name}" {self.placement()} {self.childclass()}>\n' + "\n".join(inside) + "\n</body>"
         if depth and rng.random() < 0.1:
-            return f"<frame {self.placement()}>{text}</frame>"
+            self.frames.append(f"frame_{name}")
+            return f'<frame name="frame_{name}" {self.placement()}>{text}</frame>'
         return text
+
+    def attach(self, is_in_world):
+        """A body, a frame or the world of the other model, sometimes twice."""
+        rng, child = self.rng, self.child
+        self.attachments += 1
+        prefix = f"child{self.attachments}_"
+        form = rng.randrange(3)
+        if form == 0 and is_in_world:
+            self.scalars += [prefix + name for name in child.scalars]
+            what = ""
+        elif form == 1 and child.frames:
+            what = f'frame="{rng.choice(child.frames)}"'
+        else:
+            what = f'body="{rng.choice(child.bodies_without_free)}"'
+        text = f'<attach model="child" {what} prefix="{prefix}"/>'
+        if what and self.most_attachments > 1 and rng.random() < 0.2:
+            return f'<replicate count="2" offset="{self.vector()}" euler="0 0 {self.angle()}">{text}</replicate>'
+        return f"<frame {self.placement()} {self.childclass()}>{text}</frame>" if rng.random() < 0.6 else text
+
+    def keys(self):
+        """Keyframes with the coordinates of the joints in the file itself."""
+        if self.rng.random() < 0.5:
+            return ""
+        sizes = {"free": 7, "ball": 4}
+        numbers = [self.positive(0.1, 1) for kind, _ in self.coordinates for _ in range(sizes.get(kind, 1))]
+        return f'<keyframe><key name="home" qpos="{" ".join(numbers)}"/></keyframe>' if numbers else ""
 
     def kinds(self):
         """Joint types of a body: at most six velocities, and no hinge together with a ball joint."""
@@ -218,6 +277,7 @@ class Robot:
     def joint(self, body, kind):
         self.joints += 1
         name = f"j{self.joints}"
+        self.coordinates.append((kind, name))
         attributes = [f'name="{name}"', self.joint_attributes()]
         attributes = [part for part in " ".join(attributes).split('" ') if part]
         text = '" '.join(attributes)

@@ -1,5 +1,6 @@
 //! Options of a build script and their effects; the stages are replaced by a simple one.
 
+mod configurations;
 mod fields;
 mod languages;
 mod reviewed;

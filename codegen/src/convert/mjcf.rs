@@ -7,10 +7,12 @@
 mod body;
 mod equality;
 mod joint;
+mod keyframe;
 
 use std::collections::HashMap;
 
 use super::Converted;
+use super::elementary::ElementaryMotion;
 use super::markup::Markup;
 use super::numbers::texts;
 use crate::chain::shape;
@@ -42,6 +44,8 @@ struct Mjcf<'d> {
     sites: HashMap<&'d str, Vec<Site<'d>>>,
     /// The constraints, each with its attributes.
     equalities: Vec<(&'static str, Vec<(&'static str, String)>)>,
+    /// The joints as written, a composite one several times, with their motions.
+    order: Vec<(JointId, ElementaryMotion)>,
     /// Links that were merged into the bodies that they carry.
     merged: Vec<LinkId>,
     /// Links that move without mass.
@@ -82,6 +86,7 @@ pub(super) fn write(description: &Description) -> Result<Converted, Errors> {
         joints: FreshNames::of(joints),
         sites: HashMap::new(),
         equalities: Vec::new(),
+        order: Vec::new(),
         merged: Vec::new(),
         massless: Vec::new(),
         fast: Vec::new(),
@@ -106,6 +111,7 @@ pub(super) fn write(description: &Description) -> Result<Converted, Errors> {
         }
         mjcf.markup.end();
     }
+    mjcf.keyframes();
     mjcf.markup.end();
     mjcf.warn_of_links();
     mjcf.errors.into_result(Converted {

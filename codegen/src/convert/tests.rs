@@ -75,6 +75,19 @@ fn mjcf_has_the_same_numbers() {
 }
 
 #[test]
+fn configurations_become_keyframes() {
+    let robot = "<mujoco><worldbody><body name=\"a\"><freejoint name=\"f\"/><geom size=\"1\"/><body name=\"b\">\
+                 <joint name=\"j\" ref=\"90\"/><geom size=\"1\"/><body name=\"c\"><joint name=\"k\" type=\"ball\"/><geom size=\"1\"/>\
+                 </body></body></body></worldbody><equality><joint joint1=\"j\"/></equality>\
+                 <keyframe><key name=\"&lt;home&gt;\" qpos=\"1 2 3 0 0 0 1 0.50 1 0 0 0\"/></keyframe></mujoco>";
+    let (text, _) = written(robot, OutputFormat::Mjcf);
+    let wanted = "<keyframe>\n    <key name=\"&lt;home&gt;\" qpos=\"1 2 3 0 0 0 1 0.50 1 0 0 0\"/>\n  </keyframe>\n";
+    assert!(text.contains(wanted), "{text}");
+    let (again, _) = written(&text, OutputFormat::Mjcf);
+    assert!(again.contains(wanted), "{again}");
+}
+
+#[test]
 fn links_without_mass_between_joints_are_merged() {
     let chain = r#"<robot name="r"><link name="world"/><link name="between"/><link name="body"><inertial><mass value="1"/>
       <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="end"/>

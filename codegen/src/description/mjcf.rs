@@ -9,6 +9,7 @@
 
 mod actuator;
 mod assets;
+mod attach;
 mod body;
 mod class;
 mod compiler;
@@ -16,48 +17,49 @@ mod defaults;
 mod element;
 mod elements;
 mod equality;
+mod expand;
 mod files;
 mod geom;
+mod gravity;
 mod inertial;
 mod joint;
 mod keyframe;
 mod mesh;
+mod model;
 mod names;
 mod orientation;
+mod parts;
 mod reading;
+mod references;
 mod settings;
 mod shape;
 mod tree;
 mod unmodelled;
 mod values;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use proc_macro2::Span;
 
-use self::assets::Assets;
-use self::class::Defaults;
 use self::element::Element;
+use self::model::Model;
 use self::names::Names;
+use self::parts::ModelId;
 use self::reading::Mjcf;
-use self::settings::Compiler;
 use self::tree::Tree;
 use self::unmodelled::Noted;
 use super::xml::element::Reader;
+use super::xml::survey;
 use super::xml::texts::Parsed;
-use super::xml::{self, survey};
 use super::{Description, FileFormat, Name, Number, Source, names as twice, spatial};
 use crate::error::{Errors, Place};
 use crate::expression::Double;
+use crate::list::{Id, List};
 
 #[doc(hidden)]
 pub use self::elements::page;
-
-/// True if the root element of a text is `<mujoco>`.
-#[must_use]
-pub fn is_mjcf(text: &str) -> bool {
-    xml::begins_with(text, "<mujoco")
-}
+pub use self::files::is_mjcf;
 
 /// Reads the text of the file `file` in `folder`; `anchor` is the token that named the file, for the compiler.
 ///
@@ -94,30 +96,31 @@ fn read_files<'a>(
     let root = Element::root(files);
     let mut mjcf = Mjcf {
         reader: Reader::new(&files[0].positions),
-        compiler: Compiler::default(),
-        defaults: Defaults::none(),
+        models: List::new(),
+        current: ModelId::new(0),
+        parts: 0,
+        copies: 0,
         tree: Tree::default(),
         loop_names: Names::default(),
-        assets: Assets::default(),
         noted: Noted::default(),
         folder: folder.map(Path::to_owned),
         beside: Vec::new(),
     };
-    for element in root.named("compiler") {
-        mjcf.read_compiler(element);
-    }
-    let mut gravity = None;
-    for element in root.named("option") {
-        mjcf.read_option(element, &mut gravity);
-    }
-    mjcf.read_defaults(root);
-    mjcf.list_assets(root);
-    mjcf.read_tree(root);
+    mjcf.read_models(root);
+    let first = ModelId::new(0);
+    let list = std::mem::take(&mut mjcf.models[first].parts.list);
+    mjcf.read_tree(&list);
+    mjcf.models[first].parts.list = list;
     mjcf.scale_masses();
-    let loops = mjcf.read_equalities(root);
-    mjcf.read_actuators(root);
-    let configurations = mjcf.read_keys(root);
-    mjcf.survey(root);
+    let scopes = mjcf.models[first].parts.scopes.clone();
+    let loops = mjcf.read_equalities(&scopes);
+    mjcf.read_actuators(&scopes);
+    let configurations = mjcf.read_keys(&scopes);
+    let gravity = mjcf.models[first].gravity.acceleration();
+    let attached: BTreeSet<ModelId> = scopes.iter().map(|scope| scope.model).collect();
+    for model in attached {
+        mjcf.survey(mjcf.models[model].root);
+    }
     let name = mjcf.robot_name(root, file);
     let warnings = std::mem::take(&mut mjcf.reader.warnings);
     let mut warnings: Vec<_> = warnings.into_iter().chain(mjcf.noted.warnings()).collect();
@@ -146,6 +149,28 @@ fn read_files<'a>(
 }
 
 impl<'a> Mjcf<'a> {
+    /// Reads the settings of all models, and lists their trees of bodies.
+    fn read_models(&mut self, root: Element<'a>) {
+        self.models.push(Model::new(root));
+        while self.current < self.models.next() {
+            let root = self.model().root;
+            for element in root.named("compiler") {
+                self.read_compiler(element);
+            }
+            for element in root.named("option") {
+                self.read_option(element);
+            }
+            self.read_defaults(root);
+            self.list_assets(root);
+            self.current = self.current.plus(1);
+        }
+        for model in self.models.ids().rev() {
+            self.current = model;
+            let parts = self.expand(model);
+            self.model_mut().parts = parts;
+        }
+    }
+
     /// The name of the model, or of the file if the model has none.
     fn robot_name(&mut self, root: Element<'a>, file: &str) -> Name {
         let written = root.attribute("model").map(|written| self.word(written));
@@ -167,7 +192,7 @@ impl<'a> Mjcf<'a> {
 
     /// Scales all masses and inertias so that the total mass is that of `settotalmass`.
     fn scale_masses(&mut self) {
-        let Some(total) = self.compiler.total_mass else {
+        let Some(total) = self.model().compiler.total_mass else {
             return;
         };
         let inertials = self
@@ -191,7 +216,7 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    /// Warns of what is not modelled, file by file.
+    /// Warns of what is not modelled in a model, file by file.
     fn survey(&mut self, root: Element<'a>) {
         survey::survey(self.at(root), root.node, &elements::MJCF);
         for (element, content) in elements::included(root) {

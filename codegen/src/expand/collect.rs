@@ -5,6 +5,7 @@
 
 use super::about::about;
 use super::batches;
+use super::configurations::configurations;
 use super::data::data;
 use super::left_out::{functions_of_a_frame, leave_out};
 use super::prepared::prepared;
@@ -63,6 +64,7 @@ pub(super) fn collect<'c>(
         functions,
         data: data(chain),
         efforts: efforts(chain),
+        configurations: configurations(chain).collect(),
         base_values: base_values(chain),
         batch: request.batch,
         length: request.length(),

@@ -28,6 +28,9 @@ pub struct NumberList {
     pub numbers: Vec<f64>,
 }
 
+/// Documentation of the configurations with names.
+pub const CONFIGURATIONS: &str = "Configurations with names, from the keyframes of the description [rad, m, quaternions x, y, z, w].";
+
 /// Names of joints, coordinates, velocities and frames.
 #[must_use]
 pub fn names(module: &Module) -> [NameList<'_>; 4] {

@@ -51,4 +51,7 @@ pub trait Robot<const N: usize, const Q: usize = N> {
     const MAX_EFFORT: [f64; N];
     /// The neutral configuration, with every joint at its placement: zeros, and 0, 0, 0, 1 for quaternions (x, y, z, w).
     const NEUTRAL: [f64; Q];
+    /// Configurations with names, from the keyframes of a file \[rad, m, quaternions x, y, z, w\]; none if it has no
+    /// keyframes.
+    const CONFIGURATIONS: &'static [(&'static str, [f64; Q])] = &[];
 }

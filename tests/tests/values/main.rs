@@ -5,6 +5,7 @@
 
 mod actuators;
 mod agreement;
+mod configurations;
 mod derivatives;
 mod driven_joints;
 mod eval_reference;

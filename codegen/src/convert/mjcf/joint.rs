@@ -44,6 +44,7 @@ impl Mjcf<'_> {
             });
             attributes.push(("axis", texts(&axis)));
         }
+        self.order.push((joint, part.motion));
         self.limits(part, joint, &mut attributes);
         self.actuator(part, &mut attributes);
         self.markup.empty("joint", &attributes);

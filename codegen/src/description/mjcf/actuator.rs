@@ -7,6 +7,7 @@
 use super::class::{ACTUATOR, ACTUATORS};
 use super::element::Element;
 use super::elements::unmodelled::{ACTUATOR_DAMPING, ELSEWHERE};
+use super::parts::{Affix, Scope};
 use super::reading::Mjcf;
 use super::values::Attributes;
 use crate::joint::actuator::Motor;
@@ -14,25 +15,24 @@ use crate::wording::quoted;
 
 impl<'a> Mjcf<'a> {
     /// Reads all actuators.
-    pub(super) fn read_actuators(&mut self, root: Element<'a>) {
-        for section in root.named("actuator") {
-            for element in section.children() {
-                if ACTUATORS.contains(&element.tag()) {
-                    self.actuator(element);
-                }
+    pub(super) fn read_actuators(&mut self, scopes: &[Scope]) {
+        let names = ["joint", "jointinparent"];
+        self.referring(scopes, "actuator", &names, false, |mjcf, element, affix| {
+            if ACTUATORS.contains(&element.tag()) {
+                mjcf.actuator(element, affix);
             }
-        }
+        });
     }
 
-    fn actuator(&mut self, element: Element<'a>) {
+    fn actuator(&mut self, element: Element<'a>, affix: &Affix) {
         let class = self.class(element.attribute("class"));
         let attributes = Attributes {
             own: element,
             kind: ACTUATOR,
-            class: class.unwrap_or_else(|| self.defaults.main()),
+            class: class.unwrap_or_else(|| self.model().defaults.main()),
         };
         let subject = match element.attribute("name") {
-            Some(name) => format!("actuator {}", quoted(&self.word(name).text)),
+            Some(name) => format!("actuator {}", quoted(&affix.name(&self.word(name).text))),
             None => "an actuator".to_owned(),
         };
         let place = self.place(element);
@@ -47,7 +47,7 @@ impl<'a> Mjcf<'a> {
         let joint = element
             .attribute("joint")
             .or(element.attribute("jointinparent"));
-        let joint = joint.map(|written| self.word(written).text);
+        let joint = joint.map(|written| affix.name(&self.word(written).text));
         let target = joint.and_then(|name| self.tree.joint(&name));
         let target = target.filter(|joint| !self.tree.joints[*joint].kind.has_several());
         let Some(target) = target else {

@@ -1,10 +1,11 @@
-//! Meshes and height fields by name, and the inertias of meshes.
+//! Meshes and height fields of a model by name, and the inertias of meshes.
 
 use std::collections::HashMap;
 use std::rc::Rc;
 
 use super::element::Element;
-use crate::description::spatial::{Matrix, Vector, cross, exactly, principal};
+use super::parts::ModelId;
+use crate::description::spatial::{Matrix, Vector, cross, dot, exactly, minus, principal};
 use crate::expression::Double;
 
 /// Inertia of a mesh at density 1.
@@ -15,12 +16,34 @@ pub(super) struct Measured {
     pub(super) center: Vector,
     /// Inertia tensor about the centre of mass, in the axes of the geom.
     pub(super) tensor: Matrix,
+    /// The vertices in the frame of the geom, if shapes are fitted to their extents.
+    pub(super) corners: Vec<[f64; 3]>,
 }
 
 /// Rounding errors of moments, relative to the largest: a mesh below this has no thickness.
 const FLAT: f64 = 1e-14;
 
 impl Measured {
+    /// The centre and half the side lengths of the box around the vertices along the given axes (columns), in these axes
+    /// and relative to the centre of mass.
+    pub(super) fn extents(&self, axes: &Matrix) -> [Vector; 2] {
+        let along = [0, 1, 2].map(|k| {
+            let axis = axes.map(|row| row[k]);
+            let places = self.corners.iter().map(|corner| {
+                let from_center = minus(corner.map(exactly), self.center);
+                dot(axis, from_center).to_f64()
+            });
+            places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], place| {
+                [low.min(place), high.max(place)]
+            })
+        });
+        let two = exactly(2.0);
+        [
+            along.map(|[low, high]| (exactly(high) + exactly(low)) / two),
+            along.map(|[low, high]| (exactly(high) - exactly(low)) / two),
+        ]
+    }
+
     /// Half the side lengths of the box with the principal moments of the mesh, in ascending order, and its axes as
     /// columns.
     pub(super) fn inertia_box(&self) -> (Vector, Matrix) {
@@ -45,10 +68,45 @@ impl Measured {
     }
 }
 
-/// The assets of a file by name, and the inertias of meshes computed so far; `None` for a mesh with an error.
+/// An asset.
+#[derive(Clone, Copy)]
+pub(super) struct Asset<'a> {
+    /// The model whose settings and defaults count for it.
+    pub(super) model: ModelId,
+    pub(super) element: Element<'a>,
+}
+
+/// The assets of a model by name, and the inertias of meshes computed so far; `None` for a mesh with an error.
 #[derive(Default)]
 pub(super) struct Assets<'a> {
-    pub(super) meshes: HashMap<String, Element<'a>>,
-    pub(super) height_fields: HashMap<String, Element<'a>>,
+    pub(super) meshes: HashMap<String, Asset<'a>>,
+    pub(super) height_fields: HashMap<String, Asset<'a>>,
     pub(super) measured: HashMap<String, Option<Rc<Measured>>>,
+}
+
+impl<'a> Assets<'a> {
+    /// The meshes and height fields under names with a prefix.
+    pub(super) fn with_prefix(&self, prefix: &str) -> Self {
+        let named = |assets: &HashMap<String, Asset<'a>>| {
+            let assets = assets.iter();
+            assets
+                .map(|(name, asset)| (format!("{prefix}{name}"), *asset))
+                .collect()
+        };
+        Self {
+            meshes: named(&self.meshes),
+            height_fields: named(&self.height_fields),
+            measured: HashMap::new(),
+        }
+    }
+
+    /// Adds the meshes and height fields of other names.
+    pub(super) fn import(&mut self, others: Self) {
+        for (name, mesh) in others.meshes {
+            self.meshes.entry(name).or_insert(mesh);
+        }
+        for (name, field) in others.height_fields {
+            self.height_fields.entry(name).or_insert(field);
+        }
+    }
 }

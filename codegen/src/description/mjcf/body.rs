@@ -1,91 +1,98 @@
-//! `<body>`: reads the tree of bodies.
+//! `<body>`: reads the listed tree of bodies.
 //!
-//! Yields links, the joints between them, and a massless link for each site. A `<frame>` is merged into the placements
-//! of the elements inside; the elements inside a `<replicate>` are read once for each copy.
+//! Yields links, the joints between them, and a massless link for each site.
 
-use std::rc::Rc;
-
-use super::element::Element;
 use super::geom::Piece;
 use super::joint::Moving;
 use super::names::Names;
+use super::parts::{Item, Part, PartId, WORLD};
 use super::reading::Mjcf;
-use super::tree::{Item, WORLD};
 use super::values::Attributes;
-use crate::description::spatial::{Pose, exactly, plus, to_number};
 use crate::description::{Joint, Link, Name, Step};
 use crate::error::Place;
-use crate::expression::Double;
+use crate::list::{Id, List};
 use crate::wording::quoted;
 
-/// Maximum nesting depth of frames.
-const DEEPEST: usize = 100;
-
-/// Maximum number of links, because a few characters can replicate without bound.
+/// Maximum number of links.
 const MOST_LINKS: usize = 100_000;
 
-/// Maximum number of copies of one element.
-const MOST_COPIES: u32 = 100_000;
-
-/// A body that is not read yet.
-struct PendingBody<'a> {
-    item: Item<'a>,
+/// A body, and the elements directly in it.
+struct Body<'p, 'a> {
+    item: &'p Item<'a>,
     parent: Name,
+    inside: Vec<(PartId, &'p Item<'a>)>,
 }
 
 impl<'a> Mjcf<'a> {
-    /// Reads all bodies.
-    pub(super) fn read_tree(&mut self, root: Element<'a>) {
-        self.tree.link_names = Names::of_elements(root, &["body"]);
-        self.tree.joint_names = Names::of_elements(root, &["joint", "freejoint"]);
-        self.tree.link_names.take(WORLD);
-        let place = self.place(root);
+    /// Reads all bodies of the first model.
+    pub(super) fn read_tree(&mut self, list: &List<PartId, Part<'a>>) {
+        let named = |tags: &[&str]| {
+            let named = list
+                .iter()
+                .filter(|part| tags.contains(&part.item.element.tag()));
+            named
+                .filter_map(|part| written_name(&part.item))
+                .collect::<Vec<String>>()
+        };
+        let (links, joints) = (named(&["body"]), named(&["joint", "freejoint"]));
+        let links = links.iter().map(String::as_str).chain([WORLD]);
+        self.tree.link_names = Names::of(links);
+        self.tree.joint_names = Names::of(joints.iter().map(String::as_str));
+        let mut inside: List<PartId, Vec<PartId>> = List::filled(Vec::new(), list.len());
+        for (number, part) in list.numbered().skip(1) {
+            inside[part.within].push(number);
+        }
+        let mut inside = inside.map(|parts| {
+            let parts = parts.iter().map(|part| (*part, &list[*part].item));
+            parts.collect::<Vec<_>>()
+        });
+        let world = PartId::new(0);
+        let mut names: List<PartId, Option<Name>> = List::filled(None, list.len());
+        names[world] = Some(self.world(&list[world].item, &inside[world]));
+        for (number, Part { item, within }) in list.numbered().skip(1) {
+            if self.tree.links.len() > MOST_LINKS {
+                break;
+            }
+            if item.element.tag() != "body" {
+                continue;
+            }
+            let Some(parent) = names[*within].clone() else {
+                continue;
+            };
+            let body = Body {
+                item,
+                parent,
+                inside: std::mem::take(&mut inside[number]),
+            };
+            names[number] = Some(self.within(item.model, |mjcf| mjcf.body(&body)));
+        }
+        if self.tree.links.len() > MOST_LINKS {
+            let message = format!("there are more than {MOST_LINKS} bodies and sites");
+            self.refuse(self.model().root, message, "replicate less");
+        }
+    }
+
+    /// The fixed link with its sites; returns its name.
+    fn world(&mut self, item: &Item<'a>, inside: &[(PartId, &Item<'a>)]) -> Name {
         let world = Name {
             text: WORLD.to_owned(),
-            place,
+            place: self.place(item.element),
         };
         self.tree.links.push(Link {
             name: world.clone(),
             inertial: None,
         });
-        let mut waiting = Vec::new();
-        for section in root.named("worldbody") {
-            let whole = Item {
-                element: section,
-                frame: Vec::new(),
-                class: self.defaults.main(),
-                suffix: String::new(),
-            };
-            let mut items = Vec::new();
-            self.contents(&whole, 0, &mut items);
-            for item in items {
-                match item.element.tag() {
-                    "body" => waiting.push(PendingBody {
-                        item,
-                        parent: world.clone(),
-                    }),
-                    "site" => self.site(&item, &world),
-                    tag @ ("joint" | "freejoint" | "inertial") => {
-                        let message = format!("the world has a <{tag}>");
-                        self.refuse(item.element, message, "move it into a <body>");
-                    }
-                    _ => {}
+        for (_, item) in inside {
+            match item.element.tag() {
+                "site" => self.site(item, &world),
+                tag @ ("joint" | "freejoint" | "inertial") => {
+                    let message = format!("the world has a <{tag}>");
+                    self.refuse(item.element, message, "move it into a <body>");
                 }
+                _ => {}
             }
         }
-        waiting.reverse();
-        while let Some(body) = waiting.pop() {
-            if self.tree.links.len() > MOST_LINKS {
-                break;
-            }
-            let mut children = self.body(body);
-            children.reverse();
-            waiting.append(&mut children);
-        }
-        if self.tree.links.len().max(self.tree.copies) > MOST_LINKS {
-            let message = format!("there are more than {MOST_LINKS} bodies, sites or copies");
-            self.refuse(root, message, "replicate less");
-        }
+        world
     }
 
     /// The attributes of an item, with those of its class as defaults.
@@ -94,132 +101,50 @@ impl<'a> Mjcf<'a> {
         Attributes {
             own: item.element,
             kind,
-            class: class.unwrap_or_else(|| Rc::clone(&item.class)),
+            class: class.unwrap_or_else(|| item.class.clone()),
         }
     }
 
-    /// The name of an item, with the suffix of its copy; `None` if it has no name.
+    /// The name of an item; `None` if it has no name.
     pub(super) fn name_of(&mut self, item: &Item<'a>) -> Option<Name> {
         let mut name = self.word(item.element.attribute("name")?);
         if name.text.is_empty() {
             return None;
         }
-        name.text.push_str(&item.suffix);
+        name.text = item.affix.name(&name.text);
+        let affixes = &mut self.tree.affixes;
+        affixes.insert(name.text.clone(), item.affix.clone());
         Some(name)
     }
 
-    /// Lists the elements of a body, a frame or the world in the order of the text, with frames and copies expanded.
-    fn contents(&mut self, whole: &Item<'a>, depth: usize, items: &mut Vec<Item<'a>>) {
-        let class = self.class(whole.element.attribute("childclass"));
-        let class = class.unwrap_or_else(|| Rc::clone(&whole.class));
-        for element in whole.element.children() {
-            let item = Item {
-                element,
-                class: Rc::clone(&class),
-                ..whole.clone()
-            };
-            let tag = element.tag();
-            if !matches!(tag, "frame" | "replicate") {
-                items.push(item);
-                continue;
-            }
-            if depth == DEEPEST {
-                let message = format!("frames are nested more than {DEEPEST} deep");
-                self.refuse(element, message, "combine them into one");
-                return;
-            }
-            if tag == "frame" {
-                let attributes = self.attributes(&item, "");
-                let steps = self.placement(&attributes, "a <frame>");
-                let mut inner = item;
-                inner.frame.extend(steps);
-                self.contents(&inner, depth + 1, items);
-            } else {
-                self.copies(&item, depth, items);
-            }
-        }
-    }
-
-    /// Lists the copies that a `<replicate>` makes of the elements inside.
-    fn copies(&mut self, item: &Item<'a>, depth: usize, items: &mut Vec<Item<'a>>) {
-        const SUBJECT: &str = "a <replicate>";
-        let element = item.element;
-        let Some(count) = self.number(element.attribute("count"), SUBJECT) else {
-            self.refuse(
-                element,
-                format!("{SUBJECT} has no count"),
-                "write count=\"…\"",
-            );
-            return;
-        };
-        let count = count.value;
-        let is_whole = |copies: &u32| f64::from(*copies).to_bits() == count.to_bits();
-        let Some(copies) = (0..=MOST_COPIES).find(is_whole) else {
-            let message = format!("count of {SUBJECT} is {count}");
-            let hint = format!("write a whole number up to {MOST_COPIES}");
-            self.refuse(element, message, &hint);
-            return;
-        };
-        let offset = self.numbers::<3>(element.attribute("offset"), SUBJECT);
-        let offset = offset.map(|offset| offset.map(|entry| entry.exact()));
-        let euler = self.numbers::<3>(element.attribute("euler"), SUBJECT);
-        let separator = element
-            .attribute("sep")
-            .map(|written| self.word(written).text);
-        let place = self.place(element);
-        let digits = copies.to_string().len();
-        let mut position = [Double::ZERO; 3];
-        for copy in 0..copies {
-            self.tree.copies += 1;
-            if self.tree.copies > MOST_LINKS {
-                return;
-            }
-            let rotations = euler.map_or_else(Vec::new, |euler| {
-                let many = exactly(f64::from(copy));
-                self.euler(euler.map(|angle| to_number(angle.exact() * many, angle.place)))
-            });
-            let mut inner = item.clone();
-            let offset_of_copy = position.map(|entry| to_number(entry, place));
-            inner.frame.push(Step::Translate(offset_of_copy));
-            inner.frame.extend(&rotations);
-            if let Some(offset) = offset {
-                position = plus(position, Pose::of(&rotations).direction(offset));
-            }
-            let separator = separator.as_deref().unwrap_or_default();
-            inner.suffix = format!("{separator}{copy:0digits$}{}", item.suffix);
-            self.contents(&inner, depth + 1, items);
-        }
-    }
-
-    /// Reads a body, and returns its child bodies.
-    fn body(&mut self, body: PendingBody<'a>) -> Vec<PendingBody<'a>> {
-        let PendingBody { item, parent } = body;
+    /// Reads a body; returns its name.
+    fn body(&mut self, body: &Body<'_, 'a>) -> Name {
+        let Body {
+            item,
+            parent,
+            inside,
+        } = body;
         let place = self.place(item.element);
-        let name = self.name_of(&item).unwrap_or_else(|| {
+        let name = self.name_of(item).unwrap_or_else(|| {
             let number = self.tree.links.len();
             Name {
                 text: self.tree.link_names.fresh(&format!("body_{number}")),
                 place,
             }
         });
-        self.tree.link_names.take(&name.text);
         let subject = format!("body {}", quoted(&name.text));
-        let attributes = self.attributes(&item, "");
+        let attributes = self.attributes(item, "");
         let mut steps = item.frame.clone();
         steps.extend(self.placement(&attributes, &subject));
-        let inside = Item {
-            frame: Vec::new(),
-            ..item.clone()
-        };
-        let mut items = Vec::new();
-        self.contents(&inside, 0, &mut items);
         let of_tag = |tags: &[&str]| {
-            let found = items
+            let found = inside
                 .iter()
-                .filter(|item| tags.contains(&item.element.tag()));
-            found.cloned().collect::<Vec<_>>()
+                .filter(|(_, item)| tags.contains(&item.element.tag()));
+            found.copied().collect::<Vec<_>>()
         };
-        let mut inertials = of_tag(&["inertial"]).into_iter().map(|item| item.element);
+        let mut inertials = of_tag(&["inertial"])
+            .into_iter()
+            .map(|(_, item)| item.element);
         let inertial = inertials.next();
         if let Some(second) = inertials.next() {
             self.refuse(
@@ -235,10 +160,10 @@ impl<'a> Mjcf<'a> {
         self.tree
             .placements
             .insert(name.text.clone(), (parent.text.clone(), steps.clone()));
-        let has_bodies = items.iter().any(|item| item.element.tag() == "body");
+        let has_bodies = !of_tag(&["body"]).is_empty();
         self.connect(&Moving {
             link: &name,
-            parent: &parent,
+            parent,
             steps,
             subject: &subject,
             has_bodies,
@@ -249,30 +174,32 @@ impl<'a> Mjcf<'a> {
             name: name.clone(),
             inertial,
         });
-        for site in of_tag(&["site"]) {
-            self.site(&site, &name);
+        for (_, site) in of_tag(&["site"]) {
+            self.site(site, &name);
         }
-        let bodies = of_tag(&["body"]).into_iter();
-        bodies
-            .map(|item| PendingBody {
-                item,
-                parent: name.clone(),
-            })
-            .collect()
+        name
     }
 
-    fn pieces(&mut self, geoms: &[Item<'a>], body: &str) -> Vec<Piece> {
+    /// The masses of geoms. As in MuJoCo, the groups that have mass are those of the body's model.
+    fn pieces(&mut self, geoms: &[(PartId, &Item<'a>)], body: &str) -> Vec<Piece> {
+        let groups = self.model().compiler.groups;
         let geoms = geoms.iter();
         geoms
-            .filter_map(|item| {
-                let geom = self.attributes(item, "geom");
-                self.piece(&geom, &item.frame, body)
+            .filter_map(|(_, item)| {
+                self.within(item.model, |mjcf| {
+                    let geom = mjcf.attributes(item, "geom");
+                    mjcf.piece(&geom, &item.frame, groups, body)
+                })
             })
             .collect()
     }
 
     /// Adds a massless link for a site.
     fn site(&mut self, item: &Item<'a>, on: &Name) {
+        self.within(item.model, |mjcf| mjcf.site_of_model(item, on));
+    }
+
+    fn site_of_model(&mut self, item: &Item<'a>, on: &Name) {
         let Some(name) = self.name_of(item) else {
             return;
         };
@@ -309,7 +236,12 @@ impl<'a> Mjcf<'a> {
             text: self.tree.joint_names.fresh(&link.text),
             place,
         };
-        let joint = Joint::fixed(name, to, link, origin);
-        self.tree.joints.push(joint);
+        self.tree.add(Joint::fixed(name, to, link, origin));
     }
+}
+
+/// The name of an item as a name of the robot; `None` if it has no name.
+fn written_name(item: &Item<'_>) -> Option<String> {
+    let name = item.element.node.attribute("name")?.trim();
+    (!name.is_empty()).then(|| item.affix.name(name))
 }

@@ -6,32 +6,38 @@
 use super::element::Element;
 use super::elements::GLOBAL;
 use super::reading::Mjcf;
-use super::settings::FromGeoms;
-use crate::description::{Number, number};
+use super::settings::{Conflict, FromGeoms};
 
 impl<'a> Mjcf<'a> {
-    /// Reads one `<compiler>`; its attributes replace earlier ones.
+    /// Reads one `<compiler>`; its attributes replace earlier ones of the current model.
     pub(super) fn read_compiler(&mut self, element: Element<'a>) {
         const SUBJECT: &str = "the compiler";
         let attribute = |name: &str| element.attribute(name);
-        let compiler = &self.compiler;
-        let (degrees, autolimits, strip) = (compiler.degrees, compiler.autolimits, compiler.strip);
-        let (balance, fit, align) = (compiler.balance, compiler.fit_extents, compiler.align_free);
-        let from_geoms = compiler.from_geoms;
+        let mut compiler = self.model().compiler.clone();
         let words = [("degree", true), ("radian", false)];
-        self.compiler.degrees = self.choice(attribute("angle"), &words, degrees, SUBJECT);
-        self.compiler.autolimits = self.flag(attribute("autolimits"), autolimits, SUBJECT);
-        self.compiler.strip = self.flag(attribute("strippath"), strip, SUBJECT);
-        self.compiler.balance = self.flag(attribute("balanceinertia"), balance, SUBJECT);
-        self.compiler.fit_extents = self.flag(attribute("fitaabb"), fit, SUBJECT);
-        self.compiler.align_free = self.flag(attribute("alignfree"), align, SUBJECT);
+        compiler.degrees = self.choice(attribute("angle"), &words, compiler.degrees, SUBJECT);
+        compiler.autolimits = self.flag(attribute("autolimits"), compiler.autolimits, SUBJECT);
+        compiler.strip = self.flag(attribute("strippath"), compiler.strip, SUBJECT);
+        compiler.balance = self.flag(attribute("balanceinertia"), compiler.balance, SUBJECT);
+        compiler.fit_extents = self.flag(attribute("fitaabb"), compiler.fit_extents, SUBJECT);
+        compiler.align_free = self.flag(attribute("alignfree"), compiler.align_free, SUBJECT);
         let words = [
             ("false", FromGeoms::Never),
             ("true", FromGeoms::Always),
             ("auto", FromGeoms::Otherwise),
         ];
-        self.compiler.from_geoms =
-            self.choice(attribute("inertiafromgeom"), &words, from_geoms, SUBJECT);
+        compiler.from_geoms = self.choice(
+            attribute("inertiafromgeom"),
+            &words,
+            compiler.from_geoms,
+            SUBJECT,
+        );
+        let words = [
+            ("warning", Conflict::Warning),
+            ("merge", Conflict::Merge),
+            ("error", Conflict::Error),
+        ];
+        compiler.conflict = self.choice(attribute("conflict"), &words, compiler.conflict, SUBJECT);
         if self.choice(
             attribute("coordinate"),
             &[("local", false), ("global", true)],
@@ -42,20 +48,20 @@ impl<'a> Mjcf<'a> {
             self.refuse(element, GLOBAL.to_owned(), hint);
         }
         if let Some(range) = self.numbers::<2>(attribute("inertiagrouprange"), SUBJECT) {
-            self.compiler.groups = range.map(|group| group.value);
+            compiler.groups = range.map(|group| group.value);
         }
         if let Some(bound) = self.number(attribute("boundmass"), SUBJECT) {
-            self.compiler.bound_mass = bound.exact();
+            compiler.bound_mass = bound.exact();
         }
         if let Some(bound) = self.number(attribute("boundinertia"), SUBJECT) {
-            self.compiler.bound_inertia = bound.exact();
+            compiler.bound_inertia = bound.exact();
         }
         if let Some(total) = self.number(attribute("settotalmass"), SUBJECT) {
-            self.compiler.total_mass = Some(total).filter(|total| total.value > 0.0);
+            compiler.total_mass = Some(total).filter(|total| total.value > 0.0);
         }
         for name in ["assetdir", "meshdir"] {
             if let Some(written) = attribute(name) {
-                self.compiler.meshes = self.word(written).text;
+                compiler.meshes = self.word(written).text;
             }
         }
         if let Some(written) = attribute("eulerseq") {
@@ -63,7 +69,7 @@ impl<'a> Mjcf<'a> {
             let letters: Vec<char> = word.text.chars().collect();
             match <[char; 3]>::try_from(letters) {
                 Ok(letters) if letters.iter().all(|letter| "xyzXYZ".contains(*letter)) => {
-                    self.compiler.euler = letters;
+                    compiler.euler = letters;
                 }
                 _ => self.reader.errors.push_with_hint(
                     word.place,
@@ -72,18 +78,21 @@ impl<'a> Mjcf<'a> {
                 ),
             }
         }
+        self.model_mut().compiler = compiler;
     }
 
     /// Reads gravity from one `<option>`; it replaces an earlier one.
-    pub(super) fn read_option(&mut self, element: Element<'a>, gravity: &mut Option<[Number; 3]>) {
+    pub(super) fn read_option(&mut self, element: Element<'a>) {
         let written = self.numbers::<3>(element.attribute("gravity"), "the option");
-        *gravity = written.or(*gravity);
+        let mut gravity = self.model().gravity;
+        gravity.written = written.or(gravity.written);
         for flag in element.named("flag") {
-            let words = [("enable", true), ("disable", false)];
-            if !self.choice(flag.attribute("gravity"), &words, true, "the <flag>") {
-                let place = self.place(flag);
-                *gravity = Some([0.0; 3].map(|zero| number::computed(zero, place)));
+            if let Some(written) = flag.attribute("gravity") {
+                let words = [("enable", false), ("disable", true)];
+                let is_off = self.choice(Some(written), &words, false, "the <flag>");
+                gravity.is_off = Some((is_off, self.place(flag)));
             }
         }
+        self.model_mut().gravity = gravity;
     }
 }

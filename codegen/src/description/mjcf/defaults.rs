@@ -28,12 +28,15 @@ impl<'a> Mjcf<'a> {
                     self.reader.errors.push_with_hint(name.place, message, hint);
                 }
             }
-            let outer = Rc::clone(&self.defaults.main);
+            let outer = Rc::clone(&self.model().defaults.main);
             let main = self.read_class(section, &outer, 0);
-            self.defaults.main = main;
+            self.model_mut().defaults.main = main;
         }
-        let main = Rc::clone(&self.defaults.main);
-        self.defaults.classes.insert(MAIN.to_owned(), main);
+        let main = Rc::clone(&self.model().defaults.main);
+        self.model_mut()
+            .defaults
+            .classes
+            .insert(MAIN.to_owned(), main);
     }
 
     fn read_class(
@@ -66,14 +69,14 @@ impl<'a> Mjcf<'a> {
                 self.refuse(inner, "a class of defaults has no name".to_owned(), hint);
                 continue;
             };
-            if name.text == MAIN || self.defaults.classes.contains_key(&name.text) {
+            if name.text == MAIN || self.model().defaults.classes.contains_key(&name.text) {
                 let message = format!(
                     "the class of defaults {} is defined twice",
                     quoted(&name.text)
                 );
                 self.reader.errors.push(name.place, message);
             }
-            self.defaults.classes.insert(name.text, read);
+            self.model_mut().defaults.classes.insert(name.text, read);
         }
         class
     }
@@ -81,10 +84,16 @@ impl<'a> Mjcf<'a> {
     /// The class named by an attribute. `None` if it is not written, or unknown, which is an error.
     pub(super) fn class(&mut self, written: Option<Written<'a>>) -> Option<Rc<Class<'a>>> {
         let name = self.word(written?);
-        let found = self.defaults.classes.get(&name.text).cloned();
+        let found = self.model().defaults.classes.get(&name.text).cloned();
         if found.is_none() {
             let message = format!("there is no class of defaults {}", quoted(&name.text));
-            let classes: Vec<&str> = self.defaults.classes.keys().map(String::as_str).collect();
+            let classes: Vec<&str> = self
+                .model()
+                .defaults
+                .classes
+                .keys()
+                .map(String::as_str)
+                .collect();
             let hint = known(&name.text, "classes", &classes);
             self.reader.errors.push_with_hint(name.place, message, hint);
         }

@@ -1,9 +1,11 @@
 //! Elements of a file and its included files, as one tree.
 //!
-//! Each `<include>` is replaced by the children of the root element of the file that it names.
+//! Each `<include>` is replaced by the children of the root element of the file that it names. A `<model>` leads to the
+//! root element of its file.
 
 use roxmltree::{Attribute, Node};
 
+use super::files::{INCLUDE, MODEL};
 use crate::description::xml::texts::Parsed;
 
 /// An element with its file.
@@ -45,7 +47,7 @@ impl<'a> Element<'a> {
         let mut found = Vec::new();
         let mut waiting: Vec<Self> = self.own_children().collect();
         waiting.reverse();
-        // This ends because no file is included twice.
+        // This ends because a model includes no file twice.
         while let Some(element) = waiting.pop() {
             let Some(root) = element.included() else {
                 found.push(element);
@@ -66,6 +68,15 @@ impl<'a> Element<'a> {
 
     /// The root element of the included file, if the element is an `<include>`.
     pub(super) fn included(self) -> Option<Self> {
+        (self.tag() == INCLUDE).then(|| self.named_file()).flatten()
+    }
+
+    /// The root element of the model's file, if the element is a `<model>`.
+    pub(super) fn model(self) -> Option<Self> {
+        (self.tag() == MODEL).then(|| self.named_file()).flatten()
+    }
+
+    fn named_file(self) -> Option<Self> {
         let file = self.file().included(self.node)?;
         let node = self.files[file].document.root_element();
         Some(Self { file, node, ..self })

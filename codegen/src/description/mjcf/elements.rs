@@ -39,7 +39,11 @@ static MUJOCO: Content = Content {
         Entry::read("option", "gravity").with(&settings::OPTION),
         Entry::read("default", "classes of attributes").with(&settings::DEFAULT),
         Entry::read("worldbody", "the fixed base, with its bodies and sites").with(&bodies::BODY),
-        Entry::read("asset", "meshes, for inertias").with(&settings::ASSET),
+        Entry::read(
+            "asset",
+            "meshes, for inertias, and models that are attached",
+        )
+        .with(&settings::ASSET),
         Entry::read("equality", "mimic joints and closed loops").with(&actors::EQUALITY),
         Entry::read("actuator", "armatures of actuators, with the key `rotors`")
             .with(&actors::ACTUATORS),
@@ -62,7 +66,7 @@ static MUJOCO: Content = Content {
 };
 
 /// Each element with attributes or children, under its heading in the guide.
-static PLACES: [(&str, &Content); 25] = [
+static PLACES: [(&str, &Content); 27] = [
     ("`<mujoco>`", &MUJOCO),
     ("`<compiler>`", &settings::COMPILER),
     ("`<option>`", &settings::OPTION),
@@ -71,12 +75,14 @@ static PLACES: [(&str, &Content); 25] = [
     ("`<worldbody>` and `<body>`", &bodies::BODY),
     ("`<frame>`", &bodies::FRAME),
     ("`<replicate>`", &bodies::REPLICATE),
+    ("`<attach>`", &bodies::ATTACH),
     ("`<inertial>`", &bodies::INERTIAL),
     ("`<joint>`", &bodies::JOINT),
     ("`<freejoint>`", &bodies::FREEJOINT),
     ("`<geom>`", &bodies::GEOM),
     ("`<site>`", &bodies::SITE),
     ("`<asset>`", &settings::ASSET),
+    ("`<model>` of `<asset>`", &settings::MODEL),
     ("`<mesh>`", &settings::MESH),
     ("`<hfield>`", &settings::HEIGHT_FIELD),
     ("`<equality>`", &actors::EQUALITY),

@@ -6,8 +6,8 @@
 use super::element::Element;
 use super::elements::unmodelled::{HELD, POLYNOMIAL, SECOND};
 use super::orientation::of_mujoco;
+use super::parts::{Affix, Scope, WORLD};
 use super::reading::Mjcf;
-use super::tree::WORLD;
 use super::values::Attributes;
 use crate::closure::Closure;
 use crate::description::spatial::{inverse, to_number};
@@ -19,43 +19,59 @@ use crate::wording::quoted;
 /// One side of a loop: the link, and the placement of the joined frame on it.
 type End = (Name, Vec<Step>);
 
+/// A constraint, with what an attachment or a copy adds to the names in it.
+struct Constraint<'c, 'a> {
+    element: Element<'a>,
+    affix: &'c Affix,
+    name: Option<String>,
+    /// The constraint in messages.
+    subject: String,
+}
+
 impl<'a> Mjcf<'a> {
     /// Reads all constraints.
-    pub(super) fn read_equalities(&mut self, root: Element<'a>) -> Vec<Loop> {
+    pub(super) fn read_equalities(&mut self, scopes: &[Scope]) -> Vec<Loop> {
         let mut loops = Vec::new();
-        for section in root.named("equality") {
-            for element in section.children() {
-                let tag = element.tag();
-                if !matches!(tag, "joint" | "connect" | "weld") {
-                    continue;
-                }
-                let class = self.class(element.attribute("class"));
-                let attributes = Attributes {
-                    own: element,
-                    kind: "equality",
-                    class: class.unwrap_or_else(|| self.defaults.main()),
-                };
-                let subject = match element.attribute("name") {
-                    Some(name) => format!("<{tag}> {}", quoted(&self.word(name).text)),
-                    None => format!("a <{tag}>"),
-                };
-                if !self.flag(attributes.get("active"), true, &subject) {
-                    continue;
-                }
-                if tag == "joint" {
-                    self.mimic(element, &subject);
-                } else {
-                    loops.extend(self.closed(element, &subject));
-                }
+        let names = ["joint1", "joint2", "body1", "body2", "site1", "site2"];
+        self.referring(scopes, "equality", &names, true, |mjcf, element, affix| {
+            let tag = element.tag();
+            if !matches!(tag, "joint" | "connect" | "weld") {
+                return;
             }
-        }
+            let class = mjcf.class(element.attribute("class"));
+            let attributes = Attributes {
+                own: element,
+                kind: "equality",
+                class: class.unwrap_or_else(|| mjcf.model().defaults.main()),
+            };
+            let name = element.attribute("name");
+            let name = name.map(|name| affix.name(&mjcf.word(name).text));
+            let constraint = Constraint {
+                element,
+                affix,
+                subject: match &name {
+                    Some(name) => format!("<{tag}> {}", quoted(name)),
+                    None => format!("a <{tag}>"),
+                },
+                name,
+            };
+            if !mjcf.flag(attributes.get("active"), true, &constraint.subject) {
+                return;
+            }
+            if tag == "joint" {
+                mjcf.mimic(&constraint);
+            } else {
+                loops.extend(mjcf.closed(&constraint));
+            }
+        });
         loops
     }
 
     /// Makes a joint a mimic joint.
-    fn mimic(&mut self, element: Element<'a>, subject: &str) {
+    fn mimic(&mut self, constraint: &Constraint<'_, 'a>) {
+        let (element, subject) = (constraint.element, &*constraint.subject);
         let place = self.place(element);
-        let Some(mimic_joint) = self.joint_named(element, "joint1", subject) else {
+        let Some(mimic_joint) = self.joint_named(constraint, "joint1") else {
             if element.attribute("joint1").is_none() {
                 self.refuse(
                     element,
@@ -81,7 +97,7 @@ impl<'a> Mjcf<'a> {
             self.noted.note(&HELD, place, subject.to_owned());
             return;
         }
-        let Some(mimicked) = self.joint_named(element, "joint2", subject) else {
+        let Some(mimicked) = self.joint_named(constraint, "joint2") else {
             return;
         };
         if self.tree.joints[mimic_joint].mimic.is_some() || self.mimics(mimicked, mimic_joint) {
@@ -121,14 +137,16 @@ impl<'a> Mjcf<'a> {
         false
     }
 
+    /// The name that an attribute writes, as a name of the robot.
+    fn name_in(&mut self, constraint: &Constraint<'_, 'a>, attribute: &str) -> Option<Name> {
+        let mut name = self.word(constraint.element.attribute(attribute)?);
+        name.text = constraint.affix.name(&name.text);
+        Some(name)
+    }
+
     /// The joint that an attribute names; it must have one coordinate.
-    fn joint_named(
-        &mut self,
-        element: Element<'a>,
-        attribute: &str,
-        subject: &str,
-    ) -> Option<JointId> {
-        let name = self.word(element.attribute(attribute)?);
+    fn joint_named(&mut self, constraint: &Constraint<'_, 'a>, attribute: &str) -> Option<JointId> {
+        let name = self.name_in(constraint, attribute)?;
         let found = self.tree.joint(&name.text);
         let is_scalar = |joint: &JointId| {
             let kind = self.tree.joints[*joint].kind;
@@ -136,6 +154,7 @@ impl<'a> Mjcf<'a> {
         };
         let found = found.filter(is_scalar);
         if found.is_none() {
+            let subject = &constraint.subject;
             let message = format!(
                 "{attribute} of {subject} must be a hinge or a slide: {}",
                 quoted(&name.text)
@@ -146,14 +165,15 @@ impl<'a> Mjcf<'a> {
     }
 
     /// A loop that constrains a point (`connect`) or a pose (`weld`).
-    fn closed(&mut self, element: Element<'a>, subject: &str) -> Option<Loop> {
+    fn closed(&mut self, constraint: &Constraint<'_, 'a>) -> Option<Loop> {
+        let (element, subject) = (constraint.element, &constraint.subject);
         let place = self.place(element);
         let has = |name: &str| element.attribute(name).is_some();
         let is_weld = element.tag() == "weld";
         let ends = if has("body1") {
-            self.on_bodies(element, is_weld, subject)
+            self.on_bodies(constraint, is_weld)
         } else if has("site1") && has("site2") {
-            let ends = ["site1", "site2"].map(|name| self.site_named(element, name, subject));
+            let ends = ["site1", "site2"].map(|name| self.site_named(constraint, name));
             let [from, to] = ends;
             from.zip(to)
         } else {
@@ -166,10 +186,7 @@ impl<'a> Mjcf<'a> {
             None
         };
         let ((from, at), (to, to_at)) = ends?;
-        let name = element
-            .attribute("name")
-            .map(|written| self.word(written).text);
-        let name = name.unwrap_or_else(|| {
+        let name = constraint.name.clone().unwrap_or_else(|| {
             let word = if is_weld { "weld" } else { "connect" };
             format!("{word}_{}_{}", from.text, to.text)
         });
@@ -192,16 +209,12 @@ impl<'a> Mjcf<'a> {
         })
     }
 
-    fn on_bodies(
-        &mut self,
-        element: Element<'a>,
-        is_weld: bool,
-        subject: &str,
-    ) -> Option<(End, End)> {
+    fn on_bodies(&mut self, constraint: &Constraint<'_, 'a>, is_weld: bool) -> Option<(End, End)> {
+        let (element, subject) = (constraint.element, &*constraint.subject);
         let place = self.place(element);
-        let first = self.body_named(element, "body1", subject)?;
+        let first = self.body_named(constraint, "body1")?;
         let second = if element.attribute("body2").is_some() {
-            self.body_named(element, "body2", subject)?
+            self.body_named(constraint, "body2")?
         } else {
             Name {
                 text: WORLD.to_owned(),
@@ -232,11 +245,12 @@ impl<'a> Mjcf<'a> {
         Some(((first, anchor), (second, there)))
     }
 
-    fn body_named(&mut self, element: Element<'a>, attribute: &str, subject: &str) -> Option<Name> {
-        let name = self.word(element.attribute(attribute)?);
-        if name.text == WORLD || self.tree.placements.contains_key(&name.text) {
+    fn body_named(&mut self, constraint: &Constraint<'_, 'a>, attribute: &str) -> Option<Name> {
+        let name = self.name_in(constraint, attribute)?;
+        if self.tree.is_body(&name.text) {
             return Some(name);
         }
+        let subject = &constraint.subject;
         let message = format!(
             "{attribute} of {subject} must be a body, but there is no body {}",
             quoted(&name.text)
@@ -245,9 +259,10 @@ impl<'a> Mjcf<'a> {
         None
     }
 
-    fn site_named(&mut self, element: Element<'a>, attribute: &str, subject: &str) -> Option<End> {
-        let name = self.word(element.attribute(attribute)?);
+    fn site_named(&mut self, constraint: &Constraint<'_, 'a>, attribute: &str) -> Option<End> {
+        let name = self.name_in(constraint, attribute)?;
         let Some(link) = self.tree.sites.get(&name.text) else {
+            let subject = &constraint.subject;
             let message = format!(
                 "{attribute} of {subject} must be a site, but there is no site {}",
                 quoted(&name.text)

@@ -4,9 +4,10 @@
 
 use std::rc::Rc;
 
-use super::assets::Measured;
+use super::assets::{Asset, Measured};
 use super::mesh::unknown;
 use super::orientation::z_along;
+use super::parts::ModelId;
 use super::reading::Mjcf;
 use super::shape::Shape;
 use super::values::Attributes;
@@ -16,6 +17,7 @@ use crate::description::spatial::{
 use crate::description::{Number, Step};
 use crate::error::Place;
 use crate::expression::Double;
+use crate::list::Id;
 
 /// Masses \[kg\] and volumes \[m³\] up to this are zero, as in MuJoCo.
 const NOTHING: f64 = 1e-14;
@@ -70,11 +72,13 @@ impl Piece {
 }
 
 impl<'a> Mjcf<'a> {
-    /// The part of the body that a geom contributes; `frame` is its placement in the body. `None` if it has no mass.
+    /// The part of the body that a geom contributes; `frame` is its placement in the body, `groups` are the first and
+    /// the last group that have mass. `None` if it has no mass.
     pub(super) fn piece(
         &mut self,
         geom: &Attributes<'a>,
         frame: &[Step],
+        groups: [f64; 2],
         body: &str,
     ) -> Option<Piece> {
         let subject = match geom.own.attribute("name") {
@@ -86,7 +90,7 @@ impl<'a> Mjcf<'a> {
         };
         let group = self.number(geom.get("group"), &subject);
         let group = group.map_or(0.0, |group| group.value);
-        let [least, most] = self.compiler.groups;
+        let [least, most] = groups;
         if group < least || group > most {
             return None;
         }
@@ -211,7 +215,8 @@ impl<'a> Mjcf<'a> {
         Some((steps, sizes.map(|size| size.unwrap_or(Double::ZERO))))
     }
 
-    /// The placement and the sizes of a shape fitted to a mesh: to the box with its principal moments.
+    /// The placement and the sizes of a shape fitted to a mesh: to the box with its principal moments, or to its extents
+    /// along its principal axes.
     fn fitted(
         &mut self,
         geom: &Attributes<'a>,
@@ -223,22 +228,21 @@ impl<'a> Mjcf<'a> {
             self.refuse(geom.own, message, "leave one of them out");
             return None;
         }
-        if self.compiler.fit_extents {
-            let message = format!(
-                "{subject} is fitted to the extents of a mesh, so that its mass is not computed"
-            );
-            let hint = "give its body an <inertial>, or remove fitaabb=\"true\"";
-            self.refuse(geom.own, message, hint);
-            return None;
-        }
         let mesh = self.mesh_of(geom, subject)?;
         let place = self.place(geom.own);
         let scale = self.number(geom.get("fitscale"), subject);
         let scale = scale.map_or(exactly(1.0), |scale| scale.exact());
         let (halves, axes) = mesh.inertia_box();
-        let sizes = spatial::times(shape.fitted(halves), scale);
-        // Only the tube of a capsule may have no length.
-        let needed = if shape == Shape::Capsule {
+        let is_around = self.fits_extents();
+        let (center, sizes) = if is_around {
+            let [center, halves] = mesh.extents(&axes);
+            (Some(center), shape.around(halves))
+        } else {
+            (None, shape.fitted(halves))
+        };
+        let sizes = spatial::times(sizes, scale);
+        // Only the tube of a capsule with the moments of the mesh may have no length.
+        let needed = if shape == Shape::Capsule && !is_around {
             1
         } else {
             shape.sizes()
@@ -254,7 +258,14 @@ impl<'a> Mjcf<'a> {
         ));
         let axes = spatial::quaternion(&axes);
         steps.push(Step::Quaternion(axes.map(|entry| to_number(entry, place))));
+        let center = center.map(|center| center.map(|entry| to_number(entry, place)));
+        steps.extend(center.map(Step::Translate));
         Some((steps, sizes))
+    }
+
+    /// True if shapes are fitted to the extents of meshes. As in MuJoCo, the first file says so for all models.
+    pub(super) fn fits_extents(&self) -> bool {
+        self.models[ModelId::new(0)].compiler.fit_extents
     }
 
     /// Half the side lengths of the box that a height field counts as.
@@ -265,8 +276,9 @@ impl<'a> Mjcf<'a> {
             return None;
         };
         let name = self.word(written);
-        let Some(&element) = self.assets.height_fields.get(&name.text) else {
-            let names = self.assets.height_fields.keys().map(String::as_str);
+        let height_fields = &self.model().assets.height_fields;
+        let Some(&Asset { element, .. }) = height_fields.get(&name.text) else {
+            let names = height_fields.keys().map(String::as_str);
             let refusal = unknown(
                 "height field",
                 "height fields",

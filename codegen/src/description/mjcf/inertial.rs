@@ -31,7 +31,7 @@ impl<'a> Mjcf<'a> {
         subject: &str,
     ) -> Option<Inertial> {
         let explicit = inertial.and_then(|element| self.explicit(element, subject));
-        let from_geoms = match self.compiler.from_geoms {
+        let from_geoms = match self.model().compiler.from_geoms {
             FromGeoms::Never => false,
             FromGeoms::Always => true,
             FromGeoms::Otherwise => inertial.is_none(),
@@ -43,7 +43,10 @@ impl<'a> Mjcf<'a> {
         };
         let found = of_geoms.or(explicit).or_else(|| {
             // A body without inertia gets the minimum mass and moments.
-            let bounds = [self.compiler.bound_mass, self.compiler.bound_inertia];
+            let bounds = [
+                self.model().compiler.bound_mass,
+                self.model().compiler.bound_inertia,
+            ];
             let is_bounded = bounds.iter().any(|bound| bound.to_f64() > 0.0);
             let nothing = number::computed(Double::ZERO, place);
             is_bounded.then(|| Found {
@@ -77,7 +80,7 @@ impl<'a> Mjcf<'a> {
         let attributes = Attributes {
             own: element,
             kind: "",
-            class: self.defaults.main(),
+            class: self.model().defaults.main(),
         };
         let origin = self.placement(&attributes, &subject);
         let mass = self.number(element.attribute("mass"), &subject)?;
@@ -144,7 +147,7 @@ impl<'a> Mjcf<'a> {
             tensor,
             place,
         } = found;
-        let compiler = &self.compiler;
+        let compiler = &self.model().compiler;
         if (compiler.bound_mass - mass.exact()).sign().to_f64() > 0.0 {
             mass = to_number(compiler.bound_mass, place);
         }

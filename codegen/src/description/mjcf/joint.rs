@@ -7,8 +7,8 @@
 mod actuator;
 
 use super::orientation::rotation_about;
+use super::parts::{Item, PartId, WORLD};
 use super::reading::Mjcf;
-use super::tree::{Item, WORLD};
 use super::values::Attributes;
 use crate::description::spatial::{Pose, dot, to_number};
 use crate::description::{Joint, Limits, Link, Name, Number, Step, axis, number};
@@ -27,7 +27,7 @@ pub(super) struct Moving<'m, 'a> {
     pub(super) subject: &'m str,
     /// True if the body contains other bodies.
     pub(super) has_bodies: bool,
-    pub(super) joints: &'m [Item<'a>],
+    pub(super) joints: &'m [(PartId, &'m Item<'a>)],
     pub(super) place: Place,
 }
 
@@ -49,6 +49,7 @@ const JOINT_TYPES: [(&str, JointType); 4] = [
 
 /// A joint whose links are not known yet.
 struct Read {
+    part: PartId,
     name: Name,
     form: JointType,
     kind: JointKind,
@@ -66,12 +67,12 @@ impl<'a> Mjcf<'a> {
     /// Connects a body to its parent by its joints, or fixes it.
     pub(super) fn connect(&mut self, body: &Moving<'_, 'a>) {
         let mut read = Vec::new();
-        for item in body.joints {
-            read.extend(self.joint(item, body));
+        for (part, item) in body.joints {
+            read.extend(self.within(item.model, |mjcf| mjcf.joint(*part, item, body)));
         }
         let free = read.iter().position(|joint| joint.form == JointType::Free);
         if let Some(free) = free {
-            let element = body.joints[free].element;
+            let element = body.joints[free].1.element;
             if body.parent.text != WORLD {
                 let hint = "move the body to the top level of <worldbody>, or give it other joints";
                 self.refuse(
@@ -125,7 +126,7 @@ impl<'a> Mjcf<'a> {
                 name
             };
             let zero = number::computed(Double::ZERO, joint.place);
-            self.tree.joints.push(Joint {
+            let id = self.tree.add(Joint {
                 name: joint.name,
                 kind: joint.kind,
                 parent: parent.clone(),
@@ -138,6 +139,7 @@ impl<'a> Mjcf<'a> {
                 actuator: joint.actuator,
                 place: joint.place,
             });
+            self.tree.joints_of_parts.insert(joint.part, id);
             parent = child;
         }
         if before.is_some() {
@@ -146,7 +148,7 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    fn joint(&mut self, item: &Item<'a>, body: &Moving<'_, 'a>) -> Option<Read> {
+    fn joint(&mut self, part: PartId, item: &Item<'a>, body: &Moving<'_, 'a>) -> Option<Read> {
         let element = item.element;
         let place = self.place(element);
         let is_free = element.tag() == "freejoint";
@@ -160,7 +162,7 @@ impl<'a> Mjcf<'a> {
             Attributes {
                 own: element,
                 kind: "",
-                class: self.defaults.main(),
+                class: self.model().defaults.main(),
             }
         } else {
             self.attributes(item, "joint")
@@ -215,6 +217,7 @@ impl<'a> Mjcf<'a> {
         }
         let actuator = self.friction_and_armature(&attributes, form, &subject);
         Some(Read {
+            part,
             name,
             form,
             kind,

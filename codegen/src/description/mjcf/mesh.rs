@@ -9,8 +9,10 @@ mod measure;
 use std::path::PathBuf;
 use std::rc::Rc;
 
-use super::assets::Measured;
+use super::assets::{Asset, Measured};
 use super::element::Element;
+use super::files::MODEL;
+use super::model::Model;
 use super::reading::Mjcf;
 use super::values::Attributes;
 use crate::description::Name;
@@ -49,20 +51,37 @@ struct Mesh {
 }
 
 impl<'a> Mjcf<'a> {
-    /// Collects the `<mesh>` and `<hfield>` elements by name.
+    /// Collects the `<mesh>`, `<hfield>` and `<model>` elements of the current model by name.
     pub(super) fn list_assets(&mut self, root: Element<'a>) {
+        let model = self.current;
         for section in root.named("asset") {
             for element in section.named("mesh") {
                 if let Some(name) = self.asset_name(element) {
-                    self.assets.meshes.insert(name, element);
+                    let asset = Asset { model, element };
+                    self.model_mut().assets.meshes.insert(name, asset);
                 }
             }
             for element in section.named("hfield") {
                 if let Some(name) = self.asset_name(element) {
-                    self.assets.height_fields.insert(name, element);
+                    let asset = Asset { model, element };
+                    self.model_mut().assets.height_fields.insert(name, asset);
                 }
             }
+            for element in section.named(MODEL) {
+                self.list_model(element);
+            }
         }
+    }
+
+    /// Adds a model that may be attached, by the name in the assets, or else by that in its own file.
+    fn list_model(&mut self, element: Element<'a>) {
+        let Some(root) = element.model() else {
+            return;
+        };
+        let name = element.attribute("name").or(root.attribute("model"));
+        let name = name.map_or_else(String::new, |name| self.word(name).text);
+        let model = self.models.push(Model::new(root));
+        self.model_mut().attachable.insert(name, model);
     }
 
     /// The name of an asset, or that of its file without folders and ending.
@@ -79,17 +98,25 @@ impl<'a> Mjcf<'a> {
 
     /// The inertia of a named mesh at density 1.
     pub(super) fn measured(&mut self, name: &Name, subject: &str) -> Option<Rc<Measured>> {
-        if let Some(known) = self.assets.measured.get(&name.text) {
+        if let Some(known) = self.model().assets.measured.get(&name.text) {
             return known.clone();
         }
-        let Some(&element) = self.assets.meshes.get(&name.text) else {
-            let names: Vec<&str> = self.assets.meshes.keys().map(String::as_str).collect();
+        let Some(&Asset { model, element }) = self.model().assets.meshes.get(&name.text) else {
+            let names: Vec<&str> = self
+                .model()
+                .assets
+                .meshes
+                .keys()
+                .map(String::as_str)
+                .collect();
             let refusal = unknown("mesh", "meshes", name, names, subject);
             self.reader.errors.record(refusal);
             return None;
         };
-        let measured = self.measure(element, &name.text, subject).map(Rc::new);
-        self.assets
+        let measured = self.within(model, |mjcf| mjcf.measure(element, &name.text, subject));
+        let measured = measured.map(Rc::new);
+        self.model_mut()
+            .assets
             .measured
             .insert(name.text.clone(), measured.clone());
         measured
@@ -101,7 +128,7 @@ impl<'a> Mjcf<'a> {
         let attributes = Attributes {
             own: element,
             kind: "mesh",
-            class: class.unwrap_or_else(|| self.defaults.main()),
+            class: class.unwrap_or_else(|| self.model().defaults.main()),
         };
         let method = self.choice(
             attributes.get("inertia"),
@@ -135,7 +162,11 @@ impl<'a> Mjcf<'a> {
                 }
                 let is_mirrored = scale[0].signum() * scale[1].signum() * scale[2].signum() < 0.0;
                 mesh.place(origin, axes, scale, is_mirrored && (is_hull || !is_swapped));
-                mesh.measured(method)
+                let mut measured = mesh.measured(method)?;
+                if self.fits_extents() {
+                    measured.corners = mesh.corners;
+                }
+                Ok(measured)
             });
         match measured {
             Ok(measured) => Some(measured),
@@ -180,12 +211,16 @@ impl<'a> Mjcf<'a> {
         let folder = self.folder.clone();
         let folder = folder.ok_or("a text without a file has no folder")?;
         let mut name = written.replace('\\', "/");
-        if self.compiler.strip {
+        if self.model().compiler.strip {
             name = name.rsplit('/').next().unwrap_or_default().to_owned();
         }
-        let meshes = folder.join(self.compiler.meshes.replace('\\', "/"));
-        // As in MuJoCo: relative to the first file, or else to the file that contains the element.
+        let of_model = self.model().root.file().folder();
+        let meshes = folder.join(of_model);
+        let meshes = meshes.join(self.model().compiler.meshes.replace('\\', "/"));
+        // As in MuJoCo: relative to the model's first file, or else to the file that contains the element.
         let beside = element.file().folder();
+        let beside = beside.strip_prefix(of_model).unwrap_or(beside);
+        let beside = beside.trim_start_matches('/');
         let paths: [PathBuf; 2] = [meshes.join(&name), meshes.join(beside).join(&name)];
         let path = paths.iter().find(|path| path.exists()).unwrap_or(&paths[0]);
         let bytes = load(path).map_err(|reason| format!("{}: {reason}", path.display()))?;

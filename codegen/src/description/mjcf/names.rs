@@ -2,7 +2,6 @@
 //!
 //! In MJCF few bodies and joints have a name; here each one needs one.
 
-use super::element::Element;
 use crate::description::fresh::FreshNames;
 
 /// The names of one kind that are in use.
@@ -12,24 +11,11 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Collects the names of all elements with these tags.
-    pub(super) fn of_elements(root: Element<'_>, tags: &[&str]) -> Self {
-        let mut names = Self::default();
-        let mut waiting = vec![root];
-        while let Some(element) = waiting.pop() {
-            if tags.contains(&element.tag())
-                && let Some(name) = element.node.attribute("name")
-            {
-                names.take(name);
-            }
-            waiting.extend(element.children());
+    /// Some names.
+    pub(super) fn of<'n>(names: impl IntoIterator<Item = &'n str>) -> Self {
+        Self {
+            taken: FreshNames::of(names),
         }
-        names
-    }
-
-    /// Reserves a name.
-    pub(super) fn take(&mut self, name: &str) {
-        self.taken.take(name);
     }
 
     /// Reserves a name for the link of a site: the site's own name, unless a body has it.

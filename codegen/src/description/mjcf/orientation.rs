@@ -86,7 +86,7 @@ impl<'a> Mjcf<'a> {
 
     /// An angle of the file in radians.
     pub(super) fn angle(&self, angle: Number) -> Number {
-        if self.compiler.degrees {
+        if self.model().compiler.degrees {
             let exact = angle.exact() * Double::PI / exactly(180.0);
             to_number(exact, angle.place)
         } else {
@@ -97,7 +97,7 @@ impl<'a> Mjcf<'a> {
     /// Rotations by Euler angles about the axes of `eulerseq`.
     pub(super) fn euler(&self, angles: [Number; 3]) -> Vec<Step> {
         let mut steps = Vec::new();
-        for (letter, angle) in self.compiler.euler.into_iter().zip(angles) {
+        for (letter, angle) in self.model().compiler.euler.into_iter().zip(angles) {
             let axis = match letter.to_ascii_lowercase() {
                 'x' => Axis::X,
                 'y' => Axis::Y,

@@ -1,6 +1,8 @@
-//! Settings of `<compiler>`, with MuJoCo's defaults.
+//! Settings of `<compiler>`, with MuJoCo's defaults, and gravity.
 
 use crate::description::Number;
+use crate::description::number::computed;
+use crate::error::Place;
 use crate::expression::Double;
 
 /// Source of inertias: `inertiafromgeom`.
@@ -13,6 +15,7 @@ pub(super) enum FromGeoms {
 }
 
 /// The settings.
+#[derive(Clone)]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is an attribute of its own"
@@ -43,6 +46,18 @@ pub(super) struct Compiler {
     pub(super) fit_extents: bool,
     /// True if frames of free bodies without children are moved to their inertial frames.
     pub(super) align_free: bool,
+    pub(super) conflict: Conflict,
+}
+
+/// Treatment of settings of attached models.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Conflict {
+    /// The settings of the model around them count.
+    Warning,
+    /// So does a setting that only the attached model writes.
+    Merge,
+    /// Different settings are an error.
+    Error,
 }
 
 impl Default for Compiler {
@@ -61,6 +76,26 @@ impl Default for Compiler {
             strip: false,
             fit_extents: false,
             align_free: false,
+            conflict: Conflict::Warning,
+        }
+    }
+}
+
+/// Gravity as a model writes it.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Gravity {
+    /// The acceleration.
+    pub(super) written: Option<[Number; 3]>,
+    /// True if a flag switches it off, false if a flag leaves it on.
+    pub(super) is_off: Option<(bool, Place)>,
+}
+
+impl Gravity {
+    /// The acceleration that counts; `None` if the model does not write one.
+    pub(super) fn acceleration(&self) -> Option<[Number; 3]> {
+        match self.is_off {
+            Some((true, place)) => Some([0.0; 3].map(|zero| computed(zero, place))),
+            _ => self.written,
         }
     }
 }

@@ -51,6 +51,20 @@ impl Shape {
         }
     }
 
+    /// Its sizes when it is the smallest whose bounding box contains a box with these half side lengths, as in MuJoCo;
+    /// those that it lacks are 0.
+    pub(super) fn around(self, [a, b, c]: Vector) -> Vector {
+        let zero = Double::ZERO;
+        let larger = |a: Double, b: Double| if (a - b).sign().to_f64() > 0.0 { a } else { b };
+        let across = larger(a, b);
+        match self {
+            Self::Sphere => [larger(across, c), zero, zero],
+            Self::Capsule => [across, c - across, zero],
+            Self::Cylinder => [across, c, zero],
+            Self::Ellipsoid | Self::Box => [a, b, c],
+        }
+    }
+
     /// The volume \[m³\], or the area of a hollow one \[m²\].
     pub(super) fn measure(self, [a, b, c]: Vector, is_hollow: bool) -> Double {
         let [two, three, four, eight] = [2.0, 3.0, 4.0, 8.0].map(exactly);

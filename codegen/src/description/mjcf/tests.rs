@@ -1,5 +1,6 @@
 //! Tests of the reader and of each of its messages, with a file for each part. This file reads a whole robot.
 
+mod attach;
 mod defaults;
 mod equality;
 mod files;

@@ -1,17 +1,12 @@
 //! Links and joints read so far, with their poses in the described configuration.
 
 use std::collections::HashMap;
-use std::rc::Rc;
 
-use super::class::Class;
-use super::element::Element;
 use super::names::Names;
+use super::parts::{Affix, PartId, WORLD};
 use crate::description::spatial::inverse;
 use crate::description::{Joint, JointId, Link, Number, Step};
 use crate::list::List;
-
-/// The name of the fixed link.
-pub(super) const WORLD: &str = "world";
 
 /// The links and joints read so far.
 #[derive(Default)]
@@ -24,27 +19,32 @@ pub(super) struct Tree {
     pub(super) sites: HashMap<String, String>,
     /// The coordinates of joints in the described configuration (`ref`), by joint name.
     pub(super) references: HashMap<String, Number>,
-    /// The number of copies made so far.
-    pub(super) copies: usize,
+    /// The joints of the tree of bodies, by their numbers there.
+    pub(super) joints_of_parts: HashMap<PartId, JointId>,
+    joint_ids: HashMap<String, JointId>,
+    /// What attachments and copies added to the names of joints, bodies and sites.
+    pub(super) affixes: HashMap<String, Affix>,
     pub(super) link_names: Names,
     pub(super) joint_names: Names,
 }
 
-/// An element of a body, with the placement of the frames around it.
-#[derive(Clone)]
-pub(super) struct Item<'a> {
-    pub(super) element: Element<'a>,
-    /// The placement of the frames between the body and the element.
-    pub(super) frame: Vec<Step>,
-    pub(super) class: Rc<Class<'a>>,
-    /// The suffix of names in this copy.
-    pub(super) suffix: String,
-}
-
 impl Tree {
+    /// Adds a joint.
+    pub(super) fn add(&mut self, joint: Joint) -> JointId {
+        let name = joint.name.text.clone();
+        let id = self.joints.push(joint);
+        self.joint_ids.entry(name).or_insert(id);
+        id
+    }
+
     /// The joint with a name.
     pub(super) fn joint(&self, name: &str) -> Option<JointId> {
-        self.joints.find(|joint| joint.name.text == name)
+        self.joint_ids.get(name).copied()
+    }
+
+    /// True if a link is the world, a body or a site.
+    pub(super) fn is_body(&self, name: &str) -> bool {
+        name == WORLD || self.placements.contains_key(name)
     }
 
     /// The pose of one link in another, in the described configuration.

@@ -106,9 +106,9 @@ impl Texts {
         self.0[1..].iter().map(|text| text.name.clone()).collect()
     }
 
-    /// True if a file has a name.
-    pub fn has(&self, name: &str) -> bool {
-        self.0.iter().any(|text| text.name == name)
+    /// True if a file has this name.
+    pub fn is_named(&self, file: usize, name: &str) -> bool {
+        self.0[file].name == name
     }
 
     /// Adds an included file, and returns its index; `None` if the files become too many or too large.

@@ -53,6 +53,7 @@ impl Header<'_> {
             indices(&mut text, module, prefix);
         }
         review::limits(&mut text, module, prefix);
+        review::configurations(&mut text, module, prefix);
         structure(&mut text, module, prefix);
         let prepared = module.prepared.as_ref().filter(|_| is_c);
         if prepared.is_some() {

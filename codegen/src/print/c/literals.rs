@@ -1,6 +1,9 @@
 //! Literals of C.
 //!
-//! In: an `f64` that is finite in the scalar type. Out: the shortest decimal that the type reads as the same number.
+//! In: an `f64` that is finite in the scalar type, or a text. Out: the shortest decimal that the type reads as the same
+//! number, or a string.
+
+use std::fmt::Write;
 
 use crate::real::Real;
 
@@ -16,10 +19,31 @@ pub(super) fn literal(value: f64, real: Real) -> String {
     }
 }
 
+/// Literal of a text, in ASCII: other bytes by their octal numbers.
+pub(super) fn string(text: &str) -> String {
+    let mut literal = "\"".to_owned();
+    for byte in text.bytes() {
+        match byte {
+            b'"' | b'\\' | b'?' | 0..=31 | 127.. => {
+                // Writing to a string cannot fail.
+                let _ = write!(literal, "\\{byte:03o}");
+            }
+            _ => literal.push(char::from(byte)),
+        }
+    }
+    literal + "\""
+}
+
 #[cfg(test)]
 mod tests {
-    use super::literal;
+    use super::{literal, string};
     use crate::real::Real;
+
+    #[test]
+    fn texts_are_literals_in_ascii() {
+        assert_eq!(string("a \"b\"\\?"), r#""a \042b\042\134\077""#);
+        assert_eq!(string("ö1"), r#""\303\2661""#);
+    }
 
     #[test]
     fn every_type_has_its_own_shortest_form() {

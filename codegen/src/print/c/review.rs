@@ -8,10 +8,10 @@ use std::fmt::Write;
 use super::Writing;
 use super::comments::{comment, harmless};
 use super::declarations::{argument_lengths, lengths, number, results};
-use super::literals::literal;
+use super::literals::{literal, string};
 use super::names::{constant, own, symbols, unscoped};
 use crate::module::{Module, Vector};
-use crate::print::described::{self, NumberList};
+use crate::print::described::{self, CONFIGURATIONS, NumberList};
 use crate::print::review;
 use crate::schedule::Names;
 use crate::space::Space;
@@ -57,6 +57,46 @@ pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
             "/* {} */\n#define {name} {{{}}}",
             harmless(about),
             numbers.join(", ")
+        );
+    }
+    text.push('\n');
+}
+
+/// Configurations with names, as initialisers of arrays.
+pub(super) fn configurations(text: &mut String, module: &Module, prefix: &str) {
+    let configurations = &module.configurations;
+    let nq = module.spaces.len(Space::Coordinates);
+    // C has no arrays of length 0.
+    if configurations.is_empty() || nq == 0 {
+        return;
+    }
+    let names = configurations.iter().map(|own| string(&own.name));
+    let rows = configurations.iter().map(|own| {
+        let numbers = own.q.iter().map(|&value| literal(value, module.scalar));
+        format!("{{{}}}", numbers.collect::<Vec<_>>().join(", "))
+    });
+    let count = configurations.len();
+    let number = number(module.scalar);
+    let lists = [
+        (
+            "configuration_names",
+            format!("Names of the configurations: static const char *const names[{count}]."),
+            names.collect::<Vec<_>>(),
+        ),
+        (
+            "configurations",
+            format!("{CONFIGURATIONS} For static const {number} configurations[{count}][{nq}]."),
+            rows.collect(),
+        ),
+    ];
+    for (name, about, items) in lists {
+        let name = constant(prefix, name);
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "/* {} */\n#define {name} {{{}}}",
+            harmless(&about),
+            items.join(", ")
         );
     }
     text.push('\n');

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use super::body::{list, literal};
 use super::names::STANDARD;
 use crate::module::{GeneratedFunction, Module};
-use crate::print::described::{NameList, NumberList, limits, names, neutral};
+use crate::print::described::{CONFIGURATIONS, NameList, NumberList, limits, names, neutral};
 use crate::print::documentation;
 use crate::print::python::{docstring, string};
 use crate::wording::{code, visible};
@@ -49,7 +49,7 @@ pub(super) fn head(
     text
 }
 
-/// Sizes, names, limits, the neutral configuration and base parameters.
+/// Sizes, names, limits, configurations and base parameters.
 pub(super) fn constants(module: &Module) -> String {
     let mut text = String::new();
     let mut constant = |name: &str, about: &[&str], value: &str| {
@@ -82,6 +82,19 @@ pub(super) fn constants(module: &Module) -> String {
     } in limits(module).into_iter().chain([neutral(module)])
     {
         constant(name, &[about], &numbers_of(&numbers));
+    }
+    if !module.configurations.is_empty() {
+        let configurations = module.configurations.iter();
+        let entries = configurations.map(|configuration| {
+            let name = string(&configuration.name);
+            format!("{name}: {}", numbers_of(&configuration.q))
+        });
+        let entries = entries.collect::<Vec<_>>().join(", ");
+        constant(
+            "configurations",
+            &[CONFIGURATIONS],
+            &format!("{{{entries}}}"),
+        );
     }
     let values = module.base_parameters();
     if let Some(values) = values.filter(|values| !values.is_empty()) {

@@ -16,7 +16,7 @@ use super::library::Library;
 use super::literals::Numerals;
 use super::names::ident;
 use crate::module::Module;
-use crate::print::described::{NumberList, limits, names, neutral};
+use crate::print::described::{CONFIGURATIONS, NumberList, limits, names, neutral};
 use crate::real::Real;
 use crate::space::{Space, Spaces};
 
@@ -54,10 +54,17 @@ pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> Toke
         let lines: Vec<&str> = [list.about].into_iter().chain(missing).collect();
         let (name, about) = (constant(list.name), doc(&lines));
         let of = array(&number, &literal(list.numbers.len()));
-        let numbers = written(&list, dialect.real, &number);
+        let numbers = written(&list.numbers, dialect.real, &number);
         quote! { #about #visibility const #name: #of = #numbers; }
     });
-    let constants = quote! { #(#counts)* #(#names)* #(#numbers)* };
+    let configurations = (!module.configurations.is_empty()).then(|| {
+        let about = doc(&[CONFIGURATIONS]);
+        let count = literal(module.configurations.len());
+        let of = array(&number, &literal(module.spaces.len(Space::Coordinates)));
+        let list = configurations(module, dialect.real, &number);
+        quote! { #about #visibility const CONFIGURATIONS: [(&'static #text, #of); #count] = #list; }
+    });
+    let constants = quote! { #(#counts)* #(#names)* #(#numbers)* #configurations };
     let block = declaration::block(item, &constants, dialect);
     let of_trait = in_trait(module, item, dialect);
     // A program need not read them all.
@@ -140,10 +147,19 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
         let name = constant(list.name);
         let of = array(&number, &literal(list.numbers.len()));
         let value = match dialect.real {
-            Real::F32 => written(&list, Real::F64, &number),
+            Real::F32 => written(&list.numbers, Real::F64, &number),
             Real::F64 | Real::Generic => quote! { Self::#name },
         };
         quote! { const #name: #of = #value; }
+    });
+    let configurations = (!module.configurations.is_empty()).then(|| {
+        let list = match dialect.real {
+            Real::F32 => configurations(module, Real::F64, &number),
+            Real::F64 | Real::Generic => quote! { Self::CONFIGURATIONS },
+        };
+        quote! {
+            const CONFIGURATIONS: &'static [(#text, [#number; #coordinates])] = &#list;
+        }
     });
     let chain = chain_type(
         &known(&module.spaces),
@@ -166,13 +182,24 @@ fn in_trait(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
             const VELOCITIES: [#text; #velocities] = Self::VELOCITIES;
             const FRAMES: &'static [#text] = &Self::FRAMES;
             #(#numbers)*
+            #configurations
         }
     }
 }
 
+/// The configurations with names.
+fn configurations(module: &Module, real: Real, number: &TokenStream) -> TokenStream {
+    let configurations = module.configurations.iter().map(|configuration| {
+        let name = string(&configuration.name);
+        let q = written(&configuration.q, real, number);
+        quote! { (#name, #q) }
+    });
+    quote! { [#(#configurations),*] }
+}
+
 /// A list of numbers of a type.
-fn written(list: &NumberList, real: Real, number: &TokenStream) -> TokenStream {
-    let numbers = list.numbers.iter().map(|&limit| {
+fn written(numbers: &[f64], real: Real, number: &TokenStream) -> TokenStream {
+    let numbers = numbers.iter().map(|&limit| {
         if limit == f64::INFINITY {
             quote! { #number::INFINITY }
         } else if limit == f64::NEG_INFINITY {

@@ -24,9 +24,16 @@ static IN_BODIES: [Entry; 14] = [
     Entry::ignored("camera", "visual"),
     Entry::ignored("light", "visual"),
     Entry::not_modelled("plugin", &PLUGIN),
-    Entry::read("attach", "an error: an attached model is not read"),
+    Entry::read(
+        "attach",
+        "a copy of a body, a frame or the world of another model, or of a body or a frame of this one",
+    )
+    .with(&ATTACH),
     Entry::read("composite", "an error: its bodies are not read"),
-    Entry::read("flexcomp", "an error: its bodies are not read"),
+    Entry::read(
+        "flexcomp",
+        "an error: its bodies are not read; ignored if `rigid` is true, because then it has none",
+    ),
 ];
 
 /// A body, and the world.
@@ -52,7 +59,7 @@ pub(super) static BODY: Content = Content {
 
 pub(super) static FRAME: Content = Content {
     attributes: &[
-        Entry::read("name", "ignored: nothing refers to it"),
+        Entry::read("name", "its name, for `<attach>`"),
         Entry::read("childclass", "the class of defaults of the elements inside"),
         Entry::read("pos", "the translation"),
         Entry::read("quat", "the rotation; only one of these five"),
@@ -74,6 +81,23 @@ pub(super) static REPLICATE: Content = Content {
         Entry::read("childclass", "the class of defaults of the elements inside"),
     ],
     elements: &IN_BODIES,
+    others: Others::Warned,
+};
+
+pub(super) static ATTACH: Content = Content {
+    attributes: &[
+        Entry::read(
+            "model",
+            "the name of another model; this one if it is not written",
+        ),
+        Entry::read("body", "the body that is attached, with its subtree"),
+        Entry::read(
+            "frame",
+            "the frame that is attached, with the elements inside",
+        ),
+        Entry::read("prefix", "text before all names"),
+    ],
+    elements: &[],
     others: Others::Warned,
 };
 

@@ -41,13 +41,16 @@ pub(in crate::description::mjcf) static COMPILER: Content = Content {
         Entry::ignored("fusestatic", "bodies without joints stay links, at no cost"),
         Entry::read(
             "fitaabb",
-            "`true` is an error where a shape is fitted to a mesh and its mass is needed",
+            "`true`: a shape is fitted to the extents of its mesh along the principal axes, instead of its moments",
         ),
         Entry::ignored("texturedir", "visual"),
         Entry::ignored("discardvisual", "visual"),
         Entry::ignored("usethread", "a setting of the solver"),
         Entry::ignored("saveinertial", "for saving"),
-        Entry::ignored("conflict", "for attached models"),
+        Entry::read(
+            "conflict",
+            "`merge` uses the gravity of an attached model if this one has none, `error` rejects another one",
+        ),
     ],
     elements: &[Entry::ignored("lengthrange", "control of actuators")],
     others: Others::Warned,
@@ -163,12 +166,28 @@ pub(in crate::description::mjcf) static ASSET: Content = Content {
     attributes: &[],
     elements: &[
         Entry::read("mesh", "a mesh").with(&MESH),
-        Entry::read("model", "an error where it is attached"),
+        Entry::read("model", "a model in another file, for `<attach>`").with(&MODEL),
         Entry::read("hfield", "a height field").with(&HEIGHT_FIELD),
         Entry::ignored("texture", "visual"),
         Entry::ignored("material", "visual"),
         Entry::ignored("skin", "visual"),
     ],
+    others: Others::Warned,
+};
+
+pub(in crate::description::mjcf) static MODEL: Content = Content {
+    attributes: &[
+        Entry::read(
+            "name",
+            "its name; that in its own file if it is not written",
+        ),
+        Entry::read(
+            "file",
+            "an MJCF file, in the folder of the first file or below it",
+        ),
+        Entry::ignored("content_type", "the file is MJCF"),
+    ],
+    elements: &[],
     others: Others::Warned,
 };
 

@@ -103,3 +103,9 @@ pub(in crate::description::mjcf) const FLEX: NotModelled = NotModelled {
     what: "a flexible body",
     hint: "it is left out, with its mass",
 };
+
+/// A constraint of an attached model.
+pub(in crate::description::mjcf) const DETACHED: NotModelled = NotModelled {
+    what: "a constraint on elements that are not attached",
+    hint: "it is left out, as in MuJoCo",
+};

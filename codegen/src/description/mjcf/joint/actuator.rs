@@ -45,9 +45,9 @@ impl<'a> Mjcf<'a> {
             _ if form == JointType::Free => false,
             Limited::No => false,
             Limited::Yes => true,
-            Limited::ByRange => has_range && self.compiler.autolimits,
+            Limited::ByRange => has_range && self.model().compiler.autolimits,
         };
-        if limited == Limited::ByRange && has_range && !self.compiler.autolimits {
+        if limited == Limited::ByRange && has_range && !self.model().compiler.autolimits {
             let message =
                 format!("{subject} has a range, but autolimits is false and it has no limited");
             let hint = "write limited=\"true\" or limited=\"false\", or remove autolimits";
@@ -88,7 +88,7 @@ impl<'a> Mjcf<'a> {
         let is_limited = match limited {
             Limited::No => false,
             Limited::Yes => true,
-            Limited::ByRange => self.compiler.autolimits,
+            Limited::ByRange => self.model().compiler.autolimits,
         };
         let most = range.map_or(0.0, |[lower, upper]| {
             lower.value.abs().max(upper.value.abs())
@@ -105,9 +105,9 @@ impl<'a> Mjcf<'a> {
         let words = [
             ("false", false),
             ("true", true),
-            ("auto", self.compiler.align_free),
+            ("auto", self.model().compiler.align_free),
         ];
-        let by_compiler = self.compiler.align_free;
+        let by_compiler = self.model().compiler.align_free;
         if self.choice(attributes.get("align"), &words, by_compiler, subject) {
             let place = self.place(attributes.own);
             self.noted.note(&ALIGNED, place, subject.to_owned());

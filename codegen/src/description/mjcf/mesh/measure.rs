@@ -140,6 +140,7 @@ impl Mesh {
             measure: exactly(measure),
             center: center.map(exactly),
             tensor: tensor.map(|row| row.map(exactly)),
+            corners: Vec::new(),
         })
     }
 

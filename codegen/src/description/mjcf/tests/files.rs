@@ -20,7 +20,7 @@ fn folder(name: &str, files: &[(&str, &str)]) -> PathBuf {
 }
 
 /// Reads the file `arm.xml` of a folder.
-fn read_in(name: &str, files: &[(&str, &str)]) -> (Option<Description>, String) {
+pub(super) fn read_in(name: &str, files: &[(&str, &str)]) -> (Option<Description>, String) {
     let folder = folder(name, files);
     let mut errors = Errors::new();
     let robot = read_file(&folder.join("arm.xml"), None, &mut errors);
@@ -120,7 +120,7 @@ fn files_that_cannot_be_included_are_errors() {
 }
 
 /// A tetrahedron of volume 1/6.
-const TETRAHEDRON: &str =
+pub(super) const TETRAHEDRON: &str =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 #[test]

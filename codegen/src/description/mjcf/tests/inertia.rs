@@ -98,8 +98,20 @@ const SINGLE: f64 = 2e-6;
 
 /// Asserts that a geom that uses an irregular mesh without faces has the inertia that MuJoCo 4.0.0 computes.
 fn like_mujoco(inertia: &str, geom: &str, mass: f64, center: [f64; 3], tensor: [f64; 6]) {
+    with_compiler("", inertia, geom, mass, center, tensor);
+}
+
+/// The same with attributes of the compiler.
+fn with_compiler(
+    compiler: &str,
+    inertia: &str,
+    geom: &str,
+    mass: f64,
+    center: [f64; 3],
+    tensor: [f64; 6],
+) {
     let text = format!(
-        "<mujoco><asset><mesh name=\"m\" inertia=\"{inertia}\" vertex=\"0 0 0 0.1 0 0 0 0.3 0 0 0 0.1 0.12 0.1 0.15 0.05 0.1 0.05\"/>\
+        "<mujoco><compiler {compiler}/><asset><mesh name=\"m\" inertia=\"{inertia}\" vertex=\"0 0 0 0.1 0 0 0 0.3 0 0 0 0.1 0.12 0.1 0.15 0.05 0.1 0.05\"/>\
          </asset><worldbody><body name=\"a\"><geom mesh=\"m\" {geom}/></body></worldbody></mujoco>"
     );
     let found = of_body(&text);
@@ -198,6 +210,56 @@ fn shapes_are_fitted_to_the_inertia_of_a_mesh() {
             0.025_258_715,
         ],
     );
+}
+
+#[test]
+fn shapes_are_fitted_to_the_extents_of_a_mesh_with_fitaabb() {
+    let center = [0.049_030_809, 0.157_435_978, 0.059_354_348];
+    for (geom, mass, tensor) in [
+        (
+            "type=\"box\"",
+            8.775_647_683,
+            [
+                0.094_494_237,
+                0.005_365_15,
+                -0.008_401_845,
+                0.046_244_532,
+                0.004_379_17,
+                0.087_934_482,
+            ],
+        ),
+        (
+            "type=\"cylinder\" fitscale=\"1.2\"",
+            17.693_426_213,
+            [
+                0.266_563_971,
+                0.016_851_267,
+                -0.002_146_914,
+                0.139_127_764,
+                0.016_514_944,
+                0.266_650_542,
+            ],
+        ),
+        (
+            "type=\"capsule\"",
+            7.958_717_236,
+            [
+                0.060_752_489,
+                0.003_001_33,
+                -0.000_382_381,
+                0.038_055_197,
+                0.002_941_428,
+                0.060_767_907,
+            ],
+        ),
+        (
+            "type=\"sphere\"",
+            15.289_656_02,
+            [0.144_987_461, 0.0, 0.0, 0.144_987_461, 0.0, 0.144_987_461],
+        ),
+    ] {
+        with_compiler("fitaabb=\"true\"", "convex", geom, mass, center, tensor);
+    }
 }
 
 #[test]

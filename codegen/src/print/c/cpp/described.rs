@@ -1,19 +1,19 @@
-//! A robot's description of itself in C++: counts, names, limits and the neutral configuration as constants, and the
-//! struct of fields.
+//! A robot's description of itself in C++: counts, names, limits and configurations as constants, and the struct of
+//! fields.
 
 use std::fmt::Write;
 
 use crate::module::Module;
 use crate::print::c::comments::{comment, harmless};
 use crate::print::c::declarations::{members, number};
-use crate::print::c::literals::literal;
-use crate::print::described::{NameList, NumberList, limits, names, neutral};
+use crate::print::c::literals::{literal, string};
+use crate::print::described::{CONFIGURATIONS, NameList, NumberList, limits, names, neutral};
 use crate::print::documentation;
 use crate::print::review::filled;
 use crate::real::Real;
 use crate::space::Space;
 
-/// Counts, names, limits and the neutral configuration.
+/// Counts, names, limits and configurations.
 pub(super) fn constants(module: &Module) -> String {
     let [nq, nv] = [Space::Coordinates, Space::Velocities].map(|space| module.spaces.len(space));
     let mut text = format!(
@@ -37,6 +37,29 @@ pub(super) fn constants(module: &Module) -> String {
             .collect();
         list(&mut text, (scalar, name, about), &numbers);
     }
+    let configurations = &module.configurations;
+    if !configurations.is_empty() {
+        let names = configurations.iter().map(|own| string(&own.name));
+        let names: Vec<String> = names.collect();
+        let about = "Names of the configurations.";
+        list(
+            &mut text,
+            ("const char*", "configuration_names", about),
+            &names,
+        );
+        let rows = configurations.iter().map(|own| {
+            let numbers = own.q.iter().map(|&value| finite(value, module.scalar));
+            format!("{{{}}}", numbers.collect::<Vec<_>>().join(", "))
+        });
+        let rows: Vec<String> = rows.collect();
+        let start = format!(
+            "inline constexpr std::array<std::array<{scalar}, {nq}>, {}> CONFIGURATIONS = {{{{",
+            rows.len()
+        );
+        let rows = filled((&start, "    "), &rows, "}};");
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "/* {} */\n{rows}", harmless(CONFIGURATIONS));
+    }
     text.push('\n');
     text
 }
@@ -57,21 +80,6 @@ fn finite(value: f64, real: Real) -> String {
     }
     let sign = if value < 0.0 { "-" } else { "" };
     format!("{sign}std::numeric_limits<{}>::infinity()", number(real))
-}
-
-/// Literal of a name, in ASCII: other bytes by their octal numbers.
-fn string(name: &str) -> String {
-    let mut text = "\"".to_owned();
-    for byte in name.bytes() {
-        match byte {
-            b'"' | b'\\' | b'?' | 0..=31 | 127.. => {
-                // Writing to a string cannot fail.
-                let _ = write!(text, "\\{byte:03o}");
-            }
-            _ => text.push(char::from(byte)),
-        }
-    }
-    text + "\""
 }
 
 /// The struct of fields, if there are fields.
@@ -95,15 +103,4 @@ pub(super) fn structure(module: &Module) -> String {
         let _ = writeln!(text, "    {kind} {member}; /* {} */", harmless(&about));
     }
     text + "};\n\n"
-}
-
-#[cfg(test)]
-mod tests {
-    use super::string;
-
-    #[test]
-    fn names_are_literals_in_ascii() {
-        assert_eq!(string("a \"b\"\\?"), r#""a \042b\042\134\077""#);
-        assert_eq!(string("ö1"), r#""\303\2661""#);
-    }
 }

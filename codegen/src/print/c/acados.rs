@@ -16,7 +16,7 @@ pub(super) fn interface(module: &Module, prefix: &str) -> String {
     let (double, triple) = (2 * n, 3 * n);
     let name = |name: &str| own(prefix, name);
     let [fun, jac, hess] = ["acados_fun", "acados_fun_jac", "acados_fun_jac_hess"].map(name);
-    let [step, derivatives, second] = ["step", "step_derivatives", "step_hessian"].map(name);
+    let [step, derivatives] = ["step", "step_derivatives"].map(name);
     let [read, store] = ["acados_read", "acados_store"].map(name);
     let about = [
         "Discrete dynamics of acados: dyn_ext_fun_type = 'generic', with dyn_disc_fun, dyn_disc_fun_jac and",
@@ -91,8 +91,28 @@ int {jac}(void **in, void **out, void *params)
 "
     );
     if has_hessian {
-        text.push_str(&format!(
-            "
+        text.push_str(&with_hessian(n, prefix));
+    }
+    text + "
+#ifdef __cplusplus
+}
+#endif
+"
+}
+
+/// The function with the Hessian.
+fn with_hessian(n: usize, prefix: &str) -> String {
+    let (double, triple) = (2 * n, 3 * n);
+    let name = |name: &str| own(prefix, name);
+    let [jac, hess, read, second] = [
+        "acados_fun_jac",
+        "acados_fun_jac_hess",
+        "acados_read",
+        "step_hessian",
+    ]
+    .map(name);
+    format!(
+        "
 int {hess}(void **in, void **out, void *params)
 {{
     const struct blasfeo_dvec_args *pi = (const struct blasfeo_dvec_args *)in[2];
@@ -113,11 +133,5 @@ int {hess}(void **in, void **out, void *params)
     return {jac}(in, out, params);
 }}
 "
-        ));
-    }
-    text + "
-#ifdef __cplusplus
-}
-#endif
-"
+    )
 }

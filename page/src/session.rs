@@ -7,7 +7,8 @@
 //! |---|---|---|
 //! | `options` | | the table of options: `name`, `value`, `help`, `switch`, `repeats`, `group` |
 //! | `open` | `file`, the name of the file; `options`, pairs of names and values | the robot, and the functions that it may have |
-//! | `function` | `index` in that list | the function, or `left_out` with the reason |
+//! | `function` | `index` in that list | the function without its code, or `left_out` with the reason |
+//! | `explain` | `index` of a function that has been expanded | `lines`, `code` and `names`, packed |
 //! | `frame` | `link`, its index in the skeleton | `indices` of the pose and of the geometric Jacobian of its frame |
 //! | `values` | `indices`; `scalar`; `states`, objects with `q`, `qd`, `qdd`, `tau` and further arguments by name, zero if absent | for each state a list of results, one for each function |
 //! | `code` | `language`, `scalar`, `functions` | `files` with names and texts, and `command` |
@@ -35,7 +36,7 @@ use homogen_codegen::expand;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Sines;
 use homogen_codegen::function::Function;
-use homogen_codegen::module::{GeneratedFunction, name};
+use homogen_codegen::module::{GeneratedFunction, Module, name};
 use homogen_codegen::plan::wanted;
 use homogen_codegen::print::arrays::Order;
 use homogen_codegen::request::Request;
@@ -77,7 +78,7 @@ struct Open {
     /// The functions that the robot may have, each with its frame.
     wanted: Vec<(Vec<Function>, FrameId)>,
     /// Functions by their indices; those of further frames follow the wanted ones.
-    expanded: BTreeMap<usize, GeneratedFunction>,
+    expanded: BTreeMap<usize, Module>,
     /// The indices of functions of further frames, by links.
     framed: BTreeMap<usize, [usize; 2]>,
 }
@@ -96,6 +97,7 @@ impl Session {
             Some("options") => Ok(options()),
             Some("open") => self.open(&request),
             Some("function") => self.opened().and_then(|open| open.function(&request)),
+            Some("explain") => self.opened().and_then(|open| open.explain(&request)),
             Some("frame") => self.opened().and_then(|open| open.frame(&request)),
             Some("values") => self.opened().map(|open| open.values(&request)),
             Some("code") => self.opened().and_then(|open| open.code(&request)),
@@ -177,10 +179,19 @@ impl Open {
             return Ok(json!({ "left_out": count::left_out(&module) }));
         }
         let layouts = skeleton::layouts(&self.chain, &module);
-        let mut answer = function::functions(&module, &layouts)[0].take();
+        let mut answer = function::counted(&module, &layouts).swap_remove(0);
         answer["layout"] = shown(layouts.places[layouts.of[0]].clone());
-        if let Some(generated) = module.functions.pop() {
-            self.expanded.insert(index, generated);
+        self.expanded.insert(index, module);
+        Ok(answer)
+    }
+
+    /// The code of a function that has been expanded.
+    fn explain(&self, asked: &Value) -> Result<Value, Errors> {
+        let module = self.expanded.get(&index(&asked["index"]));
+        let module = module.ok_or_else(|| mistake("the function has not been expanded"))?;
+        let mut answer = json!({});
+        for (key, value) in function::explained(module).flatten() {
+            answer[key] = value;
         }
         Ok(answer)
     }
@@ -204,10 +215,8 @@ impl Open {
         let indices = [first, first + 1];
         let functions = [Function::ForwardKinematics, Function::GeometricJacobian];
         for (index, function) in indices.into_iter().zip(functions) {
-            let mut module = expand::one(&chain, &check, vec![function], frame)?;
-            if let Some(generated) = module.functions.pop() {
-                self.expanded.insert(index, generated);
-            }
+            let module = expand::one(&chain, &check, vec![function], frame)?;
+            self.expanded.insert(index, module);
         }
         self.framed.insert(link, indices);
         Ok(json!({ "indices": indices }))
@@ -220,13 +229,18 @@ impl Open {
         let scalar = scalar(asked);
         let states = states.iter().map(|state| {
             let all = indices.iter();
-            let all = all.map(|at| match self.expanded.get(&index(at)) {
+            let all = all.map(|at| match self.generated(index(at)) {
                 Some(generated) => self.results(generated, scalar, state),
                 None => Value::Null,
             });
             all.collect::<Value>()
         });
         json!({ "values": states.collect::<Value>() })
+    }
+
+    /// A function that has been expanded.
+    fn generated(&self, index: usize) -> Option<&GeneratedFunction> {
+        self.expanded.get(&index)?.functions.first()
     }
 
     /// The results of functions that are expanded together, at a state.
@@ -497,6 +511,8 @@ mod tests {
         let function = asked(&mut session, &json!({ "do": "function", "index": at }));
         assert_eq!(function["name"], "gravity");
         assert!(function["count"]["mul"].is_u64() && function["layout"].is_array());
+        let explained = asked(&mut session, &json!({ "do": "explain", "index": at }));
+        assert!(explained["lines"].as_u64() > Some(1) && explained["code"].is_string());
         let found = &asked(&mut session, &values)["values"][0][0][0];
         let lift = found[2].as_f64().expect("a force of the vertical joint");
         assert!(lift.abs() > 1.0, "{found}");

@@ -211,6 +211,16 @@ async function plots(browser, address) {
   check(page.complaints.length === 0, page.complaints.join("; "));
 }
 
+// Measured errors of single precision are within the proved bounds, and not zero.
+async function errors(browser, address) {
+  const page = await browser.open(address + PANDA, WIDE);
+  await page.until("site.settled()");
+  await page.click('[data-function="inverse_dynamics"] summary');
+  const rows = `[...document.querySelectorAll('[data-function="inverse_dynamics"] [aria-label="Error bounds"] tbody tr')].map((row) => [...row.cells].slice(3).map((cell) => Number(cell.textContent.replace("−", "-"))))`;
+  await page.until(`${rows}.length === 7`);
+  for (const [bound, median] of await page.ask(rows)) check(median > 0 && median < bound, `measured ${median}, proved ${bound}`);
+}
+
 // The configuration as text in each language is that of the page.
 async function copies(browser, address) {
   const page = await browser.open(address + PANDA, WIDE);
@@ -309,7 +319,7 @@ async function together(browser, address) {
   await page.until("site.error() !== null");
 }
 
-// Shapes of links are drawn; names that overlap are hidden until their links are pointed at.
+// Shapes of links are drawn, and a link that is pointed at has its name.
 async function drawn(browser, address) {
   const page = await browser.open(address, WIDE);
   const text = readFileSync(join(root, "robots/two_link.urdf"), "utf8");
@@ -414,7 +424,7 @@ async function tasks(browser, address) {
   await page.until(`site.values().gravity.join() !== ${JSON.stringify(rest)}`);
   await done("gravity", 2);
   // How one torque comes about.
-  await page.until("site.settled()");
+  await page.until("site.settled() && site.values().mass_matrix_inverse && site.values().geometric_jacobian");
   await click('[data-function="inverse_dynamics"] summary');
   await page.until(`document.querySelector('[data-function="inverse_dynamics"] .code .d')`);
   await click('[data-function="inverse_dynamics"] .code .d[data-n*="_in_"]');
@@ -480,6 +490,7 @@ try {
   await links(browser, server.address);
   await matrices(browser, server.address);
   await plots(browser, server.address);
+  await errors(browser, server.address);
   await copies(browser, server.address);
   await projects(browser, server.address);
   await together(browser, server.address);

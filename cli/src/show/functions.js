@@ -119,11 +119,11 @@ class Lines {
 }
 
 // The section. `point` is called with the open function, the selected name, and true if it stays selected; `complete`
-// resolves to a function with its count and code, `measure` to errors that were measured, or null. `fill` shows the count
-// of a function that has been completed.
-function functionSection(robot, data, point, { complete, measure }) {
+// resolves to a function with its count, `explain` to one with its code, `measure` to errors that were measured, or null.
+// `fill` shows the count of a function that has been completed.
+function functionSection(robot, data, point, { complete, explain, measure }) {
   const all = data.functions;
-  const cards = new Map(all.map((own) => [own, functionCard(robot, own, point, { complete, measure })]));
+  const cards = new Map(all.map((own) => [own, functionCard(robot, own, point, { complete, explain, measure })]));
   const fill = (...some) => {
     const most = Math.max(...all.map(({ count }) => (count ? count.mul + count.add : 0)), 1);
     for (const own of some) if (own.count || own.left_out) cards.get(own).fill();
@@ -144,7 +144,7 @@ function functionSection(robot, data, point, { complete, measure }) {
   return { section, fill };
 }
 
-function functionCard(robot, own, point, { complete, measure }) {
+function functionCard(robot, own, point, { complete, explain, measure }) {
   const inside = el("div", { class: "inside" });
   const bar = el("span", { class: "bar" });
   const number = (title) => el("span", { class: "number", title }, "…");
@@ -180,7 +180,7 @@ function functionCard(robot, own, point, { complete, measure }) {
     inside.replaceChildren(countOf(own.count), ...[errorsOf(own.count.errors, medians)].flat(Infinity).filter(Boolean));
     const error = worst(own.count.errors, "f64");
     if (error) inside.querySelector("h4")?.append(el("span", { class: "worst" }, ` ${error}`));
-    openCode(robot, own, inside, point);
+    openCode(robot, await explain(own), inside, point);
   });
   // The bar is relative to the most expensive function.
   const scale = (most) => { if (own.count) bar.style.width = `${Math.max(0.6, (100 * (own.count.mul + own.count.add)) / most)}%`; };

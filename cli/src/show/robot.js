@@ -1,10 +1,10 @@
 // Assembles the view of a robot from its data: sections with a common configuration and a common selected name.
 
-// Puts a robot on the page, whose elements are those of `robot.html`. `complete` resolves to a function with its code,
-// `measure` to measured errors of its results in f32, or null; `moved` is called with the arguments of functions when they
-// change, `chosen` with the number of the link whose frame is chosen, and `signal` ends what listens outside of the view.
-// Returns the interface for scripts.
-function present(data, { complete = async (own) => own, measure = async () => null, moved = () => {}, chosen = () => {}, signal = undefined } = {}) {
+// Puts a robot on the page, whose elements are those of `robot.html`. `complete` resolves to a function with its count,
+// `explain` to one with its code, `measure` to measured errors of its results in f32, or null; `moved` is called with the
+// arguments of functions when they change, `chosen` with the number of the link whose frame is chosen, and `signal` ends
+// what listens outside of the view. Returns the interface for scripts.
+function present(data, { complete = async (own) => own, explain: explained = complete, measure = async () => null, moved = () => {}, chosen = () => {}, signal = undefined } = {}) {
   const { skeleton, report } = data;
   data.neutral = rest(skeleton);
 
@@ -73,8 +73,12 @@ function present(data, { complete = async (own) => own, measure = async () => nu
     chosen(link);
     redraw();
   }
+  // The camera follows a floating base.
+  const base = skeleton.bodies.findIndex(({ by: moved, parent }) => parent === null && moved?.manifold === "floating");
   const joints = jointSection(data, robot.reach, (q, rate) => {
+    const before = now;
     now = poses(skeleton, q);
+    if (base >= 0) camera.target = plus(camera.target, minus(originOf(now.bodies[base]), originOf(before.bodies[base])));
     pose();
     take({ q: [...q], ...(rate === null ? {} : { qd: rates(rate) }) });
     redraw();
@@ -154,7 +158,7 @@ function present(data, { complete = async (own) => own, measure = async () => nu
   by("layers").append(choice, layer("bodies", "bodies"), layer("masses", "centres of mass"), layer("names", "names"));
 
   // The constant sections.
-  const functions = functionSection(robot, data, point, { measure, complete: async (own) => {
+  const functions = functionSection(robot, data, point, { measure, explain: explained, complete: async (own) => {
     const already = data.layouts.length;
     await complete(own);
     if (data.layouts.length !== already) offer();
@@ -241,10 +245,10 @@ function present(data, { complete = async (own) => own, measure = async () => nu
     // M₀ of every link, by name: rows 1 to 3.
     poses: () => Object.fromEntries(skeleton.links.map((link, k) => [link.name, now.links[k]])),
     // The code of a function, as printed.
-    code: async (name) => unpacked((await complete(functionOf(name))).code),
+    code: async (name) => unpacked((await explained(functionOf(name))).code),
     // Its names: the kind and the present value of each.
     names: async (name) => {
-      const open = await opened(robot, await complete(functionOf(name)));
+      const open = await opened(robot, await explained(functionOf(name)));
       const { analysis, helpers } = open;
       const value = worth(open, given);
       const kind = (own) => (helpers.has(own) ? "helper" : meaning(robot, open, own).kind);

@@ -151,6 +151,13 @@ function show(own, answer, q) {
     if (!known.has(function_)) known.set(function_, answered(front.ask({ do: "function", index: indexOf(function_) })));
     return known.get(function_);
   };
+  // Code is printed when it is looked at.
+  const explain = async (function_) => {
+    await expanded(function_);
+    if (!function_.count || function_.code) return function_;
+    const found = await answered(front.ask({ do: "explain", index: indexOf(function_) }, { urgent: true }));
+    return Object.assign(function_, found?.code ? found : {});
+  };
   const compute = async (function_, states, scalar = "f64") => {
     await expanded(function_);
     const found = await answered(front.ask({ do: "values", indices: [indexOf(function_)], states, scalar }));
@@ -204,7 +211,7 @@ function show(own, answer, q) {
   };
 
   const measure = (function_) => medianErrors(data.skeleton, (states, scalar) => compute(function_, states, scalar));
-  own.interface = present(data, { complete, measure, moved, chosen: choose, signal: own.ending.signal });
+  own.interface = present(data, { complete, explain, measure, moved, chosen: choose, signal: own.ending.signal });
   own.data = data;
   window.homogen = own.interface;
   if (q && q.length === data.skeleton.coordinates.length) own.interface.move(q);

@@ -398,7 +398,7 @@ async function times(browser, address) {
     await page.until("site.settled()");
     const { robot, first, values: all, all: every } = await page.ask("site.times()");
     const said = (time) => (time === undefined ? "—" : `${(time / 1000).toFixed(2)} s`);
-    console.log(`${sample}, dropped after ${wait} s: shown after ${said(robot)}, first function ${said(first)}, torques and mass matrix ${said(all)}, all functions ${said(every)}; opened in ${page.took.toFixed(0)} ms`);
+    console.log(`${sample}, dropped after ${wait} s: shown after ${said(robot)}, first function ${said(first)}, torques and mass matrix ${said(all)}, all functions ${said(every)}; opened in ${page.took.toFixed(0)} ms; ${((await page.ask("site.memory()")) / 1e6).toFixed(0)} MB`);
     await page.send("Page.close");
   }
 }

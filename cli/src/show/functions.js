@@ -149,7 +149,7 @@ function functionCard(robot, own, point, { complete, explain, measure }) {
   const bar = el("span", { class: "bar" });
   const number = (title) => el("span", { class: "number", title }, "…");
   const [products, sums, ofDense] = [number("products"), number("sums"), number("of the operations of dense 4×4 products")];
-  const before = el("small", { class: "before" });
+  const before = el("small", { class: "before" }, own.waits ? "takes long, and is generated when it is opened" : null);
   const card = el("details", { class: "function", "data-function": own.name },
     el("summary", {},
       el("span", { class: "what" }, el("code", {}, own.name), el("span", { class: "sentence" }, own.sentence), before, bar), products, sums, ofDense),

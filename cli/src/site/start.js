@@ -16,6 +16,9 @@ const SAMPLES = [
   ["stanford_class.dh", "Stanford arm (DH)", []],
 ];
 
+// Number of velocities beyond which second derivatives wait until they are opened: they take longer than all others.
+const MANY = 24;
+
 // The largest file that the engine reads.
 const LARGEST = 64 * 1024 * 1024;
 
@@ -118,6 +121,8 @@ function show(own, answer, q) {
   place.classList.remove("stale");
   place.replaceChildren(by("robot-template").content.cloneNode(true));
   const data = { ...answer, layouts: [], values: true, shapes: shapesOf(textOf(file.bytes)) };
+  const many = data.skeleton.velocities.length > MANY;
+  for (const function_ of data.functions) function_.waits = many && function_.name.endsWith("_hessian");
   for (const function_ of data.functions) function_.before = before.get(`${function_.name} ${function_.of}`);
   const here = () => view === own;
   const indexOf = (function_) => data.functions.indexOf(function_);
@@ -247,7 +252,7 @@ function show(own, answer, q) {
 // Expands all functions, those with values first, and then makes the files that are shown.
 async function expandAll(own, data, complete, valued, evaluate, files) {
   const here = () => view === own;
-  const progress = el("progress", { max: String(data.functions.length), "aria-label": "Functions that have been generated" });
+  const progress = el("progress", { max: String(data.functions.filter(({ waits }) => !waits).length), "aria-label": "Functions that have been generated" });
   by("functions").querySelector("h2").append(progress);
   let count = 0;
   const step = async (function_, engine) => {
@@ -275,7 +280,7 @@ async function expandAll(own, data, complete, valued, evaluate, files) {
     if (here()) await files.make();
     for (const function_ of late) if (here()) await show(function_);
   })();
-  const rest = data.functions.filter((function_) => !valued.includes(function_));
+  const rest = data.functions.filter((function_) => !valued.includes(function_) && !function_.waits);
   // One engine begins with the first functions, the others with the last, which take longest.
   const work = async (engine, number) => {
     while (rest.length && here()) await step(number === 0 ? rest.shift() : rest.pop(), engine);
@@ -419,6 +424,8 @@ else warm();
 window.site = {
   take: (name, text, options = []) => take(name, new TextEncoder().encode(text), { options }),
   times: () => ({ ...shownTimes }),
+  // Bytes of memory of all engines.
+  memory: () => [front, ...backs].reduce((sum, { memory }) => sum + memory, 0),
   values: () => view?.values ?? null,
   plot: () => view?.plot?.shown() ?? null,
   // True if all functions have been expanded, or there was an error.

@@ -395,7 +395,8 @@ async function times(browser, address) {
     const page = await browser.open(address, WIDE);
     await new Promise((done) => setTimeout(done, 1000 * wait));
     await page.ask(`document.querySelector('[data-sample="${sample}"]').click()`);
-    await page.until("site.settled()");
+    // A busy machine takes its time.
+    await page.until("site.settled()", 300_000);
     const { robot, first, values: all, all: every } = await page.ask("site.times()");
     const said = (time) => (time === undefined ? "—" : `${(time / 1000).toFixed(2)} s`);
     console.log(`${sample}, dropped after ${wait} s: shown after ${said(robot)}, first function ${said(first)}, torques and mass matrix ${said(all)}, all functions ${said(every)}; opened in ${page.took.toFixed(0)} ms; ${((await page.ask("site.memory()")) / 1e6).toFixed(0)} MB`);

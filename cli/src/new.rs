@@ -1,9 +1,9 @@
-//! `homogen new firmware`: a crate for a microcontroller with a control loop for a robot, which runs under QEMU.
+//! `homogen new`: a folder to begin with: a crate, a project of C for CMake, a package for Python, or a firmware for a
+//! microcontroller, which runs under QEMU.
 //!
-//! Parts of a description become numbers, fixed file names and escaped strings: no name in it becomes code. Existing
-//! folders are not changed.
+//! `homogen_page` has the files, which the site offers, too. Existing folders are not changed.
 
-mod template;
+mod folder;
 
 use std::fs;
 use std::io::Read;
@@ -11,21 +11,20 @@ use std::path::{Component, Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::options::{Asked, mistake};
+use super::functions::Generated;
+use super::options::{Asked, Scalar, mistake};
 use super::{Answer, Outcome, functions};
 use homogen_codegen::builder::Builder;
 use homogen_codegen::description::xacro::Given;
-use homogen_codegen::description::{FileFormat, Name, expand_file};
+use homogen_codegen::description::{FileFormat, expand_file};
 use homogen_codegen::error::Errors;
-use homogen_codegen::function::Function;
-use homogen_codegen::module::Module;
-use homogen_codegen::processor::Processor;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{SCOPE, SOURCE};
-use homogen_codegen::space::{Entry, Kind};
+use homogen_page::firmware::{self, Board};
+use homogen_page::project::{self, Project};
 
-/// Write a crate to begin with
+/// Write a folder to begin with
 #[derive(Args, Clone, Debug)]
 pub(super) struct New {
     #[command(subcommand)]
@@ -34,7 +33,26 @@ pub(super) struct New {
 
 #[derive(Clone, Debug, Subcommand)]
 enum What {
+    /// Write a crate without dependencies: its functions need only core
+    Crate(Box<Wrapped>),
+    /// Write a project of C99 for CMake: a static library
+    Cmake(Box<Wrapped>),
+    /// Write a package for Python without dependencies
+    Python(Box<Wrapped>),
     Firmware(Box<Firmware>),
+}
+
+/// A project around generated code.
+#[derive(Args, Clone, Debug)]
+struct Wrapped {
+    #[command(flatten)]
+    generated: Generated,
+    /// The type of numbers [default: f64]
+    #[arg(long, value_enum)]
+    scalar: Option<Scalar>,
+    /// The folder to write [default: the robot's name with _robot]
+    #[arg(long, short, value_name = "FOLDER")]
+    output: Option<PathBuf>,
 }
 
 /// Write a crate for a Cortex-M with a control loop for a robot
@@ -72,53 +90,74 @@ enum Target {
 }
 
 impl Target {
-    const fn name(self) -> &'static str {
+    const fn board(self) -> Board {
         match self {
-            Self::M4F => "thumbv7em-none-eabihf",
-            Self::M4 => "thumbv7em-none-eabi",
-            Self::M3 => "thumbv7m-none-eabi",
-        }
-    }
-
-    /// Its name, QEMU's board that has it, and the operations that are used for it.
-    const fn board(self) -> [&'static str; 3] {
-        match self {
-            Self::M4F => ["cortex-m4", "mps2-an386", "CortexM4"],
-            Self::M4 => ["cortex-m4", "mps2-an386", "Portable"],
-            Self::M3 => ["cortex-m3", "mps2-an385", "Portable"],
-        }
-    }
-
-    const fn processor(self) -> Processor {
-        match self {
-            Self::M4F => Processor::CortexM4,
-            Self::M4 | Self::M3 => Processor::Portable,
+            Self::M4F => Board::M4F,
+            Self::M4 => Board::M4,
+            Self::M3 => Board::M3,
         }
     }
 }
 
 impl New {
-    pub(super) fn run(&self, _: &mut dyn Read) -> Outcome {
-        let What::Firmware(firmware) = &self.what;
-        firmware.run()
+    pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
+        match &self.what {
+            What::Crate(wrapped) => wrapped.run(Project::Crate, input),
+            What::Cmake(wrapped) => wrapped.run(Project::Cmake, input),
+            What::Python(wrapped) => wrapped.run(Project::Python, input),
+            What::Firmware(firmware) => firmware.run(),
+        }
     }
+}
+
+impl Wrapped {
+    fn run(&self, project: Project, input: &mut dyn Read) -> Outcome {
+        let request = Request {
+            scalar: self.scalar.map_or(Real::F64, Real::from),
+            ..Request::default()
+        };
+        let builder = self.generated.builder(request, input)?;
+        let (files, module) = project.files(&builder)?;
+        let folder = self.output.clone();
+        let folder = folder.unwrap_or_else(|| PathBuf::from(project::folder(&module.about.robot)));
+        is_new(&folder)?;
+        let files = files.into_iter();
+        let files: Vec<_> = files
+            .map(|(path, text)| (path, text.into_bytes()))
+            .collect();
+        write(&folder, &files)?;
+        Ok(Answer {
+            output: format!("{}\n", folder.display()),
+            remarks: functions::remarks(&module),
+            code: functions::status(&module),
+        })
+    }
+}
+
+/// Rejects a folder that exists.
+fn is_new(folder: &Path) -> Result<(), Errors> {
+    if fs::symlink_metadata(folder).is_ok() {
+        let message = format!("{} exists already, and is not changed", folder.display());
+        return Err(mistake(message));
+    }
+    Ok(())
+}
+
+fn write(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Errors> {
+    folder::write_fresh(folder, files)
+        .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))
 }
 
 impl Firmware {
     fn run(&self) -> Outcome {
-        let (builder, calls) = self.builder();
-        let builder = builder
-            .generate([Function::Gravity, Function::InverseDynamics])
-            .processor(self.target.processor())
-            .scalar(Real::F32);
-        let module = builder.file_module()?;
-        let robot = package(&module.about.robot);
+        let board = self.target.board();
+        let request = self.asked.and(Request::default());
+        let builder = Builder::from_urdf(&self.file).request(request.clone());
+        let module = board.functions(builder).file_module()?;
+        let robot = firmware::package(&module.about.robot);
         let folder = self.output.clone();
         let folder = folder.unwrap_or_else(|| PathBuf::from(format!("{robot}-firmware")));
-        if fs::symlink_metadata(&folder).is_ok() {
-            let message = format!("{} exists already, and is not changed", folder.display());
-            return Err(mistake(message));
-        }
+        is_new(&folder)?;
         let format = module.about.source.format;
         let is_expanded = format == Some(FileFormat::Xacro);
         let mut beside = module.about.source.beside.iter();
@@ -136,12 +175,12 @@ impl Firmware {
             let read = |reason| mistake(format!("cannot read {}: {reason}", self.file.display()));
             fs::read(&self.file).map_err(read)?
         };
-        let description = description(format);
-        let words = self.words(&module, &calls, &folder, description)?;
-        let mut files = template::firmware(&words);
-        files.push((".gitignore", "/target\n".to_owned()));
-        template::write_fresh(&folder, &files, (description, &text))
-            .map_err(|reason| mistake(format!("cannot write {}: {reason}", folder.display())))?;
+        let files = firmware::files(&module, &request, &board, &self.engine(&folder)?);
+        let files = files.into_iter();
+        let files = files.map(|(path, text)| (path, text.into_bytes()));
+        let description = firmware::description(format).to_owned();
+        let files: Vec<_> = files.chain([(description, text)]).collect();
+        write(&folder, &files)?;
         Ok(Answer {
             output: format!("cd {} && cargo run --release\n", folder.display()),
             remarks: functions::warnings(&module.about),
@@ -157,70 +196,8 @@ impl Firmware {
         urdf.map(String::into_bytes).ok_or(errors)
     }
 
-    /// The builder of the robot, and the calls that make it in a build script.
-    fn builder(&self) -> (Builder, String) {
-        let request = self.asked.and(Request::default());
-        // `Debug` of a string is a literal of Rust.
-        let call = |method: &'static str| move |link: &Name| format!("{method}({:?})", link.text);
-        let mut calls = Vec::new();
-        calls.extend(request.base.iter().map(call("base")));
-        calls.extend(request.floating.then(|| "floating()".to_owned()));
-        calls.extend(request.tip.iter().map(call("tip")));
-        calls.extend(request.path_only.then(|| "path_only()".to_owned()));
-        calls.extend(request.lock.iter().map(|(joint, at)| match at {
-            Some(at) => format!("lock_at({:?}, {:?})", joint.text, at.value),
-            None => format!("lock({:?})", joint.text),
-        }));
-        let calls = calls.iter().map(|call| format!("\n        .{call}"));
-        (
-            Builder::from_urdf(&self.file).request(request),
-            calls.collect(),
-        )
-    }
-
-    /// The replacements of the words of the template.
-    fn words(
-        &self,
-        module: &Module,
-        calls: &str,
-        folder: &Path,
-        description: &'static str,
-    ) -> Result<[(&'static str, String); 12], Errors> {
-        let [processor, machine, chosen] = self.target.board();
-        let spaces = &module.spaces;
-        let alike = spaces.coordinates.len() == spaces.velocities.len()
-            && (spaces.coordinates.iter().zip(&spaces.velocities)).all(|(q, qd)| q.name == qd.name);
-        let start = start(&spaces.coordinates);
-        let format = match description {
-            "robot.dh" => "denavit_hartenberg",
-            "robot.xml" => "mjcf",
-            "robot.sdf" => "sdf",
-            _ => "urdf",
-        };
-        Ok([
-            (
-                "@PACKAGE@",
-                format!("{}-firmware", package(&module.about.robot)),
-            ),
-            ("@CODEGEN@", self.codegen(folder)?),
-            ("@TARGET@", self.target.name().to_owned()),
-            ("@PROCESSOR@", processor.to_owned()),
-            ("@MACHINE@", machine.to_owned()),
-            ("@CHOSEN@", chosen.to_owned()),
-            ("@DESCRIPTION@", description.to_owned()),
-            ("@FORMAT@", format.to_owned()),
-            ("@OPTIONS@", calls.to_owned()),
-            (
-                "@VELOCITIES@",
-                if alike { "JOINTS" } else { "VELOCITIES" }.to_owned(),
-            ),
-            ("@COUNT@", start.len().to_string()),
-            ("@START@", start.join(", ")),
-        ])
-    }
-
     /// The source of the engine for cargo.
-    fn codegen(&self, folder: &Path) -> Result<String, Errors> {
+    fn engine(&self, folder: &Path) -> Result<String, Errors> {
         let Some(homogen) = &self.homogen else {
             return Ok(format!("\"={}\"", env!("CARGO_PKG_VERSION")));
         };
@@ -246,59 +223,40 @@ impl Firmware {
     }
 }
 
-/// The name of a description in the crate.
-const fn description(format: Option<FileFormat>) -> &'static str {
-    match format {
-        Some(FileFormat::Table) => "robot.dh",
-        Some(FileFormat::Mjcf) => "robot.xml",
-        Some(FileFormat::Sdf) => "robot.sdf",
-        _ => "robot.urdf",
-    }
-}
-
-/// A configuration to begin with: the middle of the limits, and no rotation.
-fn start(coordinates: &[Entry]) -> Vec<String> {
-    let mut quaternions = 0;
-    let start = coordinates.iter().map(|entry| {
-        if entry.kind == Kind::Quaternion {
-            quaternions += 1;
-            return if quaternions % 4 == 0 { "1.0" } else { "0.0" }.to_owned();
-        }
-        let middle = entry
-            .range
-            .map_or(0.0, |[least, most]| f64::midpoint(least, most));
-        let middle: f64 = format!("{middle:.3}").parse().unwrap_or(0.0);
-        // Avoids −0.
-        format!("{:?}", middle + 0.0)
-    });
-    start.collect()
-}
-
-/// The name of a package: lower case letters, digits and dashes, a letter first.
-fn package(robot: &str) -> String {
-    let letters = robot
-        .chars()
-        .map(|letter| match letter.to_ascii_lowercase() {
-            letter if letter.is_ascii_alphanumeric() => letter,
-            _ => '-',
-        });
-    let name: String = letters.take(40).collect();
-    let name = name.trim_matches('-');
-    if name.starts_with(|letter: char| letter.is_ascii_alphabetic()) {
-        name.to_owned()
-    } else if name.is_empty() {
-        "robot".to_owned()
-    } else {
-        format!("robot-{name}")
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::ffi::OsString;
     use std::fs;
+    use std::path::Path;
 
-    use super::package;
+    #[test]
+    fn projects_are_written_and_not_overwritten() {
+        let folder = std::env::temp_dir().join(format!("homogen-projects-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots/two_link.urdf");
+        for (kind, code) in [
+            ("crate", "src/robot.rs"),
+            ("cmake", "two_link.c"),
+            ("python", "two_link_robot/__init__.py"),
+        ] {
+            let output = folder.join(kind);
+            let words =
+                ["homogen", "new", kind, "--functions", "gravity", "-o"].map(OsString::from);
+            let words = words.into_iter();
+            let words = words.chain([output.clone().into(), robot.clone().into()]);
+            let first = crate::answer(words.clone(), &mut std::io::empty());
+            assert_eq!(first.code, 0, "{}", first.remarks);
+            let text = fs::read_to_string(output.join(code)).expect("it is there");
+            assert!(text.contains("gravity"), "{text}");
+            let second = crate::answer(words, &mut std::io::empty());
+            assert!(
+                second.remarks.contains("exists already"),
+                "{}",
+                second.remarks
+            );
+        }
+        fs::remove_dir_all(folder).expect("it was there");
+    }
 
     #[test]
     fn a_firmware_has_the_expanded_file_of_its_robot() {
@@ -334,12 +292,5 @@ mod tests {
         );
         assert!(!urdf.contains("<xacro:"), "{urdf}");
         fs::remove_dir_all(folder).expect("it was there");
-    }
-
-    #[test]
-    fn names_of_packages_are_not_code() {
-        let robots = ["Panda", "2nd arm", "\"]\nx = 1", "機器", "../..", "a_b"];
-        let names = ["panda", "robot-2nd-arm", "x---1", "robot", "robot", "a-b"];
-        assert_eq!(robots.map(package), names);
     }
 }

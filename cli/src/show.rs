@@ -37,6 +37,7 @@ macro_rules! view {
             include_str!("show/elements.js"),
             include_str!("show/kinematics.js"),
             include_str!("show/camera.js"),
+            include_str!("show/singular.js"),
             include_str!("show/scene.js"),
             include_str!("show/names.js"),
             include_str!("show/code.js"),
@@ -58,8 +59,8 @@ const SCRIPT: &str = view!(include_str!("show/main.js"));
 
 /// SHA-256 of the script and of the style sheet, in base 64: the page forbids all others. A test compares them, and
 /// prints the correct ones.
-const SCRIPT_HASH: &str = "Y0B3Jrrw5onomQiyZxvCluQ2N7FmWHwVA/pQSEXCGtY=";
-const STYLE_HASH: &str = "3TWDwY8SDGrG/Q8dKOzhhoaeikJUuzU0S3ZwaxqRRZg=";
+const SCRIPT_HASH: &str = "ChKh44nScCqQmuBaZyzzCqHWjs7w0+o8kLx65Sc01Ys=";
+const STYLE_HASH: &str = "EZ41wpWxxdiq7VbW1QjP3bio5MhdE8Ppc0rj96n9JgQ=";
 
 /// Write a page for a browser: the robot as a skeleton to move, the description, and every function with its operation
 /// count, error bound and code

@@ -25,9 +25,15 @@ const OWN_STYLE: &str = include_str!("site/site.css");
 const SCRIPT: &str = view!(
     include_str!("site/engine.js"),
     include_str!("site/messages.js"),
+    include_str!("site/joined.js"),
     include_str!("site/options.js"),
     include_str!("site/values.js"),
+    include_str!("site/jacobian.js"),
+    include_str!("site/trajectory.js"),
     include_str!("site/plot.js"),
+    include_str!("site/shapes.js"),
+    include_str!("site/zip.js"),
+    include_str!("site/measured.js"),
     include_str!("site/files.js"),
     include_str!("site/address.js"),
     include_str!("site/start.js")

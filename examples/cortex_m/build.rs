@@ -16,7 +16,7 @@ use homogen_codegen::Function::{
 use homogen_codegen::{Builder, Real};
 
 /// The memory of the boards, the same as in every firmware by `homogen new`.
-const MEMORY: &str = "../../cli/src/new/firmware/memory.x";
+const MEMORY: &str = "../../page/src/firmware/memory.x";
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-env-changed=ARM");

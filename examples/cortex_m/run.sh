@@ -25,7 +25,7 @@ declare -A processor=([M4F]=cortex-m4 [M7]=cortex-m7)
 # for a product and a sum, each rounded, is faster; GCC uses it when it optimises for size.
 declare -A optimised=([M4F]="-O2 -fno-tree-ter -fno-schedule-insns" [M7]="-Os -fno-tree-ter")
 # The folder of memory.x, in the template of a firmware.
-memory=../../cli/src/new/firmware
+memory=../../page/src/firmware
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
 seen="$CARGO_TARGET_DIR/seen"
 

@@ -15,15 +15,25 @@ use homogen_codegen::print::rust::{Item, Library, Source, each_method};
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::wording::visible;
 
-/// The functions of a module.
+/// The functions of a module, each with its explained code.
 #[must_use]
 pub fn functions(module: &Module, layouts: &Layouts) -> Value {
-    let item = Item::named_after(&module.about.robot);
-    let methods = each_method(module, &item, &Library::default());
+    let functions = counted(module, layouts).into_iter().zip(explained(module));
+    let functions = functions.map(|(mut function, code)| {
+        for (key, value) in code {
+            function[key] = value;
+        }
+        function
+    });
+    functions.collect()
+}
+
+/// The functions of a module without their code.
+#[must_use]
+pub fn counted(module: &Module, layouts: &Layouts) -> Vec<Value> {
     let signs = have_signs(&module.functions);
-    let functions = module.functions.iter().zip(methods).zip(&layouts.of);
-    let functions = functions.map(|((generated, method), layout)| {
-        let code = Source::new("", &method.text).to_string();
+    let functions = module.functions.iter().zip(&layouts.of);
+    let functions = functions.map(|(generated, layout)| {
         let frame = generated.frame.as_deref().unwrap_or(&module.about.tip);
         let arguments = generated.arguments(&module.spaces);
         json!({
@@ -33,12 +43,26 @@ pub fn functions(module: &Module, layouts: &Layouts) -> Value {
             "arguments": arguments.into_iter().map(Variable::name).collect::<Value>(),
             "count": shown(operation_count(generated, signs)),
             "layout": layout,
-            "lines": code.lines().count(),
-            "code": packed(&code),
-            "names": packed(&meanings(&method.meanings).to_string()),
         })
     });
     functions.collect()
+}
+
+/// The code of each function of a module, and the meanings of the names in it. Printing takes almost as long as expanding.
+pub fn explained(module: &Module) -> impl Iterator<Item = [(&'static str, Value); 3]> {
+    let item = Item::named_after(&module.about.robot);
+    let methods = each_method(module, &item, &Library::default()).into_iter();
+    methods.map(|method| {
+        let code = Source::new("", &method.text).to_string();
+        [
+            ("lines", json!(code.lines().count())),
+            ("code", json!(packed(&code))),
+            (
+                "names",
+                json!(packed(&meanings(&method.meanings).to_string())),
+            ),
+        ]
+    })
 }
 
 /// A function that has not been expanded: its name, the link of its frame, and its sentence.

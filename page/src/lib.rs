@@ -1,14 +1,18 @@
 //! Data of pages for browsers, and of answers in JSON: a robot as it was read, its skeleton, and its functions with
 //! operation counts, error bounds and explained code.
 //!
+//! Projects to begin with, around generated code, are here too, because the command line and the site offer the same.
+//!
 //! The command line and the WebAssembly module of the site call it. In: a chain and a generated module of the engine.
 //! Out: JSON. It knows neither files nor arguments of a program.
 
 pub mod count;
 pub mod diagnostics;
+pub mod firmware;
 pub mod function;
 pub mod names;
 pub mod packed;
+pub mod project;
 pub mod report;
 pub mod result;
 pub mod session;

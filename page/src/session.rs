@@ -7,9 +7,12 @@
 //! |---|---|---|
 //! | `options` | | the table of options: `name`, `value`, `help`, `switch`, `repeats`, `group` |
 //! | `open` | `file`, the name of the file; `options`, pairs of names and values | the robot, and the functions that it may have |
-//! | `function` | `index` in that list | the function, or `left_out` with the reason |
-//! | `values` | `indices`; `q`, `qd`, `qdd`, `tau` and further arguments by name, zero if absent | a list of results for each function |
+//! | `function` | `index` in that list | the function without its code, or `left_out` with the reason |
+//! | `explain` | `index` of a function that has been expanded | `lines`, `code` and `names`, packed |
+//! | `frame` | `link`, its index in the skeleton | `indices` of the pose and of the geometric Jacobian of its frame |
+//! | `values` | `indices`; `scalar`; `states`, objects with `q`, `qd`, `qdd`, `tau` and further arguments by name, zero if absent | for each state a list of results, one for each function |
 //! | `code` | `language`, `scalar`, `functions` | `files` with names and texts, and `command` |
+//! | `project` | `kind`, `scalar`, `functions` | the same for a project, with its `folder` |
 
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
@@ -17,21 +20,23 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use crate::firmware::{self, Board};
+use crate::project::{self, Project, stem};
 use crate::result::values;
 use crate::{count, diagnostics, function, shown, skeleton};
 use homogen_codegen::Real;
 use homogen_codegen::arithmetic::Own;
 use homogen_codegen::builder::{Builder, Language};
-use homogen_codegen::chain::Chain;
+use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::check::Check;
-use homogen_codegen::description::xacro::Given;
+use homogen_codegen::description::xacro::{self, Given};
 use homogen_codegen::description::{Description, FileFormat, inline, read_bytes_in};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Sines;
 use homogen_codegen::function::Function;
-use homogen_codegen::module::{GeneratedFunction, name};
+use homogen_codegen::module::{GeneratedFunction, Module, name};
 use homogen_codegen::plan::wanted;
 use homogen_codegen::print::arrays::Order;
 use homogen_codegen::request::Request;
@@ -68,9 +73,14 @@ struct Open {
     request: Request,
     chain: Chain,
     check: Check,
+    /// The file, which a firmware has a copy of.
+    file: Vec<u8>,
     /// The functions that the robot may have, each with its frame.
     wanted: Vec<(Vec<Function>, FrameId)>,
-    expanded: BTreeMap<usize, GeneratedFunction>,
+    /// Functions by their indices; those of further frames follow the wanted ones.
+    expanded: BTreeMap<usize, Module>,
+    /// The indices of functions of further frames, by links.
+    framed: BTreeMap<usize, [usize; 2]>,
 }
 
 impl Session {
@@ -87,8 +97,11 @@ impl Session {
             Some("options") => Ok(options()),
             Some("open") => self.open(&request),
             Some("function") => self.opened().and_then(|open| open.function(&request)),
+            Some("explain") => self.opened().and_then(|open| open.explain(&request)),
+            Some("frame") => self.opened().and_then(|open| open.frame(&request)),
             Some("values") => self.opened().map(|open| open.values(&request)),
             Some("code") => self.opened().and_then(|open| open.code(&request)),
+            Some("project") => self.opened().and_then(|open| open.project(&request)),
             _ => Err(mistake("unknown request")),
         };
         answer.unwrap_or_else(|errors| refused(&errors)).to_string()
@@ -133,8 +146,10 @@ impl Session {
             written,
             request,
             chain,
+            file: self.file.clone(),
             wanted,
             expanded: BTreeMap::new(),
+            framed: BTreeMap::new(),
         });
         Ok(answer)
     }
@@ -164,50 +179,98 @@ impl Open {
             return Ok(json!({ "left_out": count::left_out(&module) }));
         }
         let layouts = skeleton::layouts(&self.chain, &module);
-        let mut answer = function::functions(&module, &layouts)[0].take();
+        let mut answer = function::counted(&module, &layouts).swap_remove(0);
         answer["layout"] = shown(layouts.places[layouts.of[0]].clone());
-        if let Some(generated) = module.functions.pop() {
-            self.expanded.insert(index, generated);
+        self.expanded.insert(index, module);
+        Ok(answer)
+    }
+
+    /// The code of a function that has been expanded.
+    fn explain(&self, asked: &Value) -> Result<Value, Errors> {
+        let module = self.expanded.get(&index(&asked["index"]));
+        let module = module.ok_or_else(|| mistake("the function has not been expanded"))?;
+        let mut answer = json!({});
+        for (key, value) in function::explained(module).flatten() {
+            answer[key] = value;
         }
         Ok(answer)
     }
 
-    /// Values of functions that have been expanded, in the order of the request; null for others.
+    /// The pose and the geometric Jacobian of a link's frame, expanded for values.
+    fn frame(&mut self, asked: &Value) -> Result<Value, Errors> {
+        let link = index(&asked["link"]);
+        if let Some(indices) = self.framed.get(&link) {
+            return Ok(json!({ "indices": indices }));
+        }
+        let links = &self.chain.report.links;
+        let name = links.get(link).ok_or_else(|| mistake("unknown link"))?;
+        let mut request = (*self.chain.request).clone();
+        request.frames = vec![name.clone().into()];
+        let chain = chain::build(&self.chain.description, &request)?;
+        let mut frames = chain.frames.ids();
+        let frame = frames.find(|frame| chain.frames[*frame].name == *name);
+        let frame = frame.ok_or_else(|| mistake("the link has no frame"))?;
+        let check = Check::of(&chain)?;
+        let first = self.wanted.len() + 2 * self.framed.len();
+        let indices = [first, first + 1];
+        let functions = [Function::ForwardKinematics, Function::GeometricJacobian];
+        for (index, function) in indices.into_iter().zip(functions) {
+            let module = expand::one(&chain, &check, vec![function], frame)?;
+            self.expanded.insert(index, module);
+        }
+        self.framed.insert(link, indices);
+        Ok(json!({ "indices": indices }))
+    }
+
+    /// For each state the values of functions that have been expanded, in the order of the request; null for others.
     fn values(&self, asked: &Value) -> Value {
-        let spaces = self.chain.spaces();
+        let indices = asked["indices"].as_array().map_or(&[][..], Vec::as_slice);
+        let states = asked["states"].as_array().map_or(&[][..], Vec::as_slice);
+        let scalar = scalar(asked);
+        let states = states.iter().map(|state| {
+            let all = indices.iter();
+            let all = all.map(|at| match self.generated(index(at)) {
+                Some(generated) => self.results(generated, scalar, state),
+                None => Value::Null,
+            });
+            all.collect::<Value>()
+        });
+        json!({ "values": states.collect::<Value>() })
+    }
+
+    /// A function that has been expanded.
+    fn generated(&self, index: usize) -> Option<&GeneratedFunction> {
+        self.expanded.get(&index)?.functions.first()
+    }
+
+    /// The results of functions that are expanded together, at a state.
+    fn results(&self, generated: &GeneratedFunction, scalar: Real, state: &Value) -> Value {
         let number = |variable: Variable, k: u16| {
-            asked[variable.name()][usize::from(k)]
+            state[variable.name()][usize::from(k)]
                 .as_f64()
                 .unwrap_or(0.0)
         };
-        let indices = asked["indices"].as_array().map_or(&[][..], Vec::as_slice);
-        let all = indices.iter().map(|at| {
-            let Some(generated) = self.expanded.get(&index(at)) else {
-                return Value::Null;
-            };
-            let numbers = match self.request.formulation.sines {
-                Sines::Own => computed::<Own<f64>>(generated, number),
-                Sines::Platform => computed::<f64>(generated, number),
-            };
-            let mut rest = &*numbers;
-            let functions = generated.functions.iter().map(|function| {
-                let result = function.result();
-                let (own, others) = rest.split_at(result.size(spaces).min(rest.len()));
-                rest = others;
-                values(result, spaces, own)
-            });
-            functions.collect()
+        let numbers = match (scalar, self.request.formulation.sines) {
+            (Real::F32, Sines::Own) => computed::<Own<f32>>(generated, number),
+            (Real::F32, Sines::Platform) => computed::<f32>(generated, number),
+            (_, Sines::Own) => computed::<Own<f64>>(generated, number),
+            (_, Sines::Platform) => computed::<f64>(generated, number),
+        };
+        let spaces = self.chain.spaces();
+        let mut rest = &*numbers;
+        let functions = generated.functions.iter().map(|function| {
+            let result = function.result();
+            let (own, others) = rest.split_at(result.size(spaces).min(rest.len()));
+            rest = others;
+            values(result, spaces, own)
         });
-        json!({ "values": all.collect::<Value>() })
+        functions.collect()
     }
 
-    /// Files in a language, and the command that makes them.
-    fn code(&mut self, asked: &Value) -> Result<Value, Errors> {
+    /// The request with a scalar type and functions.
+    fn asked(&self, asked: &Value) -> Result<Request, Errors> {
         let mut request = self.request.clone();
-        request.scalar = match asked["scalar"].as_str() {
-            Some("f32") => Real::F32,
-            _ => Real::F64,
-        };
+        request.scalar = scalar(asked);
         if let Some(names) = asked["functions"].as_array() {
             let names = names.iter().map(|name| name.as_str().unwrap_or_default());
             request.functions = names
@@ -215,8 +278,59 @@ impl Open {
                 .collect::<Result<_, _>>()
                 .map_err(mistake)?;
         }
+        Ok(request)
+    }
+
+    /// A project, and the command that makes it.
+    fn project(&self, asked: &Value) -> Result<Value, Errors> {
+        let kind = asked["kind"].as_str().unwrap_or_default();
+        let file = self.written.source.file.as_deref();
+        let builder = Builder::from_description(self.written.clone());
+        if kind == "firmware" {
+            return self.firmware(builder, file);
+        }
+        let mut kinds = Project::ALL.into_iter();
+        let project = kinds.find(|project| project.word() == kind);
+        let project = project.ok_or_else(|| mistake("unknown project"))?;
+        let builder = builder.request(self.asked(asked)?);
+        let (files, module) = project.files(&builder)?;
+        let folder = project::folder(&module.about.robot);
+        let command = builder.command_of(&format!("homogen new {kind}"), file, &folder);
+        Ok(named(&folder, files, &command))
+    }
+
+    /// A firmware, with its copy of the description.
+    fn firmware(&self, builder: Builder, file: Option<&str>) -> Result<Value, Errors> {
+        let request = firmware::scope(&self.request);
+        let builder = builder.request(request.clone());
+        let board = Board::M4F;
+        let module = board.functions(builder.clone()).file_module()?;
+        let engine = format!("\"={}\"", env!("CARGO_PKG_VERSION"));
+        let mut files = firmware::files(&module, &request, &board, &engine);
+        let text = match self.written.source.format {
+            Some(FileFormat::Xacro) => {
+                let mut errors = Errors::new();
+                let text = String::from_utf8_lossy(&self.file);
+                let given = Given::of(&self.request, Path::new(""));
+                let name = file.unwrap_or("robot.xacro");
+                let urdf = xacro::expanded(&text, name, None, &given, &mut errors);
+                urdf.ok_or(errors)?
+            }
+            _ => String::from_utf8_lossy(&self.file).into_owned(),
+        };
+        files.push((
+            firmware::description(self.written.source.format).to_owned(),
+            text,
+        ));
+        let folder = format!("{}-firmware", firmware::package(&module.about.robot));
+        let command = builder.command_of("homogen new firmware", file, &folder);
+        Ok(named(&folder, files, &command))
+    }
+
+    /// Files in a language, and the command that makes them.
+    fn code(&self, asked: &Value) -> Result<Value, Errors> {
         let file = self.written.source.file.clone();
-        let builder = Builder::from_description(self.written.clone()).request(request);
+        let builder = Builder::from_description(self.written.clone()).request(self.asked(asked)?);
         let name = stem(&self.written.name.text);
         let one = |ending: &str, text: String| json!([{ "name": format!("{name}.{ending}"), "text": text }]);
         let header = format!("{name}.h");
@@ -228,6 +342,14 @@ impl Open {
                     { "name": header, "text": source.header },
                 ]);
                 (Language::C(&header), files)
+            }
+            Some("cpp") => {
+                let file = format!("{name}.hpp");
+                let text = builder.cpp(&builder.cpp_module()?, &file);
+                let files = json!([{ "name": file, "text": text }]);
+                let command =
+                    builder.command(self.written.source.file.as_deref(), Language::Cpp(&file));
+                return Ok(json!({ "files": files, "command": command }));
             }
             Some("llvm") => {
                 let text = builder.llvm(&builder.compiled_module()?, LANES);
@@ -331,18 +453,19 @@ fn index(value: &Value) -> usize {
     index.unwrap_or(usize::MAX)
 }
 
-/// The name of a file for a robot: lower case, and nothing that a shell or a file system would change.
-fn stem(robot: &str) -> String {
-    let letters = robot.chars().take(40).map(|letter| match letter {
-        'a'..='z' | '0'..='9' => letter,
-        'A'..='Z' => letter.to_ascii_lowercase(),
-        _ => '_',
-    });
-    let stem: String = letters.collect();
-    match stem.trim_matches('_') {
-        "" => "robot".to_owned(),
-        stem => stem.to_owned(),
+/// The type of numbers of a request; `f64` by default.
+fn scalar(asked: &Value) -> Real {
+    match asked["scalar"].as_str() {
+        Some("f32") => Real::F32,
+        _ => Real::F64,
     }
+}
+
+/// The answer of a project.
+fn named(folder: &str, files: Vec<(String, String)>, command: &str) -> Value {
+    let files = files.into_iter();
+    let files = files.map(|(name, text)| json!({ "name": name, "text": text }));
+    json!({ "folder": folder, "files": files.collect::<Value>(), "command": command })
 }
 
 /// An error without a place.
@@ -382,12 +505,15 @@ mod tests {
         let (mut session, robot) = opened(SCARA, &json!([["tip", "tool"]]));
         let functions = robot["functions"].as_array().expect("a list");
         let at = functions.iter().position(|own| own["name"] == "gravity");
-        let values = json!({ "do": "values", "indices": [at], "q": [0.1, 0.2, 0.3, 0.4] });
-        assert_eq!(asked(&mut session, &values)["values"], json!([null]));
+        let state = json!({ "q": [0.1, 0.2, 0.3, 0.4] });
+        let values = json!({ "do": "values", "indices": [at], "states": [state] });
+        assert_eq!(asked(&mut session, &values)["values"], json!([[null]]));
         let function = asked(&mut session, &json!({ "do": "function", "index": at }));
         assert_eq!(function["name"], "gravity");
         assert!(function["count"]["mul"].is_u64() && function["layout"].is_array());
-        let found = &asked(&mut session, &values)["values"][0][0];
+        let explained = asked(&mut session, &json!({ "do": "explain", "index": at }));
+        assert!(explained["lines"].as_u64() > Some(1) && explained["code"].is_string());
+        let found = &asked(&mut session, &values)["values"][0][0][0];
         let lift = found[2].as_f64().expect("a force of the vertical joint");
         assert!(lift.abs() > 1.0, "{found}");
     }
@@ -406,6 +532,61 @@ mod tests {
             assert!(
                 found["name"] == own["name"] || reason.is_string(),
                 "{found}"
+            );
+        }
+    }
+
+    #[test]
+    fn frames_of_links_have_poses_and_jacobians() {
+        let (mut session, robot) = opened(SCARA, &json!([["tip", "tool"]]));
+        let count = robot["functions"].as_array().map_or(0, Vec::len);
+        let links = robot["skeleton"]["links"].as_array().expect("a list");
+        for (link, frame) in links.iter().enumerate() {
+            let first = asked(&mut session, &json!({ "do": "frame", "link": link }));
+            assert_eq!(
+                first["indices"],
+                json!([count + 2 * link, count + 2 * link + 1])
+            );
+            assert_eq!(
+                asked(&mut session, &json!({ "do": "frame", "link": link })),
+                first
+            );
+            let values = json!({ "do": "values", "indices": first["indices"], "states": [{}] });
+            let found = &asked(&mut session, &values)["values"][0];
+            assert_eq!(
+                found[0][0].as_array().map(Vec::len),
+                Some(4),
+                "{frame}: {found}"
+            );
+            assert_eq!(
+                found[1][0].as_array().map(Vec::len),
+                Some(6),
+                "{frame}: {found}"
+            );
+        }
+        let unknown = asked(&mut session, &json!({ "do": "frame", "link": 99 }));
+        assert_eq!(unknown["errors"][0]["message"], "unknown link");
+    }
+
+    #[test]
+    fn projects_have_the_command_that_makes_them() {
+        let (mut session, _) = opened(SCARA, &json!([["tip", "tool"]]));
+        for (kind, folder, first) in [
+            ("crate", "scara_robot", "Cargo.toml"),
+            ("cmake", "scara_robot", "CMakeLists.txt"),
+            ("python", "scara_robot", "pyproject.toml"),
+            ("firmware", "scara-firmware", "Cargo.toml"),
+        ] {
+            let project = json!({ "do": "project", "kind": kind, "functions": ["gravity"] });
+            let answer = asked(&mut session, &project);
+            assert_eq!(answer["folder"], folder, "{answer}");
+            assert_eq!(answer["files"][0]["name"], first, "{answer}");
+            let command = answer["command"].as_str().expect("a command");
+            let begin = format!("homogen new {kind} robot.urdf --tip tool");
+            assert!(command.starts_with(&begin), "{command}");
+            assert!(
+                command.ends_with(&format!("--output {folder}")),
+                "{command}"
             );
         }
     }
@@ -436,7 +617,13 @@ mod tests {
     #[test]
     fn code_has_the_command_that_makes_it() {
         let (mut session, _) = opened(SCARA, &json!([["tip", "tool"]]));
-        for (language, ending) in [("rust", "rs"), ("c", "c"), ("llvm", "ll"), ("python", "py")] {
+        for (language, ending) in [
+            ("rust", "rs"),
+            ("c", "c"),
+            ("cpp", "hpp"),
+            ("llvm", "ll"),
+            ("python", "py"),
+        ] {
             let code =
                 json!({ "do": "code", "language": language, "functions": ["gravity", "bias"] });
             let answer = asked(&mut session, &code);

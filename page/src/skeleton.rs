@@ -38,7 +38,8 @@ pub fn skeleton(chain: &Chain) -> Result<Value, Errors> {
             "parent": carrier.map(|joint| &joint.parent.text),
             "joint": carrier.map(|joint| &joint.name.text),
             "mass": inertial.map(|inertial| inertial.mass.value),
-            "center": inertial.map(center),
+            "center": inertial.map(|inertial| placed(inertial).0),
+            "inertia": inertial.map(inertia),
         })
     });
     let loops = chain.loops.iter().map(|closed| {
@@ -229,10 +230,36 @@ fn number(graph: &Graph, expr: Expr) -> f64 {
     graph.value(expr).map_or(0.0, Double::to_f64)
 }
 
-/// The centre of mass of a link in its frame \[m\], in the precision of a drawing.
-fn center(inertial: &Inertial) -> [f64; 3] {
-    let zero = Double::from(0.0);
-    let mut point = [zero; 3];
+/// The inertia tensor about the centre of mass in the axes of the link [kg m²], xx, xy, xz, yy, yz, zz, in the precision
+/// of a drawing.
+fn inertia(inertial: &Inertial) -> [f64; 6] {
+    let (_, axes) = placed(inertial);
+    let [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(|entry| entry.value);
+    let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let turned = |i: usize, j: usize| {
+        let terms = (0..3).flat_map(|k| (0..3).map(move |l| (k, l)));
+        terms
+            .map(|(k, l)| axes[k][i] * tensor[k][l] * axes[l][j])
+            .sum()
+    };
+    [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|(i, j)| turned(i, j))
+}
+
+/// The centre of mass of a link in its frame \[m\], and the axes of the inertia tensor, in the precision of a drawing.
+fn placed(inertial: &Inertial) -> ([f64; 3], [[f64; 3]; 3]) {
+    let (zero, one) = (Double::from(0.0), Double::from(1.0));
+    let center = moved(inertial, [zero; 3]);
+    let axis = |k: usize| {
+        let mut end = [zero; 3];
+        end[k] = one;
+        let end = moved(inertial, end);
+        std::array::from_fn(|row| (end[row] - center[row]).to_f64())
+    };
+    (center.map(Double::to_f64), [0, 1, 2].map(axis))
+}
+
+/// A point of the frame of the inertia tensor in the frame of the link.
+fn moved(inertial: &Inertial, mut point: [Double; 3]) -> [Double; 3] {
     for step in inertial.origin.iter().rev() {
         match step {
             Step::Translate(offset) => {
@@ -264,5 +291,5 @@ fn center(inertial: &Inertial) -> [f64; 3] {
             }
         }
     }
-    point.map(Double::to_f64)
+    point
 }

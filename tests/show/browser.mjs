@@ -107,9 +107,9 @@ class Page {
     return result.value;
   }
 
-  // Waits until an expression is true.
-  async until(expression) {
-    const end = performance.now() + PATIENCE;
+  // Waits until an expression is true, for some time \[ms\].
+  async until(expression, patience = PATIENCE) {
+    const end = performance.now() + patience;
     while (!(await this.ask(expression))) {
       if (performance.now() > end) throw new Error(`never: ${expression}`);
       await new Promise((done) => setTimeout(done, 20));

@@ -3,8 +3,8 @@
 // In: the program `homogen`, Chromium, an output folder with the site in `served`. Out: pictures in that folder, sizes and
 // times on standard output, or an error for the first check that fails.
 
-import { execFileSync } from "node:child_process";
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { execFileSync, spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { gzipSync } from "node:zlib";
 import { Browser } from "../show/browser.mjs";
@@ -24,14 +24,17 @@ function check(holds, what) {
   if (!holds) throw new Error(what);
 }
 
+const has = (program) => spawnSync("which", [program]).status === 0;
 const run = (words, folder = root) => execFileSync(homogen, words, { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
 
-// Drops a file on the page.
-const drop = (page, name, text) => page.ask(`(() => {
+// Drops files, pairs of names and texts, on the page.
+const dropAll = (page, files) => page.ask(`(() => {
   const transfer = new DataTransfer();
-  transfer.items.add(new File([${JSON.stringify(text)}], ${JSON.stringify(name)}));
+  for (const [name, text] of ${JSON.stringify(files)}) transfer.items.add(new File([text], name));
   document.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
 })()`);
+
+const drop = (page, name, text) => dropAll(page, [[name, text]]);
 
 // Text that differs before and after an answer.
 const answered = `document.querySelector("#name").textContent === NAME && (site.error() !== null || site.values()?.mass_matrix)`;
@@ -46,13 +49,8 @@ async function values(page, name, file, options) {
     const { q, qd, qdd } = homogen.given();
     return { q, qd, qdd };
   })()`);
-  const state = join(output, "states.json");
-  writeFileSync(state, JSON.stringify({ states: [given] }));
-  const words = options.flatMap(([option, value]) => (value === "" ? [`--${option}`] : [`--${option}`, value]));
   const expected = {};
-  for (const own of ["gravity", "inverse_dynamics", "mass_matrix"]) {
-    expected[own] = JSON.parse(run(["eval", file, ...words, "--function", own, "--states", state, "--format", "json"])).results[0];
-  }
+  for (const own of ["gravity", "inverse_dynamics", "mass_matrix"]) [expected[own]] = evaluated(file, options, own, [given]);
   const text = JSON.stringify(expected);
   // The page may still show the state before.
   const seen = `JSON.stringify({ gravity: site.values().gravity, inverse_dynamics: site.values().inverse_dynamics, mass_matrix: site.values().mass_matrix })`;
@@ -87,9 +85,9 @@ async function languages(browser, address) {
   const page = await browser.open(`${address}#robot=two_link.urdf`, WIDE);
   await page.until("site.settled()");
   check((await page.ask(`document.querySelectorAll(".lacking").length`)) === 0, "a function of two links is not available");
-  for (const [index, title] of ["Rust", "C99", "Python", "LLVM IR"].entries()) {
+  for (const [index, title] of ["Rust", "C99", "C++17", "Python", "LLVM IR"].entries()) {
     await page.ask(`document.querySelector("#files .tabs button:nth-child(${index + 1})").click()`);
-    const language = ["", "--language c", "--language python", "--language llvm"][index];
+    const language = ["", "--language c ", "--language cpp", "--language python", "--language llvm"][index];
     await page.until(`!document.querySelector(".files").classList.contains("busy") && document.querySelector("#command")?.textContent.includes(${JSON.stringify(language)})`);
     const command = await page.ask(`document.querySelector("#command").textContent`);
     const words = command.split(" ");
@@ -103,7 +101,182 @@ async function languages(browser, address) {
     for (const [name, text] of files) {
       check(readFileSync(join(folder, name), "utf8") === text, `${title}: ${name} differs from that of ${command}`);
     }
+    if (title === "C++17") execFileSync("c++", ["-std=c++17", "-fsyntax-only", "-x", "c++", join(folder, files[0][0])]);
   }
+}
+
+// Results of a function by eval at states, and the words of options.
+const flags = (options) => options.flatMap(([option, value]) => (value === "" ? [`--${option}`] : [`--${option}`, value]));
+function evaluated(file, options, own, states, more = []) {
+  const path = join(output, "states.json");
+  writeFileSync(path, JSON.stringify({ states }));
+  return JSON.parse(run(["eval", file, ...flags(options), "--function", own, "--states", path, "--format", "json", ...more])).results;
+}
+
+// The volume of the ellipsoid of a Jacobian: √det(J Jᵗ), by elimination.
+function volume(rows) {
+  const square = rows.map((row) => rows.map((other) => row.reduce((sum, entry, k) => sum + entry * other[k], 0)));
+  let product = 1;
+  square.forEach((row, k) => {
+    product *= row[k];
+    for (const below of square.slice(k + 1)) {
+      const factor = below[k] / row[k];
+      for (let column = k; column < below.length; column += 1) below[column] -= factor * row[column];
+    }
+  });
+  return Math.sqrt(product);
+}
+
+const PANDA = "#robot=panda_class.urdf&-tip=link8&q=0.4,-0.5,0.2,-2,0.3,1.8,0.6";
+const near = (a, b, error = 1e-9) => Math.abs(a - b) <= error * Math.max(1, Math.abs(a), Math.abs(b));
+
+// The inverse of the mass matrix and the Jacobian of a frame that is chosen by a click, as by eval.
+async function matrices(browser, address) {
+  const page = await browser.open(address + PANDA, WIDE);
+  await page.until("site.values()?.mass_matrix_inverse && site.values()?.geometric_jacobian");
+  const [file, options, state] = ["robots/panda_class.urdf", [["tip", "link8"]], await page.ask("homogen.given()")];
+  for (const own of ["mass_matrix", "mass_matrix_inverse"]) {
+    const [expected] = evaluated(file, options, own, [state]);
+    const shown = await page.ask(`[...document.querySelectorAll("#heat-${own} span")].map((cell) => Number(cell.dataset.value))`);
+    check(JSON.stringify(shown) === JSON.stringify(expected.flat()), `${own}: ${shown}`);
+  }
+  const link = await page.ask(`[...document.querySelectorAll("#frame option")].findIndex((option) => option.textContent === "link5")`);
+  // A click on the picture, where the frame is drawn.
+  const at = await page.ask(`(() => {
+    const { x, y } = homogen.place(${link});
+    const box = document.querySelector("#picture").getBoundingClientRect();
+    return { x: box.x + x, y: box.y + y };
+  })()`);
+  for (let step = 0; step < 4 && (await page.ask("homogen.chosen()")) !== link; step += 1) {
+    for (const type of ["mousePressed", "mouseReleased"]) await page.mouse(type, at, { button: "left", clickCount: 1 });
+  }
+  check((await page.ask("homogen.chosen()")) === link, "a click does not choose the frame");
+  const [rows] = evaluated(file, options, "geometric_jacobian", [state], ["--frame", "link5"]);
+  const text = JSON.stringify(rows);
+  await page.until(`JSON.stringify(site.values().geometric_jacobian) === ${JSON.stringify(text)}`);
+  const shown = await page.ask(`[...document.querySelectorAll("#jacobian [aria-label='The Jacobian'] tbody tr")].map((row) => [...row.querySelectorAll("td span[title]")].map((cell) => Number(cell.title)))`);
+  const moving = rows[0].map((_, k) => k).filter((k) => rows.some((row) => row[k] !== 0));
+  check(JSON.stringify(shown) === JSON.stringify(moving.map((k) => rows.map((row) => row[k]))), `the table of the Jacobian: ${JSON.stringify(shown)}`);
+  const [linear] = await page.ask(`[...document.querySelectorAll("#jacobian [aria-label='Manipulability'] output")].map((one) => Number(one.dataset.value))`);
+  check(near(linear, volume(rows.slice(3))), `manipulability ${linear}, not ${volume(rows.slice(3))}`);
+  check(page.complaints.length === 0, page.complaints.join("; "));
+  // A straight arm in a plane cannot move along itself, nor out of the plane.
+  const flat = await browser.open(`${address}#robot=two_link.urdf&q=0.5,0`, WIDE);
+  const singular = `[...document.querySelectorAll("#jacobian [aria-label='Singular directions'] b")].length`;
+  await flat.until(`site.values()?.geometric_jacobian && ${singular} === 2`);
+  await flat.ask("homogen.move([0.5, 1])");
+  await flat.until(`${singular} === 1`);
+}
+
+// Plots have the values of eval, over the range of a joint and over the time of a motion, which plays.
+async function plots(browser, address) {
+  const page = await browser.open(address + PANDA, WIDE);
+  await page.until("site.values()?.mass_matrix && document.querySelector('#command')");
+  const [file, options] = ["robots/panda_class.urdf", [["tip", "link8"]]];
+  const select = (id, value) => page.ask(`(() => { const own = document.querySelector("#${id}"); own.value = ${JSON.stringify(value)}; own.dispatchEvent(new Event("change")); })()`);
+  await page.ask(`document.querySelector(".plot").parentElement.open = true`);
+  await page.until("site.plot()?.curves.length === 7");
+  await select("plot-function", "kinetic_energy");
+  await page.until(`site.plot()?.curves[0].name === "kinetic_energy"`);
+  await select("plot-function", "mass_matrix");
+  await page.until(`site.plot()?.curves[0].name.includes("joint1, joint1")`);
+  await select("plot-row", "1");
+  await select("plot-column", "3");
+  await page.until(`site.plot()?.curves[0].name === "joint2, joint4"`);
+  const { curves: [curve], states } = await page.ask("site.plot()");
+  const expected = evaluated(file, options, "mass_matrix", states).map((rows) => rows[1][3]);
+  check(JSON.stringify(curve.points.map(([, value]) => value)) === JSON.stringify(expected), "a plot of the mass matrix");
+  // A motion from the present configuration to another one.
+  const button = (text) => page.ask(`[...document.querySelectorAll("#trajectory button")].find((one) => one.textContent === ${JSON.stringify(text)}).click()`);
+  await button("Start here");
+  const [from, to] = [await page.ask("homogen.q()"), [0.1, 0.2, -0.3, -1.2, 0.5, 1.2, 0.3]];
+  await page.ask(`homogen.move(${JSON.stringify(to)})`);
+  await button("End here");
+  await select("plot-function", "inverse_dynamics");
+  await page.until(`site.plot()?.curves.length === 7 && site.plot().states[0].q.join() === ${JSON.stringify(from.join())}`);
+  const motion = await page.ask("site.plot()");
+  motion.states.forEach((state, step) => {
+    const u = step / (motion.states.length - 1);
+    const way = to.map((end, k) => end - from[k]);
+    const parts = [10 * u ** 3 - 15 * u ** 4 + 6 * u ** 5, (30 * u ** 2 - 60 * u ** 3 + 30 * u ** 4) / 2, (60 * u - 180 * u ** 2 + 120 * u ** 3) / 4];
+    const wanted = { q: way.map((part, k) => from[k] + part * parts[0]), qd: way.map((part) => part * parts[1]), qdd: way.map((part) => part * parts[2]) };
+    for (const variable of ["q", "qd", "qdd"]) check(state[variable].every((entry, k) => near(entry, wanted[variable][k], 1e-12)), `${variable} at ${u}`);
+  });
+  const torques = evaluated(file, options, "inverse_dynamics", motion.states);
+  check(motion.curves.every(({ points }, k) => points.every(([, value], step) => near(value, torques[step][k], 1e-12))), "torques of a motion");
+  await button("Play");
+  await page.until(`Number(document.querySelector(".clock").textContent.split(" ")[0]) > 0.3 && homogen.given().qd.some(Boolean)`);
+  await page.until(`document.querySelector("#trajectory button:nth-of-type(3)").textContent === "Play"`);
+  check((await page.ask("homogen.q().join()")) === to.join(), "the end of the motion");
+  check(page.complaints.length === 0, page.complaints.join("; "));
+}
+
+// Measured errors of single precision are within the proved bounds, and not zero.
+async function errors(browser, address) {
+  const page = await browser.open(address + PANDA, WIDE);
+  await page.until("site.settled()");
+  await page.click('[data-function="inverse_dynamics"] summary');
+  const rows = `[...document.querySelectorAll('[data-function="inverse_dynamics"] [aria-label="Error bounds"] tbody tr')].map((row) => [...row.cells].slice(3).map((cell) => Number(cell.textContent.replace("−", "-"))))`;
+  await page.until(`${rows}.length === 7`);
+  for (const [bound, median] of await page.ask(rows)) check(median > 0 && median < bound, `measured ${median}, proved ${bound}`);
+}
+
+// The configuration as text in each language is that of the page.
+async function copies(browser, address) {
+  const page = await browser.open(address + PANDA, WIDE);
+  await page.until("window.homogen?.q().length === 7");
+  const q = await page.ask("homogen.q()");
+  const own = async (name) => {
+    await page.ask(`(() => { const own = document.querySelector("#language-of-q"); own.value = "${name}"; own.dispatchEvent(new Event("change")); })()`);
+    return page.ask(`document.querySelector("#q").textContent`);
+  };
+  const same = (numbers, name) => check(JSON.stringify(numbers) === JSON.stringify(q), `${name}: ${numbers}`);
+  same(JSON.parse(await own("JSON")).states[0].q, "JSON");
+  same(JSON.parse(execFileSync("python3", ["-c", `${await own("Python")}\nprint(q)`], { encoding: "utf8" })), "Python");
+  const program = join(output, "configuration");
+  const printed = (compiler, words, source) => {
+    execFileSync(compiler, [...words, "-o", program, "-"], { input: source });
+    return JSON.parse(execFileSync(program, { encoding: "utf8" }));
+  };
+  same(printed("cc", ["-x", "c"], `#include <stdio.h>\nint main(void) { ${await own("C")} for (int k = 0; k < 7; k++) printf("%s%.17g", k ? "," : "[", q[k]); puts("]"); return 0; }`), "C");
+  same(printed("rustc", [], `fn main() { ${await own("Rust")} println!("{q:?}"); }`), "Rust");
+}
+
+// Projects are the folders of the commands that the page shows, and compile.
+async function projects(browser, address) {
+  const page = await browser.open(`${address}#robot=two_link.urdf`, WIDE);
+  await page.until("site.settled()");
+  const folder = join(output, "projects");
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  execFileSync("cp", [join(root, "robots/two_link.urdf"), folder]);
+  await browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder });
+  for (const kind of ["crate", "cmake", "python", "firmware"]) {
+    await page.ask(`document.querySelector('[data-project="${kind}"]').click()`);
+    await page.until(`document.querySelector("#project-command")?.textContent.includes("new ${kind}")`);
+    const [command, archive] = await page.ask(`[document.querySelector("#project-command").textContent, document.querySelector("#project a").download]`);
+    const end = performance.now() + 10_000;
+    while (!existsSync(join(folder, archive)) && performance.now() < end) await new Promise((done) => setTimeout(done, 50));
+    const words = command.split(" ").slice(1);
+    const name = words[words.length - 1];
+    execFileSync("python3", ["-m", "zipfile", "-e", archive, kind], { cwd: folder });
+    rmSync(join(folder, archive));
+    rmSync(join(folder, name), { recursive: true, force: true });
+    run(words, folder);
+    execFileSync("diff", ["-r", join(kind, name), name], { cwd: folder });
+    const inside = join(folder, name);
+    const compile = (program, own) => execFileSync(program, own, { cwd: inside, stdio: ["ignore", "ignore", "pipe"] });
+    if (kind === "crate") compile("cargo", ["check", "--offline", "--target-dir", join(folder, "target")]);
+    if (kind === "cmake") {
+      compile("cc", ["-std=c99", "-Wall", "-Werror", "-c", "two_link.c", "-o", join(folder, "two_link.o")]);
+      if (has("cmake")) {
+        compile("cmake", ["-S", ".", "-B", join(folder, "build")]);
+        compile("cmake", ["--build", join(folder, "build")]);
+      }
+    }
+    if (kind === "python") compile("python3", ["-B", "-c", `import ${name}`]);
+  }
+  check(page.complaints.length === 0, page.complaints.join("; "));
 }
 
 // Messages are under the words that caused them, and go when the text is corrected.
@@ -121,6 +294,53 @@ async function mistakes(browser, address) {
   await page.ask(`(() => { const own = document.querySelector("#option-lock"); own.value = "nowhere"; own.dispatchEvent(new Event("change")); })()`);
   await page.until("site.error() !== null");
   check(/nowhere/.test(await page.ask("site.error()")), "the error does not name the joint");
+  check(page.complaints.length === 0, page.complaints.join("; "));
+}
+
+// Several files: the page finds the first one and puts what it includes in its place.
+async function together(browser, address) {
+  const part = (name) => [name, readFileSync(join(root, "robots", name), "utf8")];
+  for (const [name, text, other] of [
+    ["whole.xml", `<mujoco model="whole"><include file="parts/two_link.xml"/></mujoco>`, "two_link.xml"],
+    ["whole.urdf.xacro", `<robot name="whole" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="$(find arm)/two_link.urdf.xacro"/></robot>`, "two_link.urdf.xacro"],
+  ]) {
+    const page = await browser.open(address, WIDE);
+    await dropAll(page, [part(other), [name, text]]);
+    await until(page, name);
+    check((await page.ask("site.error()")) === null, `${name}: ${await page.ask("site.error()")}`);
+    check((await page.ask(`document.querySelector("#robot").textContent`)) === "whole", "the first file");
+    await values(page, name, join("robots", other), []);
+    check(page.complaints.length === 0, page.complaints.join("; "));
+    await page.send("Page.close");
+  }
+  // Files that include each other end in a message.
+  const page = await browser.open(address, WIDE);
+  await dropAll(page, [["a.xml", `<mujoco><include file="b.xml"/></mujoco>`], ["b.xml", `<mujoco><include file="a.xml"/></mujoco>`]]);
+  await page.until("site.error() !== null");
+}
+
+// Shapes of links are drawn, and a link that is pointed at has its name.
+async function drawn(browser, address) {
+  const page = await browser.open(address, WIDE);
+  const text = readFileSync(join(root, "robots/two_link.urdf"), "utf8");
+  const shapes = ["<box size='0.1 0.1 0.2'/>", "<cylinder radius='0.05' length='0.3'/>", "<sphere radius='0.1'/>"];
+  const visuals = shapes.map((shape) => `<visual><origin xyz="0.1 0 0" rpy="0 1.57 0"/><geometry>${shape}</geometry></visual>`).join("");
+  await drop(page, "shapes.urdf", text.replace(/<link name="upper">/, (tag) => tag + visuals));
+  await until(page, "shapes.urdf");
+  const picture = () => page.ask(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(document.querySelector("#picture").toDataURL()))))`);
+  const layer = (name) => `[...document.querySelectorAll("#layers label")].find((label) => label.textContent.trim() === "${name}").querySelector("input")`;
+  check(await page.ask(`${layer("bodies")}.checked`), "shapes are not shown at first");
+  const first = await picture();
+  await page.ask(`${layer("bodies")}.click()`);
+  check((await picture()) !== first, "bodies make no difference");
+  // The tip and the frame of the fore arm are apart; with all in one place only one name is left.
+  const hovered = await page.ask(`(() => {
+    const { x, y } = homogen.place(1);
+    const box = document.querySelector("#picture").getBoundingClientRect();
+    return { x: box.x + x, y: box.y + y };
+  })()`);
+  await page.mouse("mouseMoved", hovered);
+  await page.until(`!document.querySelector("#tag").hidden && /upper|shoulder/.test(document.querySelector("#tag").textContent)`);
   check(page.complaints.length === 0, page.complaints.join("; "));
 }
 
@@ -163,10 +383,6 @@ async function links(browser, address) {
   await page.ask(`(() => { const typed = document.querySelector(".sliders .typed"); typed.value = "1.5 rad"; typed.dispatchEvent(new Event("change")); })()`);
   check((await page.ask("homogen.q()[0]")) === 1.5, "a typed number");
   await page.until(`location.hash.includes("q=1.5,")`);
-  // A plot of a torque over the range of a joint.
-  await page.ask(`document.querySelector(".plot").parentElement.open = true`);
-  await page.until(`document.querySelector(".plot polyline")?.getAttribute("points").split(" ").length === 73`);
-  await page.until(`/joint2 from/.test(document.querySelector(".plot").getAttribute("aria-label"))`);
 }
 
 async function times(browser, address) {
@@ -174,15 +390,72 @@ async function times(browser, address) {
   const packed = gzipSync(module, { level: 9 }).length;
   console.log(`module: ${(module.length / 1e6).toFixed(2)} MB, ${(packed / 1e6).toFixed(2)} MB compressed`);
   check(packed < 2e6, "the module is larger than 2 MB compressed");
-  for (const sample of ["panda_class.urdf", "quadruped.urdf", "humanoid.urdf"]) {
+  // At once, and after the engines have had some seconds, as while a person looks for a file.
+  for (const [sample, wait] of [["panda_class.urdf", 0], ["panda_class.urdf", 8], ["quadruped.urdf", 8], ["humanoid.urdf", 8]]) {
     const page = await browser.open(address, WIDE);
+    await new Promise((done) => setTimeout(done, 1000 * wait));
     await page.ask(`document.querySelector('[data-sample="${sample}"]').click()`);
-    await page.until(sample === "humanoid.urdf" ? "site.times().values" : "site.settled()");
+    // A busy machine takes its time.
+    await page.until("site.settled()", 300_000);
     const { robot, first, values: all, all: every } = await page.ask("site.times()");
     const said = (time) => (time === undefined ? "—" : `${(time / 1000).toFixed(2)} s`);
-    console.log(`${sample}: shown after ${said(robot)}, first function ${said(first)}, torques and mass matrix ${said(all)}, all functions ${said(every)}; opened in ${page.took.toFixed(0)} ms`);
+    console.log(`${sample}, dropped after ${wait} s: shown after ${said(robot)}, first function ${said(first)}, torques and mass matrix ${said(all)}, all functions ${said(every)}; opened in ${page.took.toFixed(0)} ms; ${((await page.ask("site.memory()")) / 1e6).toFixed(0)} MB`);
     await page.send("Page.close");
   }
+}
+
+// What a person wants to do takes at most five clicks, each with a picture.
+async function tasks(browser, address) {
+  const page = await browser.open(address, WIDE);
+  let clicks = 0;
+  const click = async (selector) => {
+    clicks += 1;
+    await page.click(selector);
+  };
+  const done = async (name, most) => {
+    await new Promise((later) => setTimeout(later, 300));
+    await page.picture(join(output, `task_${name}.png`));
+    check(clicks <= most, `${name} takes ${clicks} clicks`);
+    console.log(`${name}: ${clicks} clicks`);
+    clicks = 0;
+  };
+  // Torques of gravity at a configuration.
+  await click('[data-sample="panda_class.urdf"]');
+  await page.until("site.values()?.gravity");
+  const rest = await page.ask("site.values().gravity.join()");
+  await click("#slider-3");
+  await page.until(`site.values().gravity.join() !== ${JSON.stringify(rest)}`);
+  await done("gravity", 2);
+  // How one torque comes about.
+  await page.until("site.settled() && site.values().mass_matrix_inverse && site.values().geometric_jacobian");
+  await click('[data-function="inverse_dynamics"] summary');
+  await page.until(`document.querySelector('[data-function="inverse_dynamics"] .code .d')`);
+  await click('[data-function="inverse_dynamics"] .code .d[data-n*="_in_"]');
+  await page.until(`document.querySelector("#explain").classList.contains("pinned")`);
+  await done("explanation", 2);
+  // The cost of an option.
+  await click("#show-options");
+  await click("#option-formulation");
+  await page.send("Input.insertText", { text: "frame-0" });
+  await page.key("Enter");
+  await page.ask(`document.activeElement.blur()`);
+  await page.until(`site.settled() && /before: /.test(document.querySelector('[data-function="inverse_dynamics"] .before').textContent)`);
+  await page.ask(`document.querySelector("#functions").scrollIntoView({ behavior: "instant" })`);
+  await done("cost", 2);
+  // C for a microcontroller.
+  await browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: output });
+  await click("#files .tabs button:nth-child(2)");
+  await click("#files select");
+  await page.ask(`(() => { const own = document.querySelector("#files select"); own.value = "f32"; own.dispatchEvent(new Event("change")); })()`);
+  await page.until(`/--scalar f32.*--language c /.test(document.querySelector("#command").textContent) && !document.querySelector(".files").classList.contains("busy")`);
+  await click(".file .download");
+  await done("c", 4);
+  // What she sees, as a link.
+  await click("#link");
+  await page.until(`/Copied|address bar/.test(document.querySelector("#link").textContent)`);
+  check(/robot=panda_class.urdf.*-formulation=frame-0.*q=/.test(await page.ask("location.hash")), "the link");
+  await done("link", 1);
+  check(page.complaints.length === 0, page.complaints.join("; "));
 }
 
 // Pictures at three widths, light and dark; nothing is wider than the page.
@@ -218,7 +491,15 @@ try {
   await languages(browser, server.address);
   await mistakes(browser, server.address);
   await links(browser, server.address);
+  await matrices(browser, server.address);
+  await plots(browser, server.address);
+  await errors(browser, server.address);
+  await copies(browser, server.address);
+  await projects(browser, server.address);
+  await together(browser, server.address);
+  await drawn(browser, server.address);
   await hostile(browser, server.address);
+  await tasks(browser, server.address);
   await pictures(browser, server.address);
   const known = /^\/(|site\.css|site\.js|worker\.js|homogen\.wasm|robots\/[\w.]+)$/;
   const other = server.requested.filter((path) => !known.test(path));

@@ -14,17 +14,22 @@ function worst(errors, type) {
   return parts.length ? parts.join(", ") : null;
 }
 
-const OF = { results: "", tau: "as if τ were off by at most", M: "each column exact for an M of its own, off by at most" };
+const OF = {
+  results: "", diagonal: "beside the diagonal entries, at most", tau: "as if τ were off by at most", M: "each column exact for an M of its own, off by at most",
+  "unit forces": "each column exact for a unit force, off by at most", "tau derivatives": "as if the derivatives of τ were off by at most",
+};
 
-// The bounds of a function for each joint.
-function errorsOf(errors) {
+// The bounds of a function for each joint; `medians` are errors of f32 that were measured, one for each result, or null.
+function errorsOf(errors, medians) {
   return errors.map((error) => {
     if (error.unknown) return el("p", { class: "small" }, `Error: no bound: ${error.unknown}.`);
     const about = [error.range ? `For ${error.range}.` : null, error.lacks ? `No bound: ${error.lacks}.` : null].filter(Boolean).join(" ");
-    const rows = error.joints.map((one) => [one.joint === null ? "the result" : named(one.joint), one.unit, bound(one.f64), bound(one.f32)]);
+    const measured = error.of === "results" && medians?.length === error.joints.length ? medians : null;
+    const rows = error.joints.map((one, k) => [one.joint === null ? "the result" : named(one.joint), one.unit, bound(one.f64), bound(one.f32), ...(measured ? [bound(measured[k])] : [])]);
     return [
       el("h4", {}, "Error, proved: ", OF[error.of] || "at most"),
-      table("Error bounds", ["of", "unit", "in f64", "in f32"], rows, [2, 3]),
+      table("Error bounds", ["of", "unit", "in f64", "in f32", ...(measured ? ["in f32, measured"] : [])], rows, [2, 3, 4]),
+      measured ? el("p", { class: "small" }, "Bounds hold for every configuration in the range. Measured is the median of the errors at 64 random configurations with velocities and accelerations up to 1.") : null,
       about ? el("p", { class: "small" }, about) : null,
     ];
   });
@@ -114,10 +119,11 @@ class Lines {
 }
 
 // The section. `point` is called with the open function, the selected name, and true if it stays selected; `complete`
-// resolves to a function with its count and code. `fill` shows the count of a function that has been completed.
-function functionSection(robot, data, point, complete) {
+// resolves to a function with its count, `explain` to one with its code, `measure` to errors that were measured, or null.
+// `fill` shows the count of a function that has been completed.
+function functionSection(robot, data, point, { complete, explain, measure }) {
   const all = data.functions;
-  const cards = new Map(all.map((own) => [own, functionCard(robot, own, point, complete)]));
+  const cards = new Map(all.map((own) => [own, functionCard(robot, own, point, { complete, explain, measure })]));
   const fill = (...some) => {
     const most = Math.max(...all.map(({ count }) => (count ? count.mul + count.add : 0)), 1);
     for (const own of some) if (own.count || own.left_out) cards.get(own).fill();
@@ -138,14 +144,15 @@ function functionSection(robot, data, point, complete) {
   return { section, fill };
 }
 
-function functionCard(robot, own, point, complete) {
+function functionCard(robot, own, point, { complete, explain, measure }) {
   const inside = el("div", { class: "inside" });
   const bar = el("span", { class: "bar" });
   const number = (title) => el("span", { class: "number", title }, "…");
   const [products, sums, ofDense] = [number("products"), number("sums"), number("of the operations of dense 4×4 products")];
+  const before = el("small", { class: "before" }, own.waits ? "takes long, and is generated when it is opened" : null);
   const card = el("details", { class: "function", "data-function": own.name },
     el("summary", {},
-      el("span", { class: "what" }, el("code", {}, own.name), el("span", { class: "sentence" }, own.sentence), bar), products, sums, ofDense),
+      el("span", { class: "what" }, el("code", {}, own.name), el("span", { class: "sentence" }, own.sentence), before, bar), products, sums, ofDense),
     inside);
   const fill = () => {
     const { count } = own;
@@ -156,21 +163,24 @@ function functionCard(robot, own, point, complete) {
     const share = dense ? (100 * (count.mul + count.add)) / dense : null;
     products.textContent = grouped(count.mul);
     sums.textContent = grouped(count.add);
+    // Counts with the options before.
+    const { mul, add } = own.before || count;
+    before.textContent = mul === count.mul && add === count.add ? "" : `before: ${grouped(mul)} mul, ${grouped(add)} add`;
     if (share !== null) ofDense.textContent = `${share < 9.95 ? share.toFixed(1) : share.toFixed(0)} %`;
   };
   card.addEventListener("toggle", async () => {
     if (!card.open || inside.childElementCount) return;
     inside.append(el("p", { class: "small" }, "…"));
     await complete(own);
-    inside.replaceChildren();
     if (!own.count) {
-      inside.append(...own.left_out.map(({ reason, hint }) => el("p", {}, reason, hint ? el("small", {}, ` — ${hint}`) : null)));
+      inside.replaceChildren(...own.left_out.map(({ reason, hint }) => el("p", {}, reason, hint ? el("small", {}, ` — ${hint}`) : null)));
       return;
     }
-    inside.append(countOf(own.count), ...[errorsOf(own.count.errors)].flat(Infinity).filter(Boolean));
+    const medians = await measure(own);
+    inside.replaceChildren(countOf(own.count), ...[errorsOf(own.count.errors, medians)].flat(Infinity).filter(Boolean));
     const error = worst(own.count.errors, "f64");
     if (error) inside.querySelector("h4")?.append(el("span", { class: "worst" }, ` ${error}`));
-    openCode(robot, own, inside, point);
+    openCode(robot, await explain(own), inside, point);
   });
   // The bar is relative to the most expensive function.
   const scale = (most) => { if (own.count) bar.style.width = `${Math.max(0.6, (100 * (own.count.mul + own.count.add)) / most)}%`; };

@@ -3,6 +3,18 @@
 
 const TURN = Math.PI;
 
+// A configuration as text in a language; each number reads back as it is.
+const SPELLED = (() => {
+  const real = (value) => (/[.e]/.test(String(value)) ? String(value) : `${value}.0`);
+  const list = (q) => q.map(real).join(", ");
+  return {
+    JSON: (q) => JSON.stringify({ states: [{ q }] }),
+    Rust: (q) => `let q: [f64; ${q.length}] = [${list(q)}];`,
+    C: (q) => `const double q[${q.length}] = {${list(q)}};`,
+    Python: (q) => `q = [${list(q)}]`,
+  };
+})();
+
 // The first configuration: zero, or as near as limits allow; the identity for a quaternion.
 function rest(skeleton) {
   let quaternion = 0;
@@ -125,6 +137,12 @@ function jointSection(data, reach, changed) {
     return Number(number) * (factors[own || (unit === "m" ? "mm" : inDegrees ? "°" : "rad")] ?? NaN);
   };
   const state = el("code", { id: "q", class: "state" });
+  const language = el("select", { id: "language-of-q", "aria-label": "Language", onchange: () => update() }, Object.keys(SPELLED).map((name) => el("option", { value: name }, name)));
+  const copy = el("button", { type: "button", id: "copy-q", onclick: async () => {
+    const copied = await navigator.clipboard?.writeText(state.textContent).then(() => true, () => false);
+    copy.textContent = copied ? "Copied" : "No clipboard";
+    setTimeout(() => { copy.textContent = "Copy"; }, 1500);
+  } }, "Copy");
   const update = () => {
     for (const { slider, input, output } of rows) {
       const value = get(slider);
@@ -138,7 +156,7 @@ function jointSection(data, reach, changed) {
       const kind = report.details.joints.find((joint) => joint.name === mimic.joint)?.kind;
       output.textContent = mimicked < 0 ? "" : said(value, kind === "prismatic" ? "m" : "rad");
     }
-    state.textContent = `{"states":[{"q":[${q.map((entry) => String(Math.round(entry * 1e6) / 1e6)).join(",")}]}]}`;
+    state.textContent = SPELLED[language.value](q);
     changed(q, rate());
   };
   const random = ({ low, high, free }) => low + (high - low) * (free ? 0.5 + (Math.random() - 0.5) * 0.5 : Math.random());
@@ -158,8 +176,8 @@ function jointSection(data, reach, changed) {
       " Functions are of the tree of joints, but for those of loops.") : null,
     data.values ? null : el("p", { class: "note" }, el("label", {}, moving, " Show values of names with every rate at 1 (rad/s, m/s), and not at rest.")),
     el("details", { class: "small" },
-      el("summary", {}, "This configuration as a state file"),
-      el("p", {}, "For ", el("code", {}, "homogen eval"), ": ", state)),
+      el("summary", {}, "This configuration as text"),
+      el("div", { class: "plotted" }, language, copy, "JSON is a file of states for ", el("code", {}, "homogen eval"), "."), state),
     el("div", { id: "pose" }),
   ];
   const put = (values) => {
@@ -170,10 +188,9 @@ function jointSection(data, reach, changed) {
   return { section, start, put };
 }
 
-// The pose of the frame of the functions, as a matrix.
-function poseTable(name, pose) {
+// A pose as a matrix.
+function poseTable(pose) {
   const rows = [0, 4, 8].map((row) => [0, 1, 2, 3].map((column) => pose[row + column]));
-  return [el("p", {}, el("var", {}, el("b", {}, "M"), el("sub", {}, "0,n")), " of ", named(name)),
-    el("div", { class: "matrix numbers", id: "tip-pose", "data-pose": JSON.stringify(pose) },
-      [...rows.flat(), 0, 0, 0, 1].map((entry, k) => el("span", { class: k % 4 === 3 && k < 12 ? "meant" : null }, k < 12 ? entry.toFixed(4).replace("-", "−") : String(entry))))];
+  return el("div", { class: "matrix numbers", id: "tip-pose", "data-pose": JSON.stringify(pose) },
+    [...rows.flat(), 0, 0, 0, 1].map((entry, k) => el("span", { class: k % 4 === 3 && k < 12 ? "meant" : null }, k < 12 ? entry.toFixed(4).replace("-", "−") : String(entry))));
 }

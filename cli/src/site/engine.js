@@ -10,6 +10,8 @@ class Engine {
     this.running = null;
     // The request that opened the robot, which a new instance of the module repeats.
     this.opened = null;
+    // Bytes of memory of the module.
+    this.memory = 0;
     this.begin();
   }
 
@@ -22,6 +24,7 @@ class Engine {
         this.stop(new Error(data.stopped));
         return;
       }
+      this.memory = data.memory;
       const { done, request, file } = this.running;
       if (request.do === "open") this.opened = { request, file };
       this.running = null;

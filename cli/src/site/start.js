@@ -1,8 +1,10 @@
 // The page: takes a description, opens it with the chosen options, and shows the robot with its functions, one after
 // the other. `window.site` is an interface for scripts.
 
-// Two engines with the same robot: one for what is looked at, one that expands the other functions meanwhile.
-const [front, back] = [new Engine(), new Engine()];
+// Engines with the same robot: one for what is looked at, and others that expand the other functions meanwhile. Each takes
+// the memory of all that it has expanded.
+const front = new Engine();
+const backs = Array.from({ length: Math.max(1, Math.min(3, (navigator.hardwareConcurrency || 2) - 1)) }, () => new Engine());
 
 // The samples of the page: names of files in `robots`, and options.
 const SAMPLES = [
@@ -13,6 +15,9 @@ const SAMPLES = [
   ["humanoid.urdf", "humanoid", [["tip", "left_arm_7"]]],
   ["stanford_class.dh", "Stanford arm (DH)", []],
 ];
+
+// Number of velocities beyond which second derivatives wait until they are opened: they take longer than all others.
+const MANY = 24;
 
 // The largest file that the engine reads.
 const LARGEST = 64 * 1024 * 1024;
@@ -30,6 +35,9 @@ const said = (text) => { by("state").textContent = text; };
 // Text of the bytes, as far as it is shown.
 const textOf = (bytes) => new TextDecoder().decode(bytes.length > 2_000_000 ? bytes.subarray(0, 2_000_000) : bytes);
 
+// Operation counts of the functions of the description with the options before, by name.
+let before = new Map();
+
 // Opens another description.
 async function take(name, bytes, { options = [], q = null, sample = false } = {}) {
   if (bytes.length > LARGEST) {
@@ -39,6 +47,7 @@ async function take(name, bytes, { options = [], q = null, sample = false } = {}
   await ready;
   by("messages").replaceChildren();
   file = { name, bytes, sample };
+  before = new Map();
   const text = by("text-of-robot");
   text.value = textOf(bytes);
   text.readOnly = bytes.length > 2_000_000;
@@ -62,7 +71,8 @@ async function open(q = null) {
   began = performance.now();
   shownTimes = {};
   front.clear();
-  back.clear();
+  for (const engine of backs) engine.clear();
+  for (const { name, of, count } of view?.data?.functions ?? []) if (count) before.set(`${name} ${of}`, count);
   view?.end();
   const own = { ending: new AbortController() };
   own.end = () => own.ending.abort();
@@ -83,7 +93,7 @@ async function open(q = null) {
     if (answer.errors.some(({ line }) => line !== null)) expand("editor", true);
     return;
   }
-  back.ask(request, { file: file.bytes }).catch(() => {});
+  for (const engine of backs) engine.ask(request, { file: file.bytes }).catch(() => {});
   choicesOf("base", answer.every_link, `the root (${answer.report.base})`);
   choicesOf("tip", answer.every_link, answer.report.tip ? `the end (${answer.report.tip})` : "none: several ends");
   show(own, answer, q);
@@ -110,8 +120,12 @@ function choicesOf(id, links, byDefault) {
 function show(own, answer, q) {
   place.classList.remove("stale");
   place.replaceChildren(by("robot-template").content.cloneNode(true));
-  const data = { ...answer, layouts: [], values: true };
+  const data = { ...answer, layouts: [], values: true, shapes: shapesOf(textOf(file.bytes)) };
+  const many = data.skeleton.velocities.length > MANY;
+  for (const function_ of data.functions) function_.waits = many && function_.name.endsWith("_hessian");
+  for (const function_ of data.functions) function_.before = before.get(`${function_.name} ${function_.of}`);
   const here = () => view === own;
+  const indexOf = (function_) => data.functions.indexOf(function_);
   // Each function is expanded once, by whichever engine.
   const asked = new Map();
   const filled = (function_, found) => {
@@ -128,46 +142,72 @@ function show(own, answer, q) {
     return function_;
   };
   const complete = (function_, { engine = front, urgent = true } = {}) => {
-    const known = asked.get(function_);
-    // A value needs the function in the front engine.
-    if (known && !(engine === front && known.engine === back && !known.done)) return known.promise;
-    const index = data.functions.indexOf(function_);
-    const entry = { engine, done: false };
-    entry.promise = answered(engine.ask({ do: "function", index }, { urgent })).then((found) => {
-      entry.done = true;
-      return found ? filled(function_, found) : function_;
-    });
+    const before = asked.get(function_);
+    if (before) return before.promise;
+    const entry = { engine };
+    entry.promise = answered(engine.ask({ do: "function", index: indexOf(function_) }, { urgent })).then((found) => (found ? filled(function_, found) : function_));
     asked.set(function_, entry);
     return entry.promise;
+  };
+  // The engine that computes values has to have expanded the function itself.
+  const known = new Map();
+  const expanded = (function_) => {
+    if (!backs.includes(asked.get(function_)?.engine)) return complete(function_);
+    if (!known.has(function_)) known.set(function_, answered(front.ask({ do: "function", index: indexOf(function_) })));
+    return known.get(function_);
+  };
+  // Code is printed when it is looked at.
+  const explain = async (function_) => {
+    await expanded(function_);
+    if (!function_.count || function_.code) return function_;
+    const found = await answered(front.ask({ do: "explain", index: indexOf(function_) }, { urgent: true }));
+    return Object.assign(function_, found?.code ? found : {});
+  };
+  const compute = async (function_, states, scalar = "f64") => {
+    await expanded(function_);
+    const found = await answered(front.ask({ do: "values", indices: [indexOf(function_)], states, scalar }));
+    return found?.values?.map(([of]) => of?.[0] ?? null) ?? null;
   };
 
   // Values of the present state: only the newest is asked for.
   const valued = VALUED.map((name) => data.functions.find((function_) => function_.name === name)).filter(Boolean);
+  // The engine expands the first one while the page is built.
+  if (valued[0]) complete(valued[0], { urgent: false });
   let state = null;
   let asking = false;
-  const values = valueSection(data, (rates) => own.interface.give(rates));
-  const torques = data.functions.findIndex((function_) => function_.name === "inverse_dynamics");
-  const plot = torques < 0 ? null : plotSection(data, async (at) => {
-    const found = await answered(front.ask({ do: "values", indices: [torques], ...at }));
-    return found?.values?.[0]?.[0] ?? null;
-  });
   const evaluate = async () => {
     if (asking || !state || !own.valued) return;
     asking = true;
     while (state && here()) {
-      const now = state;
+      const [now, { frame }] = [state, own];
       state = null;
-      const indices = valued.map((function_) => data.functions.indexOf(function_));
-      const found = await answered(front.ask({ do: "values", indices, ...now }, { urgent: true }));
+      const ready = valued.filter((function_) => function_.count);
+      const indices = [...ready.map(indexOf), ...(frame ? frame.indices : [])];
+      const found = await answered(front.ask({ do: "values", indices, states: [now] }, { urgent: true }));
       if (!here() || !found?.values) break;
-      const results = {};
-      found.values.forEach((value, k) => { if (value) [results[valued[k].name]] = value; });
-      values.show(results);
-      own.values = results;
+      const [results] = found.values;
+      own.values = Object.fromEntries(ready.flatMap(({ name }, k) => (results[k] ? [[name, results[k][0]]] : [])));
+      values.show(own.values);
+      for (const { name, count, left_out: lacking } of valued) if (!count && lacking) values.lack(name, lacking[0].reason);
+      if (frame && frame === own.frame) {
+        const [pose, rows] = results.slice(ready.length).map((of) => of?.[0]);
+        if (rows) {
+          Object.assign(own.values, { forward_kinematics: pose, geometric_jacobian: rows });
+          jacobian.show(frame.name, rows);
+        }
+      }
     }
     asking = false;
   };
+  const choose = async (link) => {
+    const found = await answered(front.ask({ do: "frame", link }, { urgent: true }));
+    if (!here() || !found?.indices || own.interface.chosen() !== link) return;
+    own.frame = { name: data.skeleton.links[link].name, indices: found.indices };
+    state = own.interface.given();
+    await evaluate();
+  };
   const remember = later(() => toAddress({ robot: file.sample ? file.name : null, options: given(), q: own.interface.q() }), 300);
+  let plot = null;
   const moved = (arguments_) => {
     state = arguments_;
     evaluate();
@@ -175,17 +215,35 @@ function show(own, answer, q) {
     if (own.interface) remember();
   };
 
-  own.interface = present(data, { complete, moved, signal: own.ending.signal });
+  const measure = (function_) => medianErrors(data.skeleton, (states, scalar) => compute(function_, states, scalar));
+  own.interface = present(data, { complete, explain, measure, moved, chosen: choose, signal: own.ending.signal });
   own.data = data;
   window.homogen = own.interface;
+  if (q && q.length === data.skeleton.coordinates.length) own.interface.move(q);
+  const values = valueSection(data, (rates) => own.interface.give(rates));
+  const jacobian = jacobianSection(data, own.interface.reach, (axes) => own.interface.ellipsoid(axes));
+  const trajectory = trajectorySection(data, {
+    present: () => own.interface.q(),
+    go: ({ q: at, ...rates }) => {
+      values.set(rates);
+      own.interface.give(rates);
+      own.interface.move(at);
+    },
+    changed: () => plot?.follow(),
+  });
+  plot = plotSection(data, compute, trajectory);
+  own.plot = plot;
+  own.choose = choose;
   const joints = by("joints");
-  joints.after(el("section", { id: "values", "aria-labelledby": "values-title" }, values.section, plot?.section));
+  joints.querySelector(".sliders")?.addEventListener("input", () => trajectory?.pause());
+  joints.after(el("section", { id: "values", "aria-labelledby": "values-title" }, values.section,
+    own.interface.chosen() === null ? null : jacobian.section, trajectory?.section, plot?.section));
+  plot?.update(own.interface.given());
   const files = fileSection(data, (request) => front.ask(request));
   by("functions").after(el("section", { id: "files", "aria-labelledby": "files-title" }, files.section));
   const links = document.querySelector("#head nav");
-  links.querySelector("[href='#joints']").after(el("a", { href: "#values" }, "Torques"));
+  links.querySelector("[href='#joints']").after(el("a", { href: "#values" }, "Values"));
   links.querySelector("[href='#functions']").after(el("a", { href: "#files" }, "Code"));
-  if (q && q.length === data.skeleton.coordinates.length) own.interface.move(q);
   said("");
   shownTimes = { robot: performance.now() - began };
   expandAll(own, data, complete, valued, evaluate, files);
@@ -194,7 +252,7 @@ function show(own, answer, q) {
 // Expands all functions, those with values first, and then makes the files that are shown.
 async function expandAll(own, data, complete, valued, evaluate, files) {
   const here = () => view === own;
-  const progress = el("progress", { max: String(data.functions.length), "aria-label": "Functions that have been generated" });
+  const progress = el("progress", { max: String(data.functions.filter(({ waits }) => !waits).length), "aria-label": "Functions that have been generated" });
   by("functions").querySelector("h2").append(progress);
   let count = 0;
   const step = async (function_, engine) => {
@@ -203,22 +261,32 @@ async function expandAll(own, data, complete, valued, evaluate, files) {
     progress.value = count;
     shownTimes.first ??= performance.now() - began;
   };
+  const show = async (function_) => {
+    await step(function_, front);
+    if (!here()) return;
+    own.valued = true;
+    own.interface.give({});
+    await evaluate();
+  };
   const first = (async () => {
-    for (const function_ of valued) {
-      await step(function_, front);
+    const late = valued.filter(({ name }) => name === "mass_matrix_inverse");
+    for (const function_ of valued.filter((other) => !late.includes(other))) {
+      await show(function_);
       if (!here()) return;
-      own.valued = true;
-      own.interface.give({});
-      await evaluate();
     }
     shownTimes.values = performance.now() - began;
-    await files.make();
+    const link = own.interface.chosen();
+    if (link !== null) await own.choose(link);
+    if (here()) await files.make();
+    for (const function_ of late) if (here()) await show(function_);
   })();
-  const rest = data.functions.filter((function_) => !valued.includes(function_));
-  for (const function_ of rest) {
-    await step(function_, back);
-    if (!here()) return;
-  }
+  const rest = data.functions.filter((function_) => !valued.includes(function_) && !function_.waits);
+  // One engine begins with the first functions, the others with the last, which take longest.
+  const work = async (engine, number) => {
+    while (rest.length && here()) await step(number === 0 ? rest.shift() : rest.pop(), engine);
+  };
+  await Promise.all(backs.map(work));
+  if (!here()) return;
   await first;
   progress.remove();
   shownTimes.all = performance.now() - began;
@@ -256,19 +324,50 @@ async function sample([name, , options], q = null) {
   await take(name, new Uint8Array(await answer.arrayBuffer()), { options, q, sample: true });
 }
 
-async function dropped(list) {
-  const [first] = list;
-  if (first) await take(first.name, first.size > LARGEST ? { length: first.size } : new Uint8Array(await first.arrayBuffer()));
+// Opens a file, or several together with what they include.
+async function dropped(files) {
+  const list = [...files];
+  if (list.length === 0) return;
+  if (list.length === 1) {
+    const [first] = list;
+    await take(first.name, first.size > LARGEST ? { length: first.size } : new Uint8Array(await first.arrayBuffer()));
+    return;
+  }
+  const texts = list.filter(({ name, size }) => /\.(urdf|xacro|xml|mjcf|sdf|dh)$/i.test(name) && size <= LARGEST);
+  const read = await Promise.all(texts.map(async (own) => ({ name: own.webkitRelativePath || own.name, text: await own.text() })));
+  if (!read.length) {
+    await take(list[0].name, new Uint8Array(await list[0].arrayBuffer()));
+    return;
+  }
+  const { name, text } = joined(read);
+  await take(name, new TextEncoder().encode(text));
 }
 
 // The table of options comes from the engine.
 const ready = (async () => {
-  // The other engine starts meanwhile.
-  back.ask({ do: "options" }).catch(() => {});
+  // The other engines start meanwhile.
+  for (const engine of backs) engine.ask({ do: "options" }).catch(() => {});
   const answer = await answered(front.ask({ do: "options" }));
   fields = optionFields(answer.options || [], () => open());
   by("options").append(...fields.section);
 })();
+
+// Compiles the engine's code while the page waits for a description: browsers optimise what has run.
+async function warm() {
+  await ready;
+  if (file) return;
+  const [name] = SAMPLES[0];
+  const bytes = new Uint8Array(await (await fetch(`robots/${name}`)).arrayBuffer());
+  for (const engine of [front, ...backs]) {
+    const ask = (request, more) => (file ? null : engine.ask(request, more).catch(() => null));
+    (async () => {
+      const robot = await ask({ do: "open", file: name, options: [] }, { file: bytes });
+      const wanted = robot?.functions?.map((own, index) => ({ own, index })) ?? [];
+      wanted.sort((a, b) => VALUED.indexOf(b.own.name) - VALUED.indexOf(a.own.name));
+      for (const { index } of wanted) await ask({ do: "function", index });
+    })();
+  }
+}
 
 for (const one of SAMPLES) by("samples").append(el("button", { type: "button", "data-sample": one[0], onclick: () => sample(one) }, one[1]));
 by("choose").addEventListener("click", () => by("file").click());
@@ -320,11 +419,15 @@ document.addEventListener("paste", (event) => {
 const address = ofAddress();
 const linked = SAMPLES.find(([name]) => name === address.robot);
 if (linked) sample([linked[0], "", address.options], address.q);
+else warm();
 
 window.site = {
   take: (name, text, options = []) => take(name, new TextEncoder().encode(text), { options }),
   times: () => ({ ...shownTimes }),
+  // Bytes of memory of all engines.
+  memory: () => [front, ...backs].reduce((sum, { memory }) => sum + memory, 0),
   values: () => view?.values ?? null,
+  plot: () => view?.plot?.shown() ?? null,
   // True if all functions have been expanded, or there was an error.
   settled: () => shownTimes.all !== undefined,
   error: () => by("messages").querySelector(".error")?.textContent ?? null,

@@ -1,7 +1,8 @@
 // Worker: the engine as a WebAssembly module.
 //
 // In: first the compiled module, then messages { file, request }, where `file` are the bytes of a file or null. Out:
-// { answer }, or { stopped } with a reason if the module stopped; then the next message finds a new instance.
+// { answer, memory } with the bytes of the module's memory, or { stopped } with a reason if the module stopped; then the
+// next message finds a new instance.
 
 "use strict";
 
@@ -30,7 +31,7 @@ self.addEventListener("message", ({ data }) => {
     put(own, new TextEncoder().encode(JSON.stringify(request)));
     const length = own.answer();
     const answer = new TextDecoder().decode(new Uint8Array(own.memory.buffer, own.text(), length));
-    self.postMessage({ answer: JSON.parse(answer) });
+    self.postMessage({ answer: JSON.parse(answer), memory: own.memory.buffer.byteLength });
   } catch (reason) {
     engine = null;
     self.postMessage({ stopped: String(reason) });

@@ -48,7 +48,47 @@ impl Builder {
     #[doc(hidden)]
     #[must_use]
     pub fn command(&self, file: Option<&str>, language: Language<'_>) -> String {
-        let mut command = Command("homogen generate".to_owned());
+        let mut command = self.words("homogen generate", file);
+        match language {
+            Language::Rust => {}
+            Language::C(header) => {
+                command.option("language", "c");
+                let source = header.strip_suffix(".h").unwrap_or(header);
+                command.option("output", &format!("{source}.c"));
+            }
+            Language::Cpp(file) => {
+                command.option("language", "cpp");
+                command.option("output", file);
+            }
+            Language::Llvm(lanes) => {
+                command.option("language", "llvm");
+                command.option("lanes", &lanes.to_string());
+            }
+            Language::Python(order) => {
+                command.option("language", "python");
+                if order == Order::AngularFirst {
+                    command.option("order", "angular-first");
+                }
+            }
+        }
+        let Command(text) = command;
+        text
+    }
+
+    /// The command that writes a folder with the robot: another program, such as `homogen new crate`, with the same
+    /// options.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn command_of(&self, program: &str, file: Option<&str>, folder: &str) -> String {
+        let mut command = self.words(program, file);
+        command.option("output", folder);
+        let Command(text) = command;
+        text
+    }
+
+    /// A program with the description and all options.
+    fn words(&self, program: &str, file: Option<&str>) -> Command {
+        let mut command = Command(program.to_owned());
         match file {
             // A file name that begins with a dash would be read as an option.
             Some(file) if file.starts_with('-') => command.word(&format!("./{file}")),
@@ -82,30 +122,7 @@ impl Builder {
             command.option("name", &name.to_string());
         }
         command.switch("ascii", self.ascii);
-        match language {
-            Language::Rust => {}
-            Language::C(header) => {
-                command.option("language", "c");
-                let source = header.strip_suffix(".h").unwrap_or(header);
-                command.option("output", &format!("{source}.c"));
-            }
-            Language::Cpp(file) => {
-                command.option("language", "cpp");
-                command.option("output", file);
-            }
-            Language::Llvm(lanes) => {
-                command.option("language", "llvm");
-                command.option("lanes", &lanes.to_string());
-            }
-            Language::Python(order) => {
-                command.option("language", "python");
-                if order == Order::AngularFirst {
-                    command.option("order", "angular-first");
-                }
-            }
-        }
-        let Command(text) = command;
-        text
+        command
     }
 }
 

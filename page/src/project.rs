@@ -1,0 +1,126 @@
+//! Projects to begin with around generated code: a crate, a project of C for CMake, a package for Python.
+//!
+//! In: the builder of a robot. Out: paths and texts, with the module whose warnings are to be reported. Paths are those
+//! below the project's folder. No name of a description becomes code or a path.
+
+use homogen_codegen::builder::Builder;
+use homogen_codegen::error::Errors;
+use homogen_codegen::module::Module;
+use homogen_codegen::print::arrays::Order;
+use homogen_codegen::template::filled;
+
+/// A kind of project.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Project {
+    /// A crate without dependencies, for `core` alone.
+    Crate,
+    /// A library in C99 with its `CMakeLists.txt`.
+    Cmake,
+    /// A package for Python without dependencies.
+    Python,
+}
+
+impl Project {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Crate, Self::Cmake, Self::Python];
+
+    /// Its word on the command line: `homogen new crate`.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Crate => "crate",
+            Self::Cmake => "cmake",
+            Self::Python => "python",
+        }
+    }
+
+    /// Its files, and the module that they were printed from.
+    ///
+    /// # Errors
+    /// All errors of the description and of the request; options that the language does not have.
+    pub fn files(self, builder: &Builder) -> Result<(Vec<(String, String)>, Module), Errors> {
+        let module = match self {
+            Self::Crate => builder.file_module()?,
+            Self::Cmake => builder.c_module()?,
+            Self::Python => builder.plain_python_module()?,
+        };
+        let robot = &module.about.robot;
+        let (stem, folder) = (stem(robot), folder(robot));
+        let words = [("@NAME@", &*folder), ("@FILE@", &*stem)];
+        let of = |path: &str, text: &str| (path.to_owned(), filled(text, &words));
+        let files = match self {
+            Self::Crate => {
+                let code = builder.source(&module).to_string();
+                vec![
+                    of("Cargo.toml", include_str!("project/Cargo.toml.in")),
+                    of("src/lib.rs", include_str!("project/lib.rs.in")),
+                    ("src/robot.rs".to_owned(), code),
+                ]
+            }
+            Self::Cmake => {
+                let header = format!("{stem}.h");
+                let source = builder.c(&module, &header);
+                vec![
+                    of("CMakeLists.txt", include_str!("project/CMakeLists.txt.in")),
+                    (format!("{stem}.c"), source.text),
+                    (header, source.header),
+                ]
+            }
+            Self::Python => {
+                let code = builder.plain_python(&module, Order::LinearFirst);
+                vec![
+                    of("pyproject.toml", include_str!("project/pyproject.toml.in")),
+                    (format!("{folder}/__init__.py"), code),
+                ]
+            }
+        };
+        Ok((files, module))
+    }
+}
+
+/// The name of a file for a robot: lower case, and nothing that a shell or a file system would change.
+#[must_use]
+pub fn stem(robot: &str) -> String {
+    let letters = robot.chars().take(40).map(|letter| match letter {
+        'a'..='z' | '0'..='9' => letter,
+        'A'..='Z' => letter.to_ascii_lowercase(),
+        _ => '_',
+    });
+    let stem: String = letters.collect();
+    match stem.trim_matches('_') {
+        "" => "robot".to_owned(),
+        stem => stem.to_owned(),
+    }
+}
+
+/// The folder of a project, which is also its name: never a word that Rust, Python or CMake reserve.
+#[must_use]
+pub fn folder(robot: &str) -> String {
+    let stem = stem(robot);
+    if stem.starts_with(|letter: char| letter.is_ascii_digit()) {
+        format!("robot_{stem}")
+    } else {
+        format!("{stem}_robot")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{folder, stem};
+
+    #[test]
+    fn names_of_projects_are_not_code() {
+        let robots = ["Panda", "2nd arm", "\"]\nx = 1", "機器", "../..", "class"];
+        let stems = ["panda", "2nd_arm", "x___1", "robot", "robot", "class"];
+        assert_eq!(robots.map(stem), stems);
+        let folders = [
+            "panda_robot",
+            "robot_2nd_arm",
+            "x___1_robot",
+            "robot_robot",
+            "robot_robot",
+            "class_robot",
+        ];
+        assert_eq!(robots.map(folder), folders);
+    }
+}

@@ -4,14 +4,18 @@
 #
 #   test.sh [--libraries] [arguments of pytest]
 #
+# The wheel is compiled as it is published with --libraries, and otherwise in half of the time.
+#
 # Maturin, llvmlite, NumPy, pytest and mypy come from PyPI, crates from crates.io; with --libraries PyTorch, JAX, CasADi,
 # SymPy, Numba and Pinocchio as well, of gigabytes, and only the tests of these run. Where there is no Python from 3.10 on with
 # `venv`, the last line says so and nothing is checked.
 set -euo pipefail
 libraries=()
 tests=()
+profile=tested
 if [ "${1:-}" = --libraries ]; then
     shift
+    profile=release
     libraries=(casadi jax numba pin sympy torch)
     tests=(test_plain.py test_libraries.py)
 fi
@@ -32,7 +36,7 @@ trap '"$rm" -rf "$folder"' EXIT
 cp Cargo.lock python/Cargo.lock
 python3 -m venv "$folder/build"
 "$folder/build/bin/pip" install --quiet --disable-pip-version-check 'maturin>=1.9,<2'
-"$folder/build/bin/maturin" build --quiet --release --manifest-path python/Cargo.toml --out "$folder/wheels"
+"$folder/build/bin/maturin" build --quiet --profile "$profile" --manifest-path python/Cargo.toml --out "$folder/wheels"
 
 python3 -m venv "$folder/python"
 "$folder/python/bin/pip" install --quiet --disable-pip-version-check "$folder"/wheels/*.whl 'pytest>=7' mypy "${libraries[@]}"

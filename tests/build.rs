@@ -1,8 +1,9 @@
-//! Build script: generates files for `core` alone of every robot that ships, in single precision, and of a robot with
-//! every type of joint, in both precisions and as the source of its Python package.
+//! Build script: generates files for `core` alone of robots that ship, in single precision, and of a robot with every
+//! type of joint, in both precisions and as the source of its Python package.
 //!
-//! In: robots/*.urdf and tests/robots/every_joint.urdf. Out, in `OUT_DIR`: `ROBOT_own.rs` with its own sines,
-//! `ROBOT_named.rs` with the runtime's sines for any angle; `joints_f32.rs`, `joints_f64.rs` and `joints_lanes.rs`.
+//! In: robots/*.urdf and tests/robots/every_joint.urdf. Out, in `OUT_DIR`: `ROBOT_own.rs` with its own sines, and for
+//! two robots `ROBOT_named.rs` with the runtime's sines for any angle; `joints_f32.rs`, `joints_f64.rs` and
+//! `joints_lanes.rs`.
 
 use std::error::Error;
 use std::path::Path;
@@ -10,17 +11,24 @@ use std::{env, fs};
 
 use homogen_codegen::{Builder, Function, Real};
 
-/// The files and their end effectors.
-const ROBOTS: [(&str, &str); 9] = [
-    ("two_link", "tip"),
-    ("scara", "tool"),
-    ("stanford", "tool"),
-    ("stanford_general", "tool"),
-    ("puma560", "tool"),
-    ("puma560_general", "tool"),
-    ("ur5_class", "tool0"),
-    ("panda_class", "link8"),
-    ("quadruped", "hr_foot"),
+/// The files and their end effectors, and whether a file with the runtime's sines is made as well. An arm with parallel
+/// axes, one without a zero among its parameters and with a prismatic joint, one with many zeros, one with a redundant
+/// joint, and a tree.
+const ROBOTS: [(&str, &str, bool); 5] = [
+    ("two_link", "tip", true),
+    ("stanford_general", "tool", true),
+    ("puma560", "tool", false),
+    ("panda_class", "link8", false),
+    ("quadruped", "hr_foot", false),
+];
+
+/// The functions that are not compared: second derivatives and gradients, which are as long as all others together.
+/// `tests/signed/run.sh` runs the tests of them that files bring along.
+const NOT_COMPARED: [Function; 4] = [
+    Function::InverseDynamicsVjp,
+    Function::InverseDynamicsHessian,
+    Function::ForwardDynamicsVjp,
+    Function::ForwardDynamicsHessian,
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -28,13 +36,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=../robots");
     println!("cargo::rerun-if-changed=robots");
     let folder = env::var("OUT_DIR")?;
-    for (robot, tip) in ROBOTS {
+    let compared = || {
+        let all = Function::ALL.into_iter();
+        all.filter(|function| !NOT_COMPARED.contains(function))
+    };
+    for (robot, tip, named) in ROBOTS {
         let own = Builder::from_urdf(format!("../robots/{robot}.urdf"))
             .name("Standalone")
             .tip(tip)
             .scalar(Real::F32)
-            .generate(Function::ALL);
-        write_both(own, robot, &folder)?;
+            .generate(compared());
+        write(&own, &format!("{robot}_own"), &folder)?;
+        if named {
+            let named = own.sin_cos("::homogen::trigonometry::single::sin_cos");
+            write(&named, &format!("{robot}_named"), &folder)?;
+        }
     }
     let with_actuators = Builder::from_urdf("../robots/scara.urdf")
         .name("Standalone")
@@ -44,8 +60,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .damping("elbow", [0.75])
         .coulomb_friction("elbow", [0.5])
         .coulomb_friction("lift", [3.0])
-        .generate(Function::ALL);
-    write_both(with_actuators, "with_actuators", &folder)?;
+        .generate(compared());
+    write(&with_actuators, "with_actuators_own", &folder)?;
     write_joints(Path::new(&folder))
 }
 
@@ -66,14 +82,9 @@ fn write_joints(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Writes both files of a robot: with its own sines and with the runtime's.
-fn write_both(own: Builder, robot: &str, folder: &str) -> Result<(), Box<dyn Error>> {
-    let named = own
-        .clone()
-        .sin_cos("::homogen::trigonometry::single::sin_cos");
-    for (file, builder) in [("own", own), ("named", named)] {
-        let path = Path::new(folder).join(format!("{robot}_{file}.rs"));
-        fs::write(path, builder.to_source()?.to_string())?;
-    }
+/// Writes the file of a robot.
+fn write(robot: &Builder, name: &str, folder: &str) -> Result<(), Box<dyn Error>> {
+    let path = Path::new(folder).join(format!("{name}.rs"));
+    fs::write(path, robot.to_source()?.to_string())?;
     Ok(())
 }

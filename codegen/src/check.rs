@@ -350,7 +350,7 @@ fn first_wrong(
             return solved::first_unlike(&dense.driven()?.hessian(&direction), &contracted);
         }
     };
-    debug_assert_eq!(expected.len(), found.len());
+    assert_eq!(expected.len(), found.len());
     // Rotating a residue and back leaves it with as many digits as 106 bits have beside the whole vector.
     let sizes = expected.iter().map(|expected| expected.size());
     let largest = sizes.fold(0.0, f64::max);

@@ -14,6 +14,6 @@ mod term;
 pub use derivative::{along, gradient};
 pub use double::Double;
 pub use evaluate::{Arithmetic, Evaluation, evaluate};
-pub use graph::{Expr, Graph, Input, Node};
+pub use graph::{Expr, Graph, Input, Node, Operands};
 pub use label::{Block, Component, Label, Numeral, Of, Quantity};
 pub use term::Term;

@@ -94,12 +94,6 @@ impl<T: Copy> Block<T> {
     }
 }
 
-/// A robot with functions that were generated together.
-pub trait Shared<const N: usize, T> {
-    /// Pose and geometric Jacobian from one function; mass matrix and bias from one function.
-    fn shared(&self, state: &State<T, N>) -> [Vec<Block<T>>; 2];
-}
-
 /// A pose and a geometric Jacobian, in blocks with the names of [`evaluate`].
 #[must_use]
 pub fn of_the_tip<T: Scalar>(m: &Pose<T>, geometric: &[Screw<T>]) -> Vec<Block<T>> {

@@ -1,8 +1,8 @@
-//! Shared code of the tests: robots, random states and trees, dual numbers, numbers of 256 bits and the truth in
-//! them, measures of error.
+//! Shared code of the tests: random states and trees, dual numbers, numbers of 256 bits and the truth in them, measures
+//! of error.
 //!
-//! In: robots/*.urdf, seeds. Out: structs with generated functions, and numbers that are the same on every machine.
-//! Limits are up to the tests, except in [`rounding`].
+//! In: seeds. Out: robots and numbers that are the same on every machine. Limits are up to the tests, except in
+//! [`rounding`].
 
 pub mod actuators;
 pub mod arguments;
@@ -16,12 +16,10 @@ pub mod functions;
 pub mod fused_sines;
 pub mod hexadecimal;
 pub mod humanoid;
-pub mod jointed;
 pub mod mechanisms;
 pub mod metrics;
 pub mod oracle;
 pub mod programs;
-pub mod robots;
 pub mod rounding;
 mod scalars;
 pub mod sources;

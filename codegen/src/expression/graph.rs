@@ -10,6 +10,7 @@
 //! * k x ± l x is (k ± l) x, and so where one of k and l is 1;
 //! * no rule applies across a [`Node::Taken`]: the nodes above it are the same, whatever it holds.
 
+mod index;
 #[cfg(test)]
 mod tests;
 
@@ -20,6 +21,7 @@ use super::double::Double;
 use super::label::Label;
 use super::term::Term;
 use crate::space::Variable;
+use index::Index;
 
 /// The number of a node in a graph.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -82,7 +84,7 @@ struct Inner {
     values: Vec<Option<Double>>,
     labels: Vec<Option<Label>>,
     /// The nodes that depend on an input.
-    memo: HashMap<Node, Expr>,
+    varying: Index,
     /// The constants by their value, so that 0.5 × 0.5 and 0.25 are one node.
     constants: HashMap<(u64, u64), Expr>,
 }
@@ -103,7 +105,7 @@ impl Graph {
     /// The expression of a node, if it has been made.
     #[must_use]
     pub fn find(&self, node: Node) -> Option<Expr> {
-        self.inner.borrow().memo.get(&node).copied()
+        self.inner.borrow().find(node)
     }
 
     /// The value of a constant expression.
@@ -178,16 +180,19 @@ impl Graph {
     pub fn needed(&self, results: &[Expr]) -> (Vec<Expr>, Vec<u32>) {
         let inner = self.inner.borrow();
         let mut uses = vec![0; inner.nodes.len()];
-        let mut waiting = results.to_vec();
-        let mut needed = Vec::new();
-        while let Some(expr) = waiting.pop() {
-            uses[expr.index()] += 1;
-            if uses[expr.index()] == 1 {
-                needed.push(expr);
-                waiting.extend(inner.nodes[expr.index()].operands());
+        for result in results {
+            uses[result.index()] += 1;
+        }
+        // Operands are older than what is made of them.
+        for (index, node) in inner.nodes.iter().enumerate().rev() {
+            if uses[index] > 0 {
+                for operand in node.operands() {
+                    uses[operand.index()] += 1;
+                }
             }
         }
-        needed.sort_unstable();
+        let used = (0..).map(Expr).zip(&uses).filter(|(_, uses)| **uses > 0);
+        let needed = used.map(|(expr, _)| expr).collect();
         (needed, uses)
     }
 
@@ -227,17 +232,56 @@ impl Graph {
 impl Node {
     /// Its operands.
     #[must_use]
-    pub fn operands(self) -> Vec<Expr> {
+    pub const fn operands(self) -> Operands {
         match self {
-            Self::Literal(_) | Self::Input(_) => Vec::new(),
+            Self::Literal(_) | Self::Input(_) => Operands(None, None),
             Self::Neg(a)
             | Self::Sqrt(a)
             | Self::Sign(a)
             | Self::Sin(a)
             | Self::Cos(a)
-            | Self::Taken(a, _) => vec![a],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            | Self::Taken(a, _) => Operands(Some(a), None),
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => {
+                Operands(Some(a), Some(b))
+            }
         }
+    }
+
+    /// A hash for the index: the upper bits of a product, which depend on all bits of the node.
+    fn spread(self) -> u32 {
+        const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15; // 2⁶⁴ / φ, odd
+        let (kind, a, b): (u64, u32, u32) = match self {
+            // Numbers are found by their value.
+            Self::Literal(_) => (0, 0, 0),
+            Self::Input(Input::Variable(variable, k)) => (1, variable as u32, k.into()),
+            Self::Input(Input::Parameter(field, k)) => (2, field.into(), k.into()),
+            Self::Neg(a) => (3, a.0, 0),
+            Self::Add(a, b) => (4, a.0, b.0),
+            Self::Sub(a, b) => (5, a.0, b.0),
+            Self::Mul(a, b) => (6, a.0, b.0),
+            Self::Div(a, b) => (7, a.0, b.0),
+            Self::Sqrt(a) => (8, a.0, 0),
+            Self::Sign(a) => (9, a.0, 0),
+            Self::Sin(a) => (10, a.0, 0),
+            Self::Cos(a) => (11, a.0, 0),
+            Self::Taken(a, by) => (12, a.0, by.into()),
+        };
+        let word = ((u64::from(a) << 32) | u64::from(b)).wrapping_mul(FACTOR) ^ (kind << 56);
+        ((word ^ (word >> 32)).wrapping_mul(FACTOR) >> 32) as u32
+    }
+}
+
+/// The operands of a node, one after the other.
+#[derive(Clone, Debug)]
+pub struct Operands(Option<Expr>, Option<Expr>);
+
+impl Iterator for Operands {
+    type Item = Expr;
+
+    fn next(&mut self) -> Option<Expr> {
+        let first = self.0;
+        self.0 = self.1.take();
+        first
     }
 }
 
@@ -250,24 +294,32 @@ impl Expr {
 }
 
 impl Inner {
+    /// The expression of a node that depends on an input.
+    fn find(&self, node: Node) -> Option<Expr> {
+        let is = |number: u32| self.nodes[number as usize] == node;
+        self.varying.find(node.spread(), is).map(Expr)
+    }
+
     /// The expression of a node. A number is identified by its 106 bits, however it was computed, and keeps its first
     /// expression; every other node is identified by its operands.
     fn intern(&mut self, node: Node, value: Option<Double>) -> Expr {
         let known = match value {
-            Some(value) => self.constants.get(&value.bits()),
-            None => self.memo.get(&node),
+            Some(value) => self.constants.get(&value.bits()).copied(),
+            None => self.find(node),
         };
-        if let Some(&known) = known {
+        if let Some(known) = known {
             return known;
         }
         let expr = Expr(u32::try_from(self.nodes.len()).expect("a graph of fewer than 2³² nodes"));
         self.nodes.push(node);
         self.values.push(value);
         self.labels.push(None);
-        match value {
-            Some(value) => self.constants.insert(value.bits(), expr),
-            None => self.memo.insert(node, expr),
-        };
+        if let Some(value) = value {
+            self.constants.insert(value.bits(), expr);
+        } else {
+            let nodes = &self.nodes;
+            (self.varying).insert(expr.0, |number| nodes[number as usize].spread());
+        }
         expr
     }
 

@@ -223,5 +223,5 @@ fn coordinate(graph: &Graph, angle: Expr) -> Option<Input> {
         Node::Input(input) => Some(input),
         _ => None,
     };
-    inputs(angle).or_else(|| graph.node(angle).operands().into_iter().find_map(inputs))
+    inputs(angle).or_else(|| graph.node(angle).operands().find_map(inputs))
 }

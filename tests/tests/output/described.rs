@@ -5,8 +5,8 @@
 
 use homogen::robot::{Bias, Gravity, MassMatrix};
 use homogen::{Chain, Robot};
-use homogen_tests::jointed::{FreeQuadruped, Gripper};
-use homogen_tests::robots::TwoLink;
+use homogen_robots::jointed::{FreeQuadruped, Gripper};
+use homogen_robots::shipped::TwoLink;
 
 #[test]
 fn counts_names_and_limits_are_those_of_the_file() {

@@ -4,6 +4,7 @@
 
 use homogen::robot::{ForwardDynamics, MassMatrixInverse};
 use homogen::{Chain, JointActuator, Real, Robot, generic};
+use homogen_robots::with_every_function;
 use homogen_tests::dual::Dual;
 use homogen_tests::effort::effort;
 use homogen_tests::functions::{Block, EveryFunction, evaluate};
@@ -13,15 +14,16 @@ use serde_json::Value;
 
 /// States of each robot.
 fn count() -> usize {
-    effort(50, 200)
+    effort(15, 200)
 }
 
 /// The Stanford arm without a zero among its inertial parameters, with the armature and friction of reference/make.py;
 /// the armature of joint 2 as a rotor behind a gear.
 macro_rules! stanford {
-    ($name:ident $(, $more:tt)*) => {
+    ([$($function:ident),*] $name:ident $(, $more:tt)*) => {
         #[derive(Robot)]
-        #[robot(urdf = "../robots/stanford_general.urdf", tip = "tool", generate(all))]
+        #[robot(urdf = "../robots/stanford_general.urdf", tip = "tool")]
+        #[robot(generate($($function,)* forward_dynamics, mass_matrix_inverse))]
         #[robot(armature(joint_1 = 0.95, joint_3 = 0.78, joint_4 = 0.11, joint_5 = 0.1, joint_6 = 0.02))]
         #[robot(rotor(joint_2 = 2.2e-4), ratio(joint_2 = 100))]
         #[robot(damping(joint_1 = 3.5, joint_2 = 2.0, joint_3 = 6.25, joint_4 = 0.5, joint_6 = 0.25))]
@@ -31,31 +33,31 @@ macro_rules! stanford {
     };
 }
 
-stanford!(Stanford);
-stanford!(Refined, (formulation(refined = 1)));
-stanford!(Bodies, (formulation(articulated)));
-stanford!(InFrame0, (formulation(frame_0, raw)));
+with_every_function!(stanford! Stanford);
+with_every_function!(stanford! InFrame0, (formulation(frame_0, raw)));
+stanford!([] Refined, (formulation(refined = 1)));
+stanford!([] Bodies, (formulation(articulated)));
 
 /// The same, with three of the numbers as struct fields.
-#[derive(Robot)]
-#[robot(urdf = "../robots/stanford_general.urdf", tip = "tool", generate(all))]
-#[robot(armature(
-    joint_1 = 0.95,
-    joint_3 = 0.78,
-    joint_4 = 0.11,
-    joint_5 = 0.1,
-    joint_6 = 0.02
-))]
-#[robot(damping(joint_1 = 3.5, joint_2 = 2.0, joint_4 = 0.5, joint_6 = 0.25))]
-#[robot(friction(joint_1 = 1.25, joint_3 = 4.5, joint_4 = 0.75, joint_6 = 0.125))]
-struct Fields {
-    #[robot(armature_of = "joint_2", range = 4.0)]
-    shoulder: f64,
-    #[robot(damping_of = "joint_3")]
-    rail: f64,
-    #[robot(friction_of = "joint_5", range = 0.0..=1.0)]
-    wrist: f64,
+macro_rules! with_fields {
+    ([$($function:ident),*]) => {
+        #[derive(Robot)]
+        #[robot(urdf = "../robots/stanford_general.urdf", tip = "tool")]
+        #[robot(generate($($function,)* forward_dynamics, mass_matrix_inverse))]
+        #[robot(armature(joint_1 = 0.95, joint_3 = 0.78, joint_4 = 0.11, joint_5 = 0.1, joint_6 = 0.02))]
+        #[robot(damping(joint_1 = 3.5, joint_2 = 2.0, joint_4 = 0.5, joint_6 = 0.25))]
+        #[robot(friction(joint_1 = 1.25, joint_3 = 4.5, joint_4 = 0.75, joint_6 = 0.125))]
+        struct Fields {
+            #[robot(armature_of = "joint_2", range = 4.0)]
+            shoulder: f64,
+            #[robot(damping_of = "joint_3")]
+            rail: f64,
+            #[robot(friction_of = "joint_5", range = 0.0..=1.0)]
+            wrist: f64,
+        }
+    };
 }
+with_every_function!(with_fields!);
 
 const FIELDS: Fields = Fields {
     shoulder: 2.2,

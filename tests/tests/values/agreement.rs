@@ -4,19 +4,19 @@
 //! Limits are a few times the worst measured error.
 
 use homogen::{Chain, Real};
-use homogen_tests::effort::effort;
-use homogen_tests::for_every_robot;
-use homogen_tests::functions::{Block, EveryFunction, Shared, evaluate};
-use homogen_tests::robots::{
-    PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
-    Ur5Class,
+use homogen_robots::for_every_robot;
+use homogen_robots::shipped::{
+    PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, Together,
+    TwoLink, Ur5Class,
 };
+use homogen_tests::effort::effort;
+use homogen_tests::functions::{self, Block, EveryFunction, evaluate};
 use homogen_tests::rounding::{DOUBLE, SINGLE, Worst};
 use homogen_tests::states::{Random, State};
 
 /// States of each robot.
 fn count() -> usize {
-    effort(100, 1000)
+    effort(25, 1000)
 }
 
 /// In single precision nearly all errors are those of generated code: the worst is 4.9 u.
@@ -29,7 +29,7 @@ const DOUBLE_LIMIT: f64 = 64.0;
 /// Compares every function in both precisions with the generic recursions in double precision.
 fn agree<R, const N: usize, const F: usize>(robot: &R, chain: &Chain<N, F>)
 where
-    R: EveryFunction<N, f64> + EveryFunction<N, f32> + Shared<N, f64> + Shared<N, f32>,
+    R: EveryFunction<N, f64> + EveryFunction<N, f32> + Together<N, f64> + Together<N, f32>,
 {
     let mut random = Random::new(1);
     let mut double = Worst::in_units_of(DOUBLE);
@@ -52,7 +52,7 @@ fn compare<R, T, const N: usize>(
     expected: &[Block<f64>],
     worst: &mut Worst,
 ) where
-    R: EveryFunction<N, T> + Shared<N, T>,
+    R: EveryFunction<N, T> + Together<N, T>,
     T: Real,
 {
     let state = state.to::<T>();
@@ -60,7 +60,13 @@ fn compare<R, T, const N: usize>(
         blocks.iter().map(|block| block.map(T::to_f64)).collect()
     };
     worst.note(&widened(&evaluate(robot, &state)), expected);
-    for shared in robot.shared(&state) {
+    let State { q, qd, .. } = &state;
+    let (m, columns) = robot.pose_and_jacobian(q);
+    let (mass, bias) = robot.mass_and_bias(q, qd);
+    for shared in [
+        functions::of_the_tip(&m, &columns),
+        functions::of_the_whole(&mass, &bias),
+    ] {
         let named = |block: &&Block<f64>| shared.iter().any(|other| other.name == block.name);
         let expected: Vec<_> = expected.iter().filter(named).cloned().collect();
         worst.note(&widened(&shared), &expected);

@@ -10,18 +10,22 @@ use homogen::robot::{
     InverseDynamicsHessian, InverseDynamicsVjp,
 };
 use homogen::{AccelerationGradient, AccelerationHessian, Chain, TorqueHessian, generic};
-use homogen_tests::dual::Dual;
-use homogen_tests::for_every_robot;
-use homogen_tests::functions::{Block, EveryFunction};
-use homogen_tests::robots::{
+use homogen_robots::for_every_robot;
+use homogen_robots::shipped::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
     Ur5Class,
 };
+use homogen_tests::dual::Dual;
+use homogen_tests::effort::effort;
+use homogen_tests::functions::{Block, EveryFunction};
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
 use serde_json::Value;
 
-const STATES: usize = 100;
+/// States of each robot.
+fn count() -> usize {
+    effort(10, 100)
+}
 
 /// Both sides are sums of some hundred terms.
 const LIMIT: f64 = 64.0;
@@ -372,7 +376,7 @@ macro_rules! derivatives {
             let mut random = Random::new(21);
             let mut torques = Worst::in_units_of(DOUBLE);
             let mut accelerations: f64 = 0.0;
-            for _ in 0..STATES {
+            for _ in 0..count() {
                 let state = State::random(&mut random);
                 of_torques(&$robot, &state, &mut torques);
                 of_weighted_torques(&$robot, &chain, &state, &mut torques);

@@ -8,11 +8,15 @@ use std::array::from_fn;
 
 use homogen::{Action, Chain, Scalar, generic};
 use homogen_tests::dual::Dual;
+use homogen_tests::effort::effort;
 use homogen_tests::functions::Block;
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 100;
+/// States of each robot.
+fn count() -> usize {
+    effort(30, 100)
+}
 
 /// The numbers of velocities and coordinates.
 const N: usize = 17;
@@ -151,7 +155,7 @@ macro_rules! tests {
             fn power_is_conserved() {
                 let chain = $robot::chain();
                 let mut random = Random::new(11);
-                for _ in 0..STATES {
+                for _ in 0..count() {
                     let (state, actions) = (
                         State::<f64, N, Q>::of(&chain, &mut random),
                         actions(&mut random),
@@ -196,7 +200,7 @@ macro_rules! tests {
                 let chain = $robot::chain();
                 let mut random = Random::new(12);
                 let mut worst = Worst::in_units_of(DOUBLE);
-                for _ in 0..STATES {
+                for _ in 0..count() {
                     let actions = actions(&mut random);
                     let State { q, qd, qdd } = State::<f64, N, Q>::of(&chain, &mut random);
                     let tau = $robot.inverse_dynamics(&q, &qd, &qdd, &actions);
@@ -214,7 +218,7 @@ macro_rules! tests {
                 let mut random = Random::new(13);
                 let mut worst = Worst::in_units_of(DOUBLE);
                 let unit = |k: usize| from_fn(|i| if i == k { 1.0 } else { 0.0 });
-                for _ in 0..STATES / 10 {
+                for _ in 0..count() / 10 {
                     let actions = actions(&mut random);
                     let State { q, qd, qdd } = State::<f64, N, Q>::of(&chain, &mut random);
                     let tau: [f64; N] = from_fn(|k| 3.0 * qdd[N - 1 - k]);
@@ -298,7 +302,7 @@ fn the_generic_recursions_give_the_same() {
     let chain = WithActuators::chain();
     let mut random = Random::new(14);
     let mut worst = Worst::in_units_of(DOUBLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, qd, qdd } = State::<f64, N, Q>::of(&chain, &mut random);
         let nothing = [Action::zero(); 3];
         let by = WithActuators.inverse_dynamics_derivatives(&q, &qd, &qdd, &nothing);

@@ -5,11 +5,15 @@ use std::array::from_fn;
 use homogen::robot::InverseDynamics;
 use homogen::{Action, Robot, Scalar, generic};
 use homogen_tests::dual::Dual;
+use homogen_tests::effort::effort;
 use homogen_tests::functions::Block;
 use homogen_tests::rounding::{DOUBLE, SINGLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 200;
+/// States of each robot.
+fn count() -> usize {
+    effort(50, 200)
+}
 
 /// An arm with external wrenches on its hand and its elbow, and friction at one joint.
 macro_rules! panda {
@@ -78,7 +82,7 @@ fn external_wrenches_reduce_the_torques() {
     let mut random = Random::new(7);
     let mut worst = Worst::in_units_of(DOUBLE);
     let mut single = Worst::in_units_of(SINGLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let (state, actions) = (State::random(&mut random), actions(&mut random));
         let State { q, qd, qdd } = &state;
         let tau = [Block::new("τ", expected(&state, &actions))];
@@ -107,7 +111,7 @@ fn external_wrenches_reduce_the_torques() {
 #[test]
 fn forward_dynamics_inverts_inverse_dynamics() {
     let mut random = Random::new(8);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let (state, actions) = (State::random(&mut random), actions(&mut random));
         let State { q, qd, qdd } = &state;
         let tau = expected(&state, &actions);
@@ -143,7 +147,7 @@ fn the_trait_method_has_no_external_wrenches() {
 fn power_is_conserved() {
     let chain = Panda::chain();
     let mut random = Random::new(10);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let (state, actions) = (State::random(&mut random), actions(&mut random));
         let State { q, qd, qdd } = &state;
         let moving = Dual::pairs(q, qd);

@@ -5,17 +5,20 @@ use std::array::from_fn;
 
 use homogen::generic;
 use homogen::robot::{ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixInverse};
-use homogen_tests::for_every_robot;
-use homogen_tests::robots::{
+use homogen_robots::for_every_robot;
+use homogen_robots::shipped::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
     Ur5Class,
 };
+use homogen_tests::effort::effort;
 use homogen_tests::rounding::DOUBLE;
 use homogen_tests::states::{Random, State};
 use serde_json::Value;
 
 /// Random states of each robot.
-const STATES: usize = 1000;
+fn count() -> usize {
+    effort(200, 1000)
+}
 
 /// The largest difference of two lists.
 fn difference(x: &[f64], y: &[f64]) -> f64 {
@@ -41,7 +44,7 @@ where
     R: InverseDynamics<N> + MassMatrix<N> + ForwardDynamics<N>,
 {
     let mut random = Random::new(12);
-    (0..STATES).fold(0.0, |worst: f64, _| {
+    (0..count()).fold(0.0, |worst: f64, _| {
         let state: State<f64, N> = State::random(&mut random);
         let tau = torques(&state);
         let found = robot.forward_dynamics(&state.q, &state.qd, &tau);
@@ -62,7 +65,7 @@ where
     R: MassMatrix<N> + MassMatrixInverse<N>,
 {
     let mut random = Random::new(13);
-    (0..STATES).fold(0.0, |worst: f64, _| {
+    (0..count()).fold(0.0, |worst: f64, _| {
         let state: State<f64, N> = State::random(&mut random);
         let (mass, inverse) = (
             robot.mass_matrix(&state.q),
@@ -97,7 +100,7 @@ where
     R: ForwardDynamics<N>,
 {
     let mut random = Random::new(14);
-    (0..STATES).fold(0.0, |worst: f64, _| {
+    (0..count()).fold(0.0, |worst: f64, _| {
         let state: State<f64, N> = State::random(&mut random);
         let tau = torques(&state);
         let found = robot.forward_dynamics(&state.q, &state.qd, &tau);

@@ -8,18 +8,22 @@ use std::array::from_fn;
 use homogen::{
     Acceleration, Action, Chain, Jacobian, Momentum, Point, Pose, Screw, Velocity, generic,
 };
-use homogen_tests::cholesky::least_pivot;
-use homogen_tests::dual::Dual;
-use homogen_tests::for_every_robot;
-use homogen_tests::functions::{Block, EveryFunction};
-use homogen_tests::robots::{
+use homogen_robots::for_every_robot;
+use homogen_robots::shipped::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
     Ur5Class,
 };
+use homogen_tests::cholesky::least_pivot;
+use homogen_tests::dual::Dual;
+use homogen_tests::effort::effort;
+use homogen_tests::functions::{Block, EveryFunction};
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 100;
+/// States of each robot.
+fn count() -> usize {
+    effort(25, 100)
+}
 
 /// The worst is 20 u, of the power balance, whose terms are larger than their sum.
 const LIMIT: f64 = 64.0;
@@ -51,7 +55,7 @@ where
     let mut random = Random::new(2);
     let mut found = Identities(Worst::in_units_of(DOUBLE));
     let mut differences = Identities(Worst::in_units_of(DOUBLE));
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let state = State::random(&mut random);
         equations_of_motion(robot, &state, &mut found);
         energies(robot, chain, &state, &mut found);

@@ -7,7 +7,7 @@ use homogen::ik::{Outcome, Solution, Solver};
 use homogen::robot::{ForwardKinematics, GeometricJacobian};
 use homogen::{Chain, Error, Pose, Robot, Scalar, generic, rotation, vector};
 use homogen_random::Random;
-use homogen_tests::robots::{PandaClass, Ur5Class};
+use homogen_robots::shipped::{PandaClass, Ur5Class};
 
 const TARGETS: usize = 500;
 

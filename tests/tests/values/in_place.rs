@@ -4,11 +4,16 @@
 //! Generated code is compared with the generic recursions, in units of rounding as in `agreement`.
 
 use homogen::{Chain, chain, generic};
+use homogen_robots::with_every_function;
+use homogen_tests::effort::effort;
 use homogen_tests::functions::{Block, EveryFunction, evaluate};
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 100;
+/// States of each robot.
+fn count() -> usize {
+    effort(25, 100)
+}
 
 /// The worst is 35 u.
 const LIMIT: f64 = 64.0;
@@ -27,13 +32,13 @@ fn limit(block: &str) -> f64 {
     }
 }
 
-/// Declares a robot with all functions.
+/// Declares a robot with the functions that are compared.
 macro_rules! robot {
-    ($(#[$about:meta])* $name:ident { $($settings:tt)* } $($parts:tt)*) => {
+    ([$($function:ident),*] $(#[$about:meta])* $name:ident { $($settings:tt)* } $($parts:tt)*) => {
         chain! {
             $(#[$about])*
             struct $name {
-                $($settings)*, generate(all)
+                $($settings)*, generate($($function),*)
             }
             $($parts)*
         }
@@ -46,7 +51,7 @@ where
 {
     let mut random = Random::new(4);
     let mut worst = Worst::in_units_of(DOUBLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let state = State::random(&mut random);
         worst.note(&evaluate(robot, &state), &evaluate(chain, &state));
     }
@@ -58,7 +63,7 @@ fn names<const N: usize, const F: usize>(chain: &Chain<N, F>) -> [&'static str; 
     chain.joints.map(|joint| joint.name)
 }
 
-robot! {
+with_every_function! { robot!
     /// A pillar drill, whose quill goes down by 5 mm per turn.
     Drill { gravity: [0.5, 0.0, -9.5] }
     link base;
@@ -70,7 +75,7 @@ robot! {
     link bit { mass: 0.3, com: [0.0, 0.02, -0.05], inertia: [0.001, 0.002, 0.001] }
 }
 
-robot! {
+with_every_function! { robot!
     /// Three prismatic joints and a wrist, on a wall.
     Gantry { gravity: [-9.81, 0.0, 0.0] }
     link base;
@@ -84,7 +89,7 @@ robot! {
     link gripper { mass: 1.0, com: [0.05, 0.0, -0.1], inertia: [0.004, 0.003, 0.002] }
 }
 
-robot! {
+with_every_function! { robot!
     /// A boring mill with two cylindrical joints, the first with an oblique axis.
     Mill { gravity: [0.2, -9.7, 1.0] }
     link base;
@@ -96,7 +101,7 @@ robot! {
     link tool { mass: 0.6, com: [0.01, 0.04, -0.02], inertia: [0.002, 0.003, 0.001] }
 }
 
-robot! {
+with_every_function! { robot!
     /// No two axes at a right angle, and no gravity.
     Oblique { gravity: none, tip: c }
     link base;
@@ -108,7 +113,7 @@ robot! {
     link c { mass: 1.0, com: [0.1, 0.0, 0.1], inertia: [0.01, 0.001, 0.0, 0.02, 0.002, 0.025] }
 }
 
-robot! {
+with_every_function! { robot!
     /// A trunk with a head and two arms that branch in the middle; the eye is a further frame.
     Torso { tip: left_hand, frames(eye, pelvis) }
     link pelvis;
@@ -128,7 +133,7 @@ robot! {
     link right_hand { mass: 1.0, com: [0.0, 0.0, -0.1], inertia: [0.004, 0.004, 0.001] }
 }
 
-robot! {
+with_every_function! { robot!
     /// The same from the trunk up, without its right arm and with a locked neck.
     Bust { base: trunk, tip: left_hand, drop(right_arm), lock(neck = 0.3), frames(head) }
     link pelvis;
@@ -144,7 +149,7 @@ robot! {
     link right_arm { mass: 3.0, com: [0.0, -0.05, -0.15], inertia: [0.03, 0.03, 0.004] }
 }
 
-robot! {
+with_every_function! { robot!
     /// An arm whose second branch has a mass and no coordinate.
     OnePath { tip: hand, path_only, exact }
     link base;
@@ -156,7 +161,7 @@ robot! {
     link camera { mass: 0.5, com: [0.0, 0.0, 0.02], inertia: [0.001, 0.001, 0.001] }
 }
 
-robot! {
+with_every_function! { robot!
     /// Modified Denavit–Hartenberg parameters.
     Table { }
     denavit_hartenberg(modified) {
@@ -209,7 +214,7 @@ fn branches_and_further_frames_agree_with_the_recursions() {
     let mut random = Random::new(5);
     let mut worst = Worst::in_units_of(DOUBLE);
     let eye = chain.frame("eye").expect("a frame of the request");
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, qd, qdd } = &State::<f64, 6>::random(&mut random);
         let m = [
             Torso.forward_kinematics_of_eye(q),

@@ -8,15 +8,19 @@ use std::array::from_fn;
 
 use homogen::robot::{ForwardDynamics, MassMatrixInverse};
 use homogen::{Acceleration, Chain, Pose, Real, Scalar, Screw, Velocity, vector};
+use homogen_robots::for_every_jointed_robot;
+use homogen_robots::jointed::{Brick, EveryJoint, FreeQuadruped, Gripper};
 use homogen_tests::cholesky::least_pivot;
 use homogen_tests::dual::Dual;
-use homogen_tests::for_every_jointed_robot;
+use homogen_tests::effort::effort;
 use homogen_tests::functions::{Block, EveryFunction, evaluate};
-use homogen_tests::jointed::{Brick, EveryJoint, FreeQuadruped, Gripper};
 use homogen_tests::rounding::{DOUBLE, SINGLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 100;
+/// States of each robot.
+fn count() -> usize {
+    effort(25, 100)
+}
 
 /// The dense products of the recursions in frame 0 have larger errors than generated code: the worst is 82 u, or 9e-15;
 /// of derivatives, which have the factors of mimic joints twice, 589 u.
@@ -69,7 +73,7 @@ fn agree_with_the_recursions<R, const N: usize, const F: usize, const Q: usize, 
     let mut random = Random::new(1);
     let mut double = Worst::in_units_of(DOUBLE);
     let mut single = Worst::in_units_of(SINGLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let state = State::of(chain, &mut random);
         let expected = evaluate(chain, &state);
         double.note(&widened::<_, f64, N, Q>(robot, &state), &expected);
@@ -128,7 +132,7 @@ fn obey_the_laws<R, const N: usize, const F: usize, const Q: usize, const B: usi
         let block = |entries: &[f64]| [Block::new(name, entries.iter().copied())];
         found.note(&block(left), &block(right));
     };
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, qd, qdd } = State::of(chain, &mut random);
         let mass: [[f64; N]; N] = robot.mass_matrix(&q);
         let bias: [f64; N] = robot.bias(&q, &qd);
@@ -236,7 +240,7 @@ fn the_rate_of_momentum_is_the_wrench_on_the_base() {
     let chain = FreeQuadruped::chain();
     let mut random = Random::new(3);
     let mut found = Worst::in_units_of(DOUBLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, qd, qdd } = State::of(&chain, &mut random);
         let along = moving(&chain, &q, &qd);
         let mass = FreeQuadruped.mass_matrix(&along);
@@ -261,7 +265,7 @@ fn the_rate_of_momentum_is_the_wrench_on_the_base() {
 fn a_base_a_thousand_kilometres_away_loses_no_accuracy() {
     let chain = FreeQuadruped::chain();
     let mut random = Random::new(4);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, qd, qdd } = State::of(&chain, &mut random);
         let mut far = q;
         for entry in &mut far[..3] {

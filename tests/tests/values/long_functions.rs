@@ -2,6 +2,7 @@
 #![deny(warnings, clippy::pedantic)]
 
 use homogen::{Robot, generic};
+use homogen_tests::effort::effort;
 use homogen_tests::functions::evaluate;
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
@@ -51,14 +52,17 @@ use homogen_tests::states::{Random, State};
 )]
 struct Humanoid;
 
-const STATES: usize = 20;
+/// States of each robot.
+fn count() -> usize {
+    effort(4, 20)
+}
 
 #[test]
 fn long_functions_agree_with_the_recursions() {
     let chain = Humanoid::chain();
     let mut random = Random::new(21);
     let mut worst = Worst::in_units_of(DOUBLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let state = State::<f64, 39>::random(&mut random);
         worst.note(&evaluate(&Humanoid, &state), &evaluate(&chain, &state));
     }
@@ -72,7 +76,7 @@ fn long_solutions_agree_with_the_recursions() {
     let chain = Humanoid::chain();
     let mut random = Random::new(22);
     let [mut torques, mut unit] = [0.0_f64; 2];
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, qd, qdd } = State::<f64, 39>::random(&mut random);
         let tau = generic::inverse_dynamics(&chain, &q, &qd, &qdd);
         let found = Humanoid.forward_dynamics(&q, &qd, &tau);

@@ -6,13 +6,13 @@
 //! here have the order in their names.
 
 use homogen::{Chain, Jacobian, Point, generic};
-use homogen_tests::for_every_robot;
-use homogen_tests::functions::{Block, EveryFunction};
-use homogen_tests::jointed::FreeQuadruped;
-use homogen_tests::robots::{
+use homogen_robots::for_every_robot;
+use homogen_robots::jointed::FreeQuadruped;
+use homogen_robots::shipped::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
     Ur5Class,
 };
+use homogen_tests::functions::{Block, EveryFunction};
 use homogen_tests::rounding::Worst;
 use homogen_tests::states::State;
 use serde_json::Value;

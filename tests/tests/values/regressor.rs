@@ -4,15 +4,19 @@
 //! Errors are in units of rounding times the largest entry in any state.
 
 use homogen::{Chain, JointActuator, Robot, robot};
-use homogen_tests::functions::Block;
-use homogen_tests::robots::{
+use homogen_robots::shipped::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
     Ur5Class,
 };
+use homogen_tests::effort::effort;
+use homogen_tests::functions::Block;
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 200;
+/// States of each robot.
+fn count() -> usize {
+    effort(50, 200)
+}
 
 /// As for other functions.
 const LIMIT: f64 = 64.0;
@@ -71,7 +75,7 @@ fn hold<R, const N: usize, const P: usize, const B: usize, const F: usize>(
     let mut random = Random::new(7);
     let mut entries = Worst::in_units_of(DOUBLE);
     let mut torques = Worst::in_units_of(DOUBLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, qd, qdd } = State::<f64, N>::random(&mut random);
         let generated: [[f64; P]; N] = robot.regressor(&q, &qd, &qdd);
         let generic: [[f64; P]; N] = robot::Regressor::regressor(chain, &q, &qd, &qdd);

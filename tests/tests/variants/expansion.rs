@@ -15,7 +15,7 @@ use homogen_codegen::request::Request;
 use homogen_codegen::schedule::OperationCount;
 use homogen_codegen::space::FrameId;
 use homogen_codegen::{Builder, Function, Real, front_end};
-use homogen_tests::for_every_robot;
+use homogen_robots::for_every_robot;
 use homogen_tests::programs::program;
 use quote::{format_ident, quote};
 

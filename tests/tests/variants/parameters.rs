@@ -6,39 +6,53 @@
 use homogen::{Chain, Payload, Robot};
 use homogen_codegen::description::{Description, Step, read_file};
 use homogen_codegen::error::Errors;
+use homogen_robots::shipped::PandaClass;
+use homogen_robots::with_every_function;
+use homogen_tests::effort::effort;
 use homogen_tests::functions::{EveryFunction, evaluate};
-use homogen_tests::robots::PandaClass;
 use homogen_tests::rounding::{DOUBLE, Worst};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 100;
+/// States of each robot.
+fn count() -> usize {
+    effort(25, 100)
+}
 
 /// The worst is 27 u.
 const LIMIT: f64 = 64.0;
 
-/// The Panda-class arm with one field of each kind, and two more.
-#[derive(Robot)]
-#[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate(all))]
-struct Panda {
-    #[robot(mass_of = "link5")]
-    mass: f64,
-    #[robot(com_of = "link5")]
-    center: [f64; 3],
-    #[robot(inertia_of = "link6")]
-    inertia: [f64; 6],
-    #[robot(origin_of = "joint4")]
-    origin: [f64; 3],
-    #[robot(base_position)]
-    base: [f64; 3],
-    #[robot(gravity)]
-    gravity: [f64; 3],
-    /// The mass of a link without mass in the file.
-    #[robot(mass_of = "link8")]
-    payload: f64,
-    #[robot(payload_on = "link7")]
-    tool: Payload,
-    /// A field of the user's own.
-    calls: u32,
+/// Derives the Panda-class arm with the functions that are compared.
+macro_rules! panda {
+    ([$($function:ident),*] $($struct:tt)*) => {
+        #[derive(Robot)]
+        #[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate($($function),*))]
+        $($struct)*
+    };
+}
+
+with_every_function! { panda!
+    /// The Panda-class arm with one field of each kind, and two more.
+    struct Panda {
+        #[robot(mass_of = "link5")]
+        mass: f64,
+        #[robot(com_of = "link5")]
+        center: [f64; 3],
+        #[robot(inertia_of = "link6")]
+        inertia: [f64; 6],
+        #[robot(origin_of = "joint4")]
+        origin: [f64; 3],
+        #[robot(base_position)]
+        base: [f64; 3],
+        #[robot(gravity)]
+        gravity: [f64; 3],
+        /// The mass of a link without mass in the file.
+        #[robot(mass_of = "link8")]
+        payload: f64,
+        #[robot(payload_on = "link7")]
+        tool: Payload,
+        /// A field of the user's own.
+        calls: u32,
+    }
 }
 
 fn described() -> Description {
@@ -90,7 +104,7 @@ where
 {
     let mut random = Random::new(seed);
     let mut worst = Worst::in_units_of(DOUBLE);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let state = State::random(&mut random);
         worst.note(&evaluate(one, &state), &evaluate(other, &state));
     }
@@ -136,7 +150,7 @@ fn gravity_is_linear_in_a_payload() {
     };
     let mut random = Random::new(3);
     let mut is_large = false;
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let State { q, .. } = State::<f64, 7>::random(&mut random);
         let none: [f64; 7] = empty.gravity(&q);
         let (one, three): ([f64; 7], [f64; 7]) = (full(1.0).gravity(&q), full(3.0).gravity(&q));
@@ -152,16 +166,16 @@ fn gravity_is_linear_in_a_payload() {
     );
 }
 
-/// The arm with fields for the placements of its base and of two joints.
-#[derive(Robot)]
-#[robot(urdf = "../robots/panda_class.urdf", tip = "link8", generate(all))]
-struct Placed {
-    #[robot(base_placement)]
-    base: [f64; 6],
-    #[robot(placement_of = "joint4")]
-    elbow: [f64; 6],
-    #[robot(placement_of = "joint7")]
-    wrist: [f64; 6],
+with_every_function! { panda!
+    /// The arm with fields for the placements of its base and of two joints.
+    struct Placed {
+        #[robot(base_placement)]
+        base: [f64; 6],
+        #[robot(placement_of = "joint4")]
+        elbow: [f64; 6],
+        #[robot(placement_of = "joint7")]
+        wrist: [f64; 6],
+    }
 }
 
 #[test]

@@ -2,36 +2,49 @@
 
 use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives, MassMatrixInverse, Regressor};
 use homogen::{Payload, Robot, Scalar};
+use homogen_robots::with_every_function;
+use homogen_tests::effort::effort;
 use homogen_tests::functions::{EveryFunction, evaluate};
 use homogen_tests::states::{Random, State};
 
-const STATES: usize = 50;
+/// States of each robot.
+fn count() -> usize {
+    effort(20, 50)
+}
 
-/// An arm with many fields, with all functions.
-#[derive(Robot)]
-#[robot(
-    urdf = "../robots/panda_class.urdf",
-    tip = "link8",
-    prepare,
-    generate(all)
-)]
-struct Panda {
-    #[robot(mass_of = "link5")]
-    mass: f64,
-    #[robot(com_of = "link5")]
-    center: [f64; 3],
-    #[robot(inertia_of = "link6")]
-    inertia: [f64; 6],
-    #[robot(payload_on = "link8")]
-    tool: Payload,
-    #[robot(origin_of = "joint4")]
-    origin: [f64; 3],
-    #[robot(base_position)]
-    base: [f64; 3],
-    #[robot(placement_of = "joint6")]
-    wrist: [f64; 6],
-    #[robot(gravity)]
-    gravity: [f64; 3],
+/// Derives an arm with the functions that are compared.
+macro_rules! panda {
+    ([$($function:ident),*] $($struct:tt)*) => {
+        #[derive(Robot)]
+        #[robot(urdf = "../robots/panda_class.urdf", tip = "link8", prepare)]
+        #[robot(generate(
+            $($function,)*
+            forward_dynamics, mass_matrix_inverse, forward_dynamics_derivatives, regressor
+        ))]
+        $($struct)*
+    };
+}
+
+with_every_function! { panda!
+    /// An arm with many fields.
+    struct Panda {
+        #[robot(mass_of = "link5")]
+        mass: f64,
+        #[robot(com_of = "link5")]
+        center: [f64; 3],
+        #[robot(inertia_of = "link6")]
+        inertia: [f64; 6],
+        #[robot(payload_on = "link8")]
+        tool: Payload,
+        #[robot(origin_of = "joint4")]
+        origin: [f64; 3],
+        #[robot(base_position)]
+        base: [f64; 3],
+        #[robot(placement_of = "joint6")]
+        wrist: [f64; 6],
+        #[robot(gravity)]
+        gravity: [f64; 3],
+    }
 }
 
 const PANDA: Panda = Panda {
@@ -49,7 +62,7 @@ const PANDA: Panda = Panda {
     gravity: [1.0, -2.0, 3.0],
 };
 
-/// Results of every function but the base regressor, which cannot have a field for gravity, one number after the other.
+/// Results of these functions, one number after the other.
 fn all<T: Scalar, R, const P: usize>(robot: &R, state: &State<T, 7>) -> Vec<T>
 where
     R: EveryFunction<7, T>
@@ -74,7 +87,7 @@ where
 fn every_function_keeps_its_bits_in_both_precisions() {
     let (double, single) = (PANDA.prepare::<f64>(), PANDA.prepare::<f32>());
     let mut random = Random::new(1);
-    for _ in 0..STATES {
+    for _ in 0..count() {
         let state: State<f64, 7> = State::random(&mut random);
         let bits = |numbers: Vec<f64>| numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>();
         assert_eq!(bits(all(&double, &state)), bits(all(&PANDA, &state)));

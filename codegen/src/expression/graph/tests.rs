@@ -46,3 +46,35 @@ fn constants_that_cancel_keep_all_their_digits() {
     // With constants rounded to 64 bits four digits would be left.
     assert!((found / 1e-12 - 1.0).abs() < 1e-15, "{found:e}");
 }
+
+#[test]
+fn equal_operations_are_one_expression_and_others_are_not() {
+    let graph = Graph::new();
+    let input = |k| graph.input(Input::Variable(Variable::Q, k));
+    let all = || {
+        let pairs = (0..40).flat_map(|i| (0..i).map(move |j| (input(i), input(j))));
+        let made = pairs.flat_map(|(a, b)| [a + b, a - b, a * b, a / b, (a * b).sin_cos().0]);
+        made.map(Term::expr).collect::<Vec<_>>()
+    };
+    let first = all();
+    let nodes = graph.len();
+    assert_eq!(all(), first);
+    assert_eq!(graph.len(), nodes, "nothing is made twice");
+    let mut different = first.clone();
+    different.sort_unstable();
+    different.dedup();
+    assert_eq!(different.len(), first.len());
+}
+
+#[test]
+fn needed_expressions_are_counted_by_their_readers() {
+    let graph = Graph::new();
+    let x = x(&graph);
+    let square = x * x;
+    let unused = square + x;
+    let sum = square + square * square;
+    let (needed, uses) = graph.needed(&[sum.expr(), sum.expr()]);
+    assert!(needed.is_sorted() && !needed.contains(&unused.expr()));
+    let of = |term: Term<'_>| uses[term.expr().index()];
+    assert_eq!([of(x), of(square), of(sum), of(unused)], [2, 3, 2, 0]);
+}

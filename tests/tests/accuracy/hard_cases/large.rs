@@ -3,8 +3,8 @@
 use homogen::generic;
 use homogen_codegen::Function;
 use homogen_codegen::space::Variable;
+use homogen_robots::shipped::PandaClass;
 use homogen_tests::metrics;
-use homogen_tests::robots::PandaClass;
 use homogen_tests::tested::{F64, Tested};
 
 use crate::hard_cases::case::{Bench, Case, Growth, Metric, judge};

@@ -18,8 +18,8 @@ use homogen_codegen::plan::program_by;
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::{Operand, Program, run};
 use homogen_codegen::space::{FrameId, Variable};
+use homogen_robots::shipped::PandaClass;
 use homogen_tests::arguments::{self, Arguments};
-use homogen_tests::robots::PandaClass;
 use homogen_tests::states::Random;
 use homogen_tests::subjects::subject;
 

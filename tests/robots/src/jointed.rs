@@ -1,24 +1,51 @@
-//! Robots whose joints have several velocities or mimic others, derived once with all their functions.
+//! Robots whose joints have several velocities or mimic others, derived once with the functions that are compared.
 //!
 //! In: robots/quadruped.urdf, and inline descriptions. Out: a struct for each robot, and a macro that runs a test for
 //! each, with its numbers of velocities and coordinates.
 
-use homogen::{Robot, chain};
+#[cfg(not(doc))]
+use homogen::Robot;
+use homogen::chain;
 
-/// A quadruped with a floating base.
-#[derive(Robot, Clone, Copy, Debug)]
-#[robot(
-    urdf = "../robots/quadruped.urdf",
-    tip = "hr_foot",
-    floating,
-    generate(all)
-)]
-pub struct FreeQuadruped;
+use crate::with_every_function;
 
-chain! {
+/// Derives the quadruped.
+#[cfg(not(doc))]
+macro_rules! quadruped {
+    ([$($function:ident),*] $($struct:tt)*) => {
+        #[derive(Robot, Clone, Copy, Debug)]
+        #[robot(urdf = "../../robots/quadruped.urdf", tip = "hr_foot", floating)]
+        #[robot(generate($($function,)* forward_dynamics, mass_matrix_inverse))]
+        $($struct)*
+    };
+}
+
+/// Declares a robot.
+macro_rules! robot {
+    (
+        [$($function:ident),*] $(#[$about:meta])*
+        pub struct $name:ident { $($settings:tt)* } $($parts:tt)*
+    ) => {
+        chain! {
+            $(#[$about])*
+            pub struct $name {
+                $($settings)*, generate($($function,)* forward_dynamics, mass_matrix_inverse)
+            }
+            $($parts)*
+        }
+    };
+}
+
+#[cfg(not(doc))]
+with_every_function! { quadruped!
+    /// A quadruped with a floating base.
+    pub struct FreeQuadruped;
+}
+
+with_every_function! { robot!
     /// A gripper on a wrist: two fingers on coupled prismatic joints, a thumb that mimics one of them, and a guard that
     /// mimics the thumb.
-    pub struct Gripper { tip: guard, generate(all) }
+    pub struct Gripper { tip: guard }
     link base;
     joint wrist: revolute(z) { from: base, to: palm, at: xyz(0.0, 0.1, 0.2) rpy(0.3, 0.0, -0.4) }
     link palm { mass: 0.6, com: [0.0, 0.01, 0.04], inertia: [0.002, 0.0015, 0.0008] }
@@ -39,9 +66,10 @@ chain! {
     link guard { mass: 0.02, com: [0.005, 0.0, 0.01], inertia: [4e-6, 4e-6, 2e-6] }
 }
 
-chain! {
+#[cfg(not(doc))]
+with_every_function! { robot!
     /// Every type of joint, in series and in branches.
-    pub struct EveryJoint { tip: tool, gravity: [0.5, -1.0, -9.81], generate(all) }
+    pub struct EveryJoint { tip: tool, gravity: [0.5, -1.0, -9.81] }
     link world;
     joint puck: planar([0.0, 0.6, 0.8]) { from: world, to: puck, at: xyz(0.2, 0.0, 0.1) rpy(0.1, 0.2, 0.3) }
     link puck { mass: 3.0, com: [0.05, 0.02, 0.1], inertia: [0.04, 0.001, 0.002, 0.05, -0.003, 0.06] }
@@ -69,9 +97,10 @@ chain! {
     link pod { mass: 0.3, com: [0.0, 0.0, -0.05], inertia: [0.001, 0.001, 0.0008] }
 }
 
-chain! {
+#[cfg(not(doc))]
+with_every_function! { robot!
     /// A body in free flight.
-    pub struct Brick { floating, gravity: [0.0, 0.0, 0.0], generate(all) }
+    pub struct Brick { floating, gravity: [0.0, 0.0, 0.0] }
     link brick { mass: 2.0, com: [0.03, -0.02, 0.05], inertia: [0.02, 0.001, 0.002, 0.03, -0.001, 0.045] }
 }
 

@@ -2,10 +2,16 @@
 //!
 //! In: robots/*.urdf. Out: a struct for each robot, and a macro that runs a test for each.
 
-use homogen::{Robot, Scalar};
+use homogen::{Pose, Robot, Scalar, Screw};
 
-use crate::functions::{self, Block, Shared};
-use crate::states::State;
+/// A robot with functions that were generated together.
+pub trait Together<const N: usize, T> {
+    /// Pose and geometric Jacobian from one function.
+    fn pose_and_jacobian(&self, q: &[T; N]) -> (Pose<T>, [Screw<T>; N]);
+
+    /// Mass matrix and bias from one function.
+    fn mass_and_bias(&self, q: &[T; N], qd: &[T; N]) -> ([[T; N]; N], [T; N]);
+}
 
 /// Derives a robot with all functions, alone and shared.
 macro_rules! robot {
@@ -22,14 +28,19 @@ macro_rules! robot {
                 all_of(forward_kinematics, geometric_jacobian),
                 all_of(mass_matrix, bias),
             ))]
-            struct Together;
+            struct Both;
 
-            impl<T: Scalar> Shared<$joints, T> for $name {
-                fn shared(&self, state: &State<T, $joints>) -> [Vec<Block<T>>; 2] {
-                    let State { q, qd, .. } = state;
-                    let (m, columns) = Together.forward_kinematics_and_geometric_jacobian(q);
-                    let (mass, bias) = Together.mass_matrix_and_bias(q, qd);
-                    [functions::of_the_tip(&m, &columns), functions::of_the_whole(&mass, &bias)]
+            impl<T: Scalar> Together<$joints, T> for $name {
+                fn pose_and_jacobian(&self, q: &[T; $joints]) -> (Pose<T>, [Screw<T>; $joints]) {
+                    Both.forward_kinematics_and_geometric_jacobian(q)
+                }
+
+                fn mass_and_bias(
+                    &self,
+                    q: &[T; $joints],
+                    qd: &[T; $joints],
+                ) -> ([[T; $joints]; $joints], [T; $joints]) {
+                    Both.mass_matrix_and_bias(q, qd)
                 }
             }
         };
@@ -38,39 +49,47 @@ macro_rules! robot {
 
 robot! {
     /// Two links in a vertical plane.
-    TwoLink, 2, "../robots/two_link.urdf", "tip"
+    TwoLink, 2, "../../robots/two_link.urdf", "tip"
 }
+#[cfg(not(doc))]
 robot! {
     /// Four joints with parallel axes, one of them prismatic.
-    Scara, 4, "../robots/scara.urdf", "tool"
+    Scara, 4, "../../robots/scara.urdf", "tool"
 }
+#[cfg(not(doc))]
 robot! {
     /// The Stanford arm.
-    Stanford, 6, "../robots/stanford.urdf", "tool"
+    Stanford, 6, "../../robots/stanford.urdf", "tool"
 }
+#[cfg(not(doc))]
 robot! {
     /// The Stanford arm without a zero among its inertial parameters.
-    StanfordGeneral, 6, "../robots/stanford_general.urdf", "tool"
+    StanfordGeneral, 6, "../../robots/stanford_general.urdf", "tool"
 }
+#[cfg(not(doc))]
 robot! {
     /// The PUMA 560.
-    Puma560, 6, "../robots/puma560.urdf", "tool"
+    Puma560, 6, "../../robots/puma560.urdf", "tool"
 }
+#[cfg(not(doc))]
 robot! {
     /// The PUMA 560 without a zero among its inertial parameters.
-    Puma560General, 6, "../robots/puma560_general.urdf", "tool"
+    Puma560General, 6, "../../robots/puma560_general.urdf", "tool"
 }
+#[cfg(not(doc))]
 robot! {
     /// Six joints, three of them parallel.
-    Ur5Class, 6, "../robots/ur5_class.urdf", "tool0"
+    Ur5Class, 6, "../../robots/ur5_class.urdf", "tool0"
 }
+#[cfg(not(doc))]
 robot! {
     /// Seven joints.
-    PandaClass, 7, "../robots/panda_class.urdf", "link8"
+    PandaClass, 7, "../../robots/panda_class.urdf", "link8"
 }
+#[cfg(not(doc))]
 robot! {
     /// A tree of twelve joints on a fixed base.
-    Quadruped, 12, "../robots/quadruped.urdf", "hr_foot"
+    Quadruped, 12, "../../robots/quadruped.urdf", "hr_foot"
 }
 
 /// Calls a macro with the file name and the struct of every robot that ships.

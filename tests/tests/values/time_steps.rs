@@ -11,10 +11,10 @@ use homogen::robot::{
 };
 use homogen::step::{Integrator, NextState, Step, StepDerivatives, step};
 use homogen::{Robot, Scalar, chain, generic};
+use homogen_robots::jointed::Brick;
+use homogen_robots::shipped::PandaClass;
 use homogen_tests::dual::Dual;
 use homogen_tests::effort::effort;
-use homogen_tests::jointed::Brick;
-use homogen_tests::robots::PandaClass;
 use homogen_tests::rounding::DOUBLE;
 use homogen_tests::states::Random;
 

@@ -7,7 +7,7 @@ use homogen::Robot;
 struct Walker;
 
 #[derive(Robot)]
-#[robot(mjcf = "robots/keyframes.xml", scalar = "f32", generate(gravity))]
+#[robot(mjcf = "robots/keyframes.xml", scalar = f32, generate(gravity))]
 struct Single;
 
 #[derive(Robot)]

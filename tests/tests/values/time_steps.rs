@@ -6,9 +6,7 @@
 
 use std::array::from_fn;
 
-use homogen::robot::{
-    ForwardDynamics, ForwardDynamicsDerivatives, KineticEnergy, PotentialEnergy, TotalMomentum,
-};
+use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives};
 use homogen::step::{Integrator, NextState, Step, StepDerivatives, step};
 use homogen::{Robot, Scalar, chain, generic};
 use homogen_robots::jointed::Brick;

@@ -15,6 +15,8 @@ def step(robot, integrator, q, qd, tau, dt, actions, derivatives):
     """The state after `dt`, or its derivatives."""
     if integrator not in INTEGRATORS:
         raise ValueError(f"integrator is {', '.join(INTEGRATORS)}, and not {integrator!r}")
+    if robot.constraint_names:
+        raise ValueError(f"{robot.name!r} has loops, which a step would open: there are no steps")
     n = robot.NV
     q, qd, tau = map(np.asarray, (q, qd, tau))
     dtype = np.float32 if {q.dtype, qd.dtype, tau.dtype} == {np.dtype(np.float32)} else np.float64

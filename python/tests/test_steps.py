@@ -108,6 +108,12 @@ def test_external_wrenches_are_constant():
     assert np.allclose(found.qd, qd + 0.01 * of.forward_dynamics(q, qd, tau, actions))
 
 
+def test_loops_are_refused():
+    of = robot("loop")
+    with pytest.raises(ValueError, match="has loops"):
+        of.step(np.zeros(2), np.zeros(2), np.zeros(2), 0.01)
+
+
 def test_an_unknown_integrator_is_named():
     of = robot("arm")
     with pytest.raises(ValueError, match="'midpoint'"):

@@ -83,7 +83,8 @@ pub struct StepDerivatives<const N: usize, T = f64> {
 /// Every robot that describes itself and has [`ForwardDynamics`] implements it; derivatives need
 /// [`ForwardDynamicsDerivatives`] too. `N` is the number of degrees of freedom, `Q` the number of coordinates.
 pub trait Step<const N: usize, T = f64, const Q: usize = N> {
-    /// The state after `dt` \[s\] under constant τ, without external wrenches.
+    /// The state after `dt` \[s\] under constant τ, without external wrenches. Closed loops are not kept: forward dynamics
+    /// is that of the open tree.
     #[must_use]
     fn step(
         &self,

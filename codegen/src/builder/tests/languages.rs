@@ -197,6 +197,8 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
     assert!(!header.contains("step_hessian") && !text.contains("acados_fun_jac_hess(void"));
     let floating = Builder::from_urdf("../robots/quadruped.urdf").floating();
     let floating = floating.generate([Function::ForwardDynamics]);
+    let rod = "pin: rod(0.5) { from: fore, to: base, at: xyz(0.3, 0, 0) }";
+    let closed = two_link().generate(dynamics).closed(rod);
     let field = two_link()
         .generate(dynamics)
         .parameter("payload", Target::MassOf("fore".into()));
@@ -205,6 +207,7 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
         builder.to_cpp("arm.hpp").map(|_| ()),
         builder.clone().scalar(Real::F32).to_c("arm.h").map(|_| ()),
         floating.steps(Integrator::Euler).to_c("arm.h").map(|_| ()),
+        closed.steps(Integrator::Euler).to_c("arm.h").map(|_| ()),
         two_link()
             .generate([Function::Gravity])
             .steps(Integrator::Euler)
@@ -227,6 +230,7 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
         "`steps` is for C only",
         "`acados` is for numbers of f64",
         "joint `root` has others",
+        "`steps` is not for robots with loops",
         "`steps` needs the function forward_dynamics",
         "`acados` needs `steps`",
         "`acados` has no place for fields",

@@ -22,7 +22,7 @@ use crate::space::{Space, Variable};
 /// Message and hint if a module cannot have steps, or not those that acados needs.
 ///
 /// # Errors
-/// If coordinates are not added, functions are missing, or acados cannot pass what they take.
+/// If coordinates are not added, loops are closed, functions are missing, or acados cannot pass what they take.
 pub fn check(module: &Module, acados: bool) -> Result<(), [String; 2]> {
     let mut motions = module.data.motions.iter().zip(&module.data.names);
     let manifold = motions.find(|(motion, _)| matches!(motion, DataMotion::Manifold(_)));
@@ -30,6 +30,12 @@ pub fn check(module: &Module, acados: bool) -> Result<(), [String; 2]> {
         return Err([
             format!("`steps` needs coordinates that are added, and joint `{name}` has others"),
             "leave it out; `homogen::step` in Rust and `step` in Python have such steps".to_owned(),
+        ]);
+    }
+    if module.spaces.len(Space::Constraints) > 0 {
+        return Err([
+            "`steps` is not for robots with loops, which a step would open".to_owned(),
+            "leave it out, or leave out the loops".to_owned(),
         ]);
     }
     let needed = [

@@ -32,7 +32,7 @@ def test_an_arm_moves_by_the_classical_rules():
     assert np.allclose(of.step(q, qd, tau, dt), [q + dt * faster, faster])
 
 
-@pytest.mark.parametrize("integrator,order", zip(INTEGRATORS, [1, 1, 4]))
+@pytest.mark.parametrize("integrator,order", list(zip(INTEGRATORS, [1, 1, 4])))
 def test_steps_have_their_orders_with_quaternions(integrator, order):
     of = robot("floating")
     q, qd, tau = drawn(of, 5, seed=2)

@@ -80,6 +80,11 @@ const ALLOWED: [(&str, &str, &str); 34] = [
         "decides whether there is a size",
     ),
     (
+        "description/mjcf/shape.rs",
+        "(a - b).sign().to_f64()",
+        "decides which is larger",
+    ),
+    (
         "description/mjcf/orientation.rs",
         ".sign().to_f64()",
         "chooses a formula",

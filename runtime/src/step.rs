@@ -21,7 +21,8 @@
 //! let by = Arm.step_derivatives(Integrator::Rk4, &q, &qd, &tau, 0.01);
 //! // To first order, a change of τ changes q̇ after the step by B.
 //! let other = Arm.step(Integrator::Rk4, &q, &qd, &[1.001, 0.0], 0.01);
-//! assert!((other.qd[0] - next.qd[0] - 0.001 * by.qd_by_tau[0][0]).abs() < 1e-9);
+//! let off: f64 = other.qd[0] - next.qd[0] - 0.001 * by.qd_by_tau[0][0];
+//! assert!(off.abs() < 1e-9);
 //! # }
 //! ```
 

@@ -11,6 +11,7 @@ from pathlib import Path
 sys.path.remove(str(Path(__file__).resolve().parent))
 
 from homogen import _engine  # noqa: E402
+from homogen import results as types_of_results  # noqa: E402
 
 
 HEAD = '''# Written by stub.py from the engine's table of functions.
@@ -94,24 +95,6 @@ class Robot:
     def __setattr__(self, name: str, value: ArrayLike) -> None: ...
 '''
 
-OF_STEPS = '''
-class NextState(NamedTuple):
-    q: NDArray[np.floating[Any]]
-    qd: NDArray[np.floating[Any]]
-
-class StepDerivatives(NamedTuple):
-    q_by_q: NDArray[np.floating[Any]]
-    q_by_qd: NDArray[np.floating[Any]]
-    q_by_tau: NDArray[np.floating[Any]]
-    qd_by_q: NDArray[np.floating[Any]]
-    qd_by_qd: NDArray[np.floating[Any]]
-    qd_by_tau: NDArray[np.floating[Any]]
-    @property
-    def a(self) -> NDArray[np.floating[Any]]: ...
-    @property
-    def b(self) -> NDArray[np.floating[Any]]: ...
-'''
-
 STEPS = {"integrate": ["q", "v"], "difference": ["q0", "q1"], "normalize": ["q"]}
 
 
@@ -147,11 +130,16 @@ def robot():
 def results():
     text = "# Written by stub.py from the engine's table of functions.\nfrom typing import Any, NamedTuple\n\n"
     text += "import numpy as np\nfrom numpy.typing import NDArray\n"
-    for name, _, _, parts, *_ in _engine.functions():
-        if parts:
-            text += f"\nclass {title(name)}(NamedTuple):\n"
-            text += "".join(f"    {part}: NDArray[np.floating[Any]]\n" for part in parts)
-    return text + OF_STEPS + "\ndef of(name: str) -> type[tuple[NDArray[np.floating[Any]], ...]] | None: ...\n"
+    array = "NDArray[np.floating[Any]]"
+    # In the order of the table; those of steps follow.
+    types = [types_of_results.of(name) for name, _, _, parts, *_ in _engine.functions() if parts]
+    for of in [*types, types_of_results.NextState, types_of_results.StepDerivatives]:
+        text += f"\nclass {of.__name__}(NamedTuple):\n"
+        text += "".join(f"    {part}: {array}\n" for part in of._fields)
+        for name, member in vars(of).items():
+            if isinstance(member, property):
+                text += f"    @property\n    def {name}(self) -> {array}: ...\n"
+    return text + f"\ndef of(name: str) -> type[tuple[{array}, ...]] | None: ...\n"
 
 
 def main():

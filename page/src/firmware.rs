@@ -13,6 +13,8 @@ use homogen_codegen::request::Request;
 use homogen_codegen::space::{Entry, Kind};
 use homogen_codegen::template::filled;
 
+use crate::project::stem;
+
 /// The files, with words between `@` to be replaced.
 const TEMPLATE: [(&str, &str); 6] = [
     ("Cargo.toml", include_str!("firmware/manifest.toml")),
@@ -176,20 +178,11 @@ fn start(coordinates: &[Entry]) -> Vec<String> {
 /// The name of a package: lower case letters, digits and dashes, a letter first.
 #[must_use]
 pub fn package(robot: &str) -> String {
-    let letters = robot
-        .chars()
-        .map(|letter| match letter.to_ascii_lowercase() {
-            letter if letter.is_ascii_alphanumeric() => letter,
-            _ => '-',
-        });
-    let name: String = letters.take(40).collect();
-    let name = name.trim_matches('-');
-    if name.starts_with(|letter: char| letter.is_ascii_alphabetic()) {
-        name.to_owned()
-    } else if name.is_empty() {
-        "robot".to_owned()
-    } else {
+    let name = stem(robot).replace('_', "-");
+    if name.starts_with(|letter: char| letter.is_ascii_digit()) {
         format!("robot-{name}")
+    } else {
+        name
     }
 }
 

@@ -83,7 +83,11 @@ pub struct StepDerivatives<const N: usize, T = f64> {
 ///
 /// Every robot that describes itself and has [`ForwardDynamics`] implements it; derivatives need
 /// [`ForwardDynamicsDerivatives`] too. `N` is the number of degrees of freedom, `Q` the number of coordinates.
-pub trait Step<const N: usize, T = f64, const Q: usize = N> {
+pub trait Step<const N: usize, T = f64, const Q: usize = N>:
+    Robot<N, Q> + ForwardDynamics<N, T, Q>
+where
+    T: Scalar,
+{
     /// The state after `dt` \[s\] under constant τ, without external wrenches. Closed loops are not kept: forward dynamics
     /// is that of the open tree.
     #[must_use]
@@ -94,40 +98,14 @@ pub trait Step<const N: usize, T = f64, const Q: usize = N> {
         qd: &[T; N],
         tau: &[T; N],
         dt: T,
-    ) -> NextState<N, T, Q>;
-
-    /// The derivatives of [`step`](Self::step) by q, q̇ and τ.
-    #[must_use]
-    fn step_derivatives(
-        &self,
-        integrator: Integrator,
-        q: &[T; Q],
-        qd: &[T; N],
-        tau: &[T; N],
-        dt: T,
-    ) -> StepDerivatives<N, T>
-    where
-        Self: ForwardDynamicsDerivatives<N, T, Q>;
-}
-
-impl<R, T, const N: usize, const Q: usize> Step<N, T, Q> for R
-where
-    R: Robot<N, Q> + ForwardDynamics<N, T, Q>,
-    T: Scalar,
-{
-    fn step(
-        &self,
-        integrator: Integrator,
-        q: &[T; Q],
-        qd: &[T; N],
-        tau: &[T; N],
-        dt: T,
     ) -> NextState<N, T, Q> {
-        step(R::MOTIONS, integrator, (q, qd), dt, |q, qd| {
+        step(Self::MOTIONS, integrator, (q, qd), dt, |q, qd| {
             self.forward_dynamics(q, qd, tau)
         })
     }
 
+    /// The derivatives of [`step`](Self::step) by q, q̇ and τ.
+    #[must_use]
     fn step_derivatives(
         &self,
         integrator: Integrator,
@@ -149,7 +127,7 @@ where
                 by: Blocks::of_qd(),
             },
         };
-        let end = over(R::MOTIONS, integrator, &start, dt, |at| Vector {
+        let end = over(Self::MOTIONS, integrator, &start, dt, |at| Vector {
             value: self.forward_dynamics(&at.q.q, &at.qd.value, tau),
             by: Blocks::of_accelerations(
                 &self.forward_dynamics_derivatives(&at.q.q, &at.qd.value, tau),
@@ -166,6 +144,13 @@ where
             qd_by_tau: qd.tau,
         }
     }
+}
+
+impl<R, T, const N: usize, const Q: usize> Step<N, T, Q> for R
+where
+    R: Robot<N, Q> + ForwardDynamics<N, T, Q>,
+    T: Scalar,
+{
 }
 
 /// The state after `dt` \[s\] with the accelerations of `q̈(q, q̇)`: for motions with external wrenches, contacts or a

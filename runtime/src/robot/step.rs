@@ -3,6 +3,8 @@
 //! In: a [`Chain`] or the motions of its joints, coordinates, and velocities times a duration. Out: coordinates, or
 //! velocities times a duration. [`manifold`] has the same for planar, spherical and floating joints alone.
 
+use core::ops::Range;
+
 use super::chain::Chain;
 use super::joint::Motion;
 use super::manifold;
@@ -97,11 +99,7 @@ pub(crate) fn integrate<T: Scalar, const N: usize, const Q: usize>(
     v: &[T; N],
 ) -> [T; Q] {
     let mut moved = *q;
-    let (mut coordinate, mut velocity) = (0, 0);
-    for motion in motions {
-        let own = coordinate..coordinate + motion.coordinates();
-        let rates = velocity..velocity + motion.velocities();
-        (coordinate, velocity) = (own.end, rates.end);
+    for (motion, own, rates) in ranges(motions) {
         let (Some(q), Some(v)) = (moved.get_mut(own), v.get(rates)) else {
             continue;
         };
@@ -114,6 +112,18 @@ pub(crate) fn integrate<T: Scalar, const N: usize, const Q: usize>(
         }
     }
     moved
+}
+
+/// Each motion with the indices of its coordinates and of its velocities.
+pub(crate) fn ranges(
+    motions: impl Iterator<Item = Motion>,
+) -> impl Iterator<Item = (Motion, Range<usize>, Range<usize>)> {
+    motions.scan((0, 0), |(coordinate, velocity), motion| {
+        let own = *coordinate..*coordinate + motion.coordinates();
+        let rates = *velocity..*velocity + motion.velocities();
+        (*coordinate, *velocity) = (own.end, rates.end);
+        Some((motion, own, rates))
+    })
 }
 
 /// Applies `integrate` to the coordinates of a joint, if the lengths match.

@@ -17,6 +17,7 @@ use crate::matrix::vector::{
 };
 use crate::robot::joint::Motion;
 use crate::robot::manifold::angle;
+use crate::robot::step::ranges;
 use crate::scalar::Scalar;
 use crate::scalar::rounding::{Rounding, Unfused};
 
@@ -27,11 +28,7 @@ pub(super) fn moved<const N: usize, T: Scalar>(
     mut of_q: [&mut [[T; N]; N]; 3],
     of_step: [&[[T; N]; N]; 3],
 ) {
-    let mut first = 0;
-    for motion in motions {
-        let count = motion.velocities();
-        let own = first..first + count;
-        first = own.end;
+    for (motion, _, own) in ranges(motions.iter().copied()) {
         let Some(x) = step.get(own.clone()) else {
             continue;
         };

@@ -19,7 +19,7 @@ use crate::wording::quoted;
 /// One side of a loop: the link, and the placement of the joined frame on it.
 type End = (Name, Vec<Step>);
 
-/// A constraint, with what an attachment or a copy adds to the names in it.
+/// A constraint, with the prefix and suffix of the names in it.
 struct Constraint<'c, 'a> {
     element: Element<'a>,
     affix: &'c Affix,

@@ -26,7 +26,7 @@ id! {
 /// The name of the fixed link.
 pub(super) const WORLD: &str = "world";
 
-/// What attachments and copies add to the names of elements.
+/// Prefix and suffix that attachments and copies add to the names of elements.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Affix {
     pub(super) prefix: String,

@@ -15,7 +15,7 @@ use crate::list::Id;
 const MOST_REFERRING: usize = 1_000_000;
 
 impl<'a> Mjcf<'a> {
-    /// Calls `read` with each element of a section, and with what attachments and copies add to the names in it.
+    /// Calls `read` with each element of a section, and with the prefix and suffix of the names in it.
     ///
     /// `names` are the attributes with names of joints, bodies and sites. `is_required` is true if an element of an
     /// attached model that counts nowhere is a warning.

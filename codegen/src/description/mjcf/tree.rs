@@ -22,7 +22,7 @@ pub(super) struct Tree {
     /// The joints of the tree of bodies, by their numbers there.
     pub(super) joints_of_parts: HashMap<PartId, JointId>,
     joint_ids: HashMap<String, JointId>,
-    /// What attachments and copies added to the names of joints, bodies and sites.
+    /// Prefixes and suffixes of joints, bodies and sites, by name.
     pub(super) affixes: HashMap<String, Affix>,
     pub(super) link_names: Names,
     pub(super) joint_names: Names,

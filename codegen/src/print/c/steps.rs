@@ -140,7 +140,7 @@ impl Table {
     }
 }
 
-/// What the texts have in common.
+/// Facts that all texts need.
 struct Texts<'m> {
     module: &'m Module,
     prefix: &'m str,

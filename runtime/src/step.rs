@@ -85,8 +85,6 @@ pub struct StepDerivatives<const N: usize, T = f64> {
 /// [`ForwardDynamicsDerivatives`] too. `N` is the number of degrees of freedom, `Q` the number of coordinates.
 pub trait Step<const N: usize, T = f64, const Q: usize = N>:
     Robot<N, Q> + ForwardDynamics<N, T, Q>
-where
-    T: Scalar,
 {
     /// The state after `dt` \[s\] under constant τ, without external wrenches. Closed loops are not kept: forward dynamics
     /// is that of the open tree.
@@ -98,7 +96,10 @@ where
         qd: &[T; N],
         tau: &[T; N],
         dt: T,
-    ) -> NextState<N, T, Q> {
+    ) -> NextState<N, T, Q>
+    where
+        T: Scalar,
+    {
         step(Self::MOTIONS, integrator, (q, qd), dt, |q, qd| {
             self.forward_dynamics(q, qd, tau)
         })
@@ -115,6 +116,7 @@ where
         dt: T,
     ) -> StepDerivatives<N, T>
     where
+        T: Scalar,
         Self: ForwardDynamicsDerivatives<N, T, Q>,
     {
         let start = State {
@@ -146,10 +148,8 @@ where
     }
 }
 
-impl<R, T, const N: usize, const Q: usize> Step<N, T, Q> for R
-where
-    R: Robot<N, Q> + ForwardDynamics<N, T, Q>,
-    T: Scalar,
+impl<R, T, const N: usize, const Q: usize> Step<N, T, Q> for R where
+    R: Robot<N, Q> + ForwardDynamics<N, T, Q>
 {
 }
 

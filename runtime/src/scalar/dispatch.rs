@@ -36,11 +36,14 @@ pub trait Work<T>: Sized {
     }
 }
 
-#[cfg(not(all(
-    feature = "std",
-    any(target_arch = "x86", target_arch = "x86_64"),
-    not(target_feature = "fma")
-)))]
+#[cfg(all(
+    any(feature = "std", feature = "libm"),
+    not(all(
+        feature = "std",
+        any(target_arch = "x86", target_arch = "x86_64"),
+        not(target_feature = "fma")
+    ))
+))]
 pub(super) use here::at_hand;
 #[cfg(all(
     feature = "std",
@@ -49,12 +52,15 @@ pub(super) use here::at_hand;
 ))]
 pub(super) use x86::at_hand;
 
-/// Targets without a choice.
-#[cfg(not(all(
-    feature = "std",
-    any(target_arch = "x86", target_arch = "x86_64"),
-    not(target_feature = "fma")
-)))]
+/// Targets without a choice. Without `std` and `libm` there are no numbers to compute with, and neither module is needed.
+#[cfg(all(
+    any(feature = "std", feature = "libm"),
+    not(all(
+        feature = "std",
+        any(target_arch = "x86", target_arch = "x86_64"),
+        not(target_feature = "fma")
+    ))
+))]
 mod here {
     use super::Work;
     use crate::scalar::rounding::OfTarget;

@@ -128,9 +128,11 @@ def measure(program, file, folder, how, verdict):
     if not how.floating:
         verdict.joints, verdict.warnings = len(found["joints"]), len(found["warnings"])
         verdict.reason = f"{len(found['mimicked'])} mimic" if found["mimicked"] else ""
-    same = folder / "same.urdf"
-    same.write_text(urdf.with_right_angles(urdf.read(file), found["snapped"]), "utf-8")
     try:
+        # Of a file with expressions of xacro, which homogen alone expands, no number can be written in full.
+        Peer(file, how.floating)
+        same = folder / "same.urdf"
+        same.write_text(urdf.with_right_angles(urdf.read(file), found["snapped"]), "utf-8")
         peer = Peer(same, how.floating)
     except Unreadable:
         verdict.reason = "not read by Pinocchio"

@@ -9,7 +9,6 @@ use super::element::Element;
 use super::parts::{Affix, ModelId, PartId, Scope};
 use super::reading::Mjcf;
 use super::values::Attributes;
-use crate::description::number::computed;
 use crate::description::spatial::{Pose, exactly, quaternion, to_number};
 use crate::description::{Configuration, JointId, JointKind, Number};
 use crate::error::{Diagnostic, Place};
@@ -107,7 +106,7 @@ impl<'a> Mjcf<'a> {
     }
 
     /// `joints` are those of the model, as far as they are attached, with their numbers of coordinates. `None` without
-    /// a name or coordinates, or if there are too few or too many of them, which is a warning.
+    /// a name or coordinates, or if their number is not that of the joints, which is a warning.
     fn key(
         &mut self,
         key: Element<'a>,
@@ -123,9 +122,9 @@ impl<'a> Mjcf<'a> {
         let subject = format!("key {}", quoted(&name.text));
         let all = self.list(written, 0..=MOST_COORDINATES, &subject)?;
         let needed: usize = joints.iter().map(|(_, count)| count).sum();
-        let is_attaching = self.model().parts.scopes.len() > 1;
-        if all.len() > needed || all.len() < needed && !is_attaching {
-            let place = self.place(key);
+        let place = self.place(key);
+        // MuJoCo completes a key of a file that attaches models, by numbers that depend on the order of attachments.
+        if all.len() != needed {
             self.reader.warnings.push(Diagnostic {
                 place,
                 message: format!(
@@ -136,18 +135,10 @@ impl<'a> Mjcf<'a> {
             });
             return None;
         }
-        let place = self.place(key);
-        // As in MuJoCo, numbers that are missing beside attached bodies are those of the described configuration.
-        let all_described = joints.iter().flat_map(|(joint, count)| match joint {
-            Some(joint) => self.described(*joint, place),
-            None => vec![computed(Double::ZERO, place); *count],
-        });
-        let missing = all_described.skip(all.len());
-        let all: Vec<Number> = all.iter().copied().chain(missing).collect();
         let mut rest = &all[..];
         let mut values = HashMap::new();
         for (joint, count) in joints {
-            let (own, others) = rest.split_at((*count).min(rest.len()));
+            let (own, others) = rest.split_at(*count);
             rest = others;
             values.extend(joint.map(|joint| (joint, own)));
         }

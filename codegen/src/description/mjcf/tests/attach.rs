@@ -220,15 +220,14 @@ fn a_model_attaches_its_own_bodies() {
         "<mujoco><worldbody><body name=\"a\"><joint name=\"j\"/><body name=\"b\"><joint name=\"k\"/></body></body>\
          <frame pos=\"1 0 0\"><attach body=\"a\" prefix=\"L_\"/></frame></worldbody>\
          <equality><joint joint1=\"k\" joint2=\"j\"/></equality>\
-         <keyframe><key name=\"home\" qpos=\"1 2\"/></keyframe></mujoco>",
+         <keyframe><key name=\"home\" qpos=\"1 2 3 4\"/></keyframe></mujoco>",
     );
     assert_eq!(joint_names(&robot), ["j", "k", "L_j", "L_k"]);
     for (mimic, mimicked) in [("k", "j"), ("L_k", "L_j")] {
         let found = joint(&robot, mimic).mimic.as_ref().unwrap();
         assert_eq!(found.mimicked.text, mimicked);
     }
-    // Coordinates that the key does not write are the described ones.
-    assert_eq!(configurations(&robot), [("home", vec![1.0, 2.0, 0.0, 0.0])]);
+    assert_eq!(configurations(&robot), [("home", vec![1.0, 2.0, 3.0, 4.0])]);
 }
 
 #[test]

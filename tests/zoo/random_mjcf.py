@@ -209,11 +209,12 @@ class Robot:
     def body(self, depth, free=False):
         rng = self.rng
         self.bodies += 1
-        name = f"b{self.bodies}"
+        # Names end without a digit: MuJoCo copies elements of "j1" for the copy "0" of a replicate to a joint "j10".
+        name = f"b{self.bodies}_"
         inside = []
         if free and depth == 0:
             self.coordinates += [("free", name)]
-            inside.append(rng.choice([f'<freejoint name="f{self.bodies}"/>', f'<joint type="free" name="f{self.bodies}" armature="0"  frictionloss="0"/>']))
+            inside.append(rng.choice([f'<freejoint name="f{self.bodies}_"/>', f'<joint type="free" name="f{self.bodies}_" armature="0"  frictionloss="0"/>']))
         else:
             self.bodies_without_free.append(name)
             inside += [self.joint(name, kind) for kind in self.kinds()]
@@ -221,8 +222,8 @@ class Robot:
         if self.inertia_from_geom == "auto" and rng.random() < 0.5:
             inside.append(self.inertial())
         for k in range(rng.choice([0, 0, 1])):
-            self.sites.append(f"s{name}_{k}")
-            inside.append(f'<site name="s{name}_{k}" {self.placement()}/>')
+            self.sites.append(f"s{name}{k}_")
+            inside.append(f'<site name="s{name}{k}_" {self.placement()}/>')
         if self.child and self.attachments + 1 < self.most_attachments and rng.random() < 0.2:
             inside.append(self.attach(is_in_world=False))
         if depth < 4 and self.bodies < self.most_bodies:
@@ -276,7 +277,7 @@ class Robot:
 
     def joint(self, body, kind):
         self.joints += 1
-        name = f"j{self.joints}"
+        name = f"j{self.joints}_"
         self.coordinates.append((kind, name))
         attributes = [f'name="{name}"', self.joint_attributes()]
         attributes = [part for part in " ".join(attributes).split('" ') if part]

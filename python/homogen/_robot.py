@@ -9,9 +9,11 @@ from pathlib import Path
 import numpy as np
 
 from . import _engine, results
+from ._background import begin
 from ._compile import compiled
 from ._function import Function
 from ._library import STEPS, Plain
+from ._progress import working
 from ._step import step
 
 _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
@@ -215,17 +217,36 @@ class Robot:
         """
         return step(self, integrator, q, qd, tau, dt, () if actions is None else (actions,), True)
 
-    def compile(self, *names, dtype=np.float64, many=True):
-        """Compiles functions before they are called, all of them where none is named.
+    def compile(self, *names, dtype=np.float64, many=True, wait=True):
+        """Compiles functions before they are called; where none is named all of them, without those of a frame if there is
+        no tip.
 
         dtype: `float64` or `float32`
         many: for arrays of states; otherwise for one state
+        wait: until they are compiled; otherwise they are compiled in the background, and a call waits for its function alone
+
+        Raises `AttributeError` for a name that is no function's, and `ValueError` for a function of a frame where there is no
+        tip.
         """
         dtype = np.dtype(dtype)
         if dtype not in (np.float32, np.float64):
             raise ValueError(f"dtype is float32 or float64, and not {dtype}")
-        for name in names or self._functions:
-            getattr(self, name).compile(single=dtype == np.float32, many=many)
+        functions = [self._function(name) for name in names or self._functions]
+        if not names and self.tip is None:
+            functions = [function for function in functions if "frame" not in function.parameters()[1]]
+        options = {"single": dtype == np.float32, "many": bool(many)}
+        if not wait:
+            begin(self, [function.name for function in functions], **options)
+            return
+        for k, function in enumerate(functions):
+            with working(f"compiling {function.name}, {k + 1} of {len(functions)}"):
+                function.compile(**options)
+
+    def _function(self, name):
+        """The function of a name; raises `AttributeError` for any other name."""
+        if name not in self._functions:
+            raise AttributeError(f"{self.name!r} has no function {name!r}")
+        return getattr(self, name)
 
     def check(self):
         """Report, as text: links and joints that were read, merged, locked or left out, and every warning."""
@@ -292,7 +313,8 @@ class Robot:
             if file is None:
                 file = Path(room) / ("robot" if name == TEXT else name)
                 file.write_bytes(self._recipe.bytes)
-            output, remarks, status = _engine.answer([command, str(file), *flags, *words])
+            with working(f"homogen {command}"):
+                output, remarks, status = _engine.answer([command, str(file), *flags, *words])
         if status in (1, 2):
             raise ValueError(remarks.removeprefix("error: ").rstrip().replace(f"{room}/", ""))
         return output

@@ -40,7 +40,7 @@ def test_stubs_have_the_names_of_the_package(arm):
     folder = Path(homogen.__file__).parent
     functions = [item for item in ast.parse((folder / "_load.pyi").read_text()).body if isinstance(item, ast.FunctionDef)]
     keywords = [argument.arg for argument in functions[0].args.kwonlyargs]
-    own = ["order", "fields", "ranges", "threads"]
+    own = ["order", "fields", "ranges", "threads", "functions"]
     assert keywords == own + [key for key, _ in homogen._engine.options()]
     classes = [item for item in ast.parse((folder / "_robot.pyi").read_text()).body if isinstance(item, ast.ClassDef)]
     names = {item.target.id for item in classes[0].body if isinstance(item, ast.AnnAssign)}

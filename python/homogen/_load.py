@@ -1,5 +1,6 @@
 """`homogen.load`: from a description and options to a robot."""
 
+import inspect
 import numbers
 import os
 import warnings
@@ -8,7 +9,7 @@ from pathlib import Path
 
 from ._engine import Recipe, options
 from ._progress import working
-from ._robot import TEXT, Robot
+from ._robot import TEXT, Robot, listed
 
 _OPTIONS = dict(options())
 
@@ -64,7 +65,16 @@ def load(
     return robot
 
 
-load.__doc__ += "\n".join(f"    {key}: {help}" for key, help in _OPTIONS.items())
+load.__doc__ = listed(load.__doc__, _OPTIONS)
+
+
+def _signature():
+    """The signature with each option, for `help` and completion."""
+    own = [of for of in inspect.signature(load).parameters.values() if of.kind is not inspect.Parameter.VAR_KEYWORD]
+    return inspect.Signature([*own, *(inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=None) for key in _OPTIONS)])
+
+
+load.__signature__ = _signature()
 
 
 def _text(source):

@@ -1,6 +1,7 @@
 """A robot: its functions, its fields, and what it says of itself."""
 
 import html
+import inspect
 import json
 import tempfile
 import webbrowser
@@ -20,6 +21,12 @@ _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
 _OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
 #: The name, in messages, of a description that is no file.
 TEXT = "<text>"
+
+
+def listed(text, lines):
+    """A docstring with lines after it, each a name and a sentence."""
+    return "\n".join([inspect.cleandoc(text), "", *(f"    {name}: {sentence}" for name, sentence in lines.items())])
+
 
 class Robot:
     """A robot, made by `homogen.load`.
@@ -320,7 +327,7 @@ class Robot:
         return output
 
 
-Robot.__doc__ += "\n".join(f"    {name}: {sentence}" for name, sentence in _FUNCTIONS.items())
+Robot.__doc__ = listed(Robot.__doc__, _FUNCTIONS)
 
 
 def _places(recipe, counts):

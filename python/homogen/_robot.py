@@ -6,6 +6,7 @@ import json
 import tempfile
 import webbrowser
 from pathlib import Path
+from typing import final
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from . import _engine, results
 from ._background import begin
 from ._compile import compiled
 from ._function import Function
+from ._ik import inverse_kinematics
+from ._jvp import jvp
 from ._library import STEPS, Plain
 from ._progress import working
 from ._step import step
@@ -28,6 +31,7 @@ def listed(text, lines):
     return "\n".join([inspect.cleandoc(text), "", *(f"    {name}: {sentence}" for name, sentence in lines.items())])
 
 
+@final
 class Robot:
     """A robot, made by `homogen.load`.
 
@@ -223,6 +227,41 @@ class Robot:
         With quaternions, rows and columns of q are along velocities.
         """
         return step(self, integrator, q, qd, tau, dt, () if actions is None else (actions,), True)
+
+    def inverse_kinematics(
+        self, pose, start=None, *, frame=None, orientation_tolerance=1e-6, position_tolerance=1e-6, length_scale=0.5, restarts=31
+    ):
+        """Configurations within the limits at which a frame is at a target: q, whether each has converged, and the remaining
+        angle in rad and distance in m. What does not converge is the closest configuration found.
+
+        pose: (..., 4, 4), the target in the axes of the base
+        start: (..., n), where the search begins [default: the middle of the limits]
+        frame: the link [default: the tip]
+        orientation_tolerance, position_tolerance: largest angle in rad, largest distance in m
+        length_scale: an angle of 1 rad weighs as much as this distance in m
+        restarts: maximum number of further starts, the same ones at each call
+
+        Raises `ValueError` for a target that is no pose, and for robots with quaternions, planar joints or loops.
+        """
+        tolerance = orientation_tolerance, position_tolerance
+        return inverse_kinematics(self, pose, start, frame, tolerance, length_scale, restarts)
+
+    def inverse_dynamics_jvp(self, q, qd, qdd, q_change=None, qd_change=None, qdd_change=None, actions=None, *, order=None):
+        """Torques τ, and their change ∂τ/∂q δq + ∂τ/∂q̇ δq̇ + M δq̈ along a direction; what is left out of it is zero.
+
+        q_change: (..., NV), along velocities where there are quaternions
+        actions: external wrenches, of robots that have them, in this order of six numbers
+        """
+        return jvp(self, "inverse_dynamics", (q, qd, qdd), actions, (q_change, qd_change, qdd_change), order)
+
+    def forward_dynamics_jvp(self, q, qd, tau, q_change=None, qd_change=None, tau_change=None, actions=None, *, order=None):
+        """Accelerations q̈, and their change ∂q̈/∂q δq + ∂q̈/∂q̇ δq̇ + M⁻¹ δτ along a direction; what is left out of it is
+        zero.
+
+        q_change: (..., NV), along velocities where there are quaternions
+        actions: external wrenches, of robots that have them, in this order of six numbers
+        """
+        return jvp(self, "forward_dynamics", (q, qd, tau), actions, (q_change, qd_change, tau_change), order)
 
     def compile(self, *names, dtype=np.float64, many=True, wait=True):
         """Compiles functions before they are called; where none is named all of them, without those of a frame if there is

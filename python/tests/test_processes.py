@@ -43,6 +43,13 @@ def answer(process):
     return int(count), found
 
 
+def alone(program, file="panda_class.urdf", **environment):
+    """What a process of its own prints that compiles everything, which is ended where it waits for ever."""
+    words = [sys.executable, "-W", "ignore", "-c", program, str(ROBOTS / file)]
+    environment = {**os.environ, "HOMOGEN_CACHE": "", **environment}
+    return subprocess.run(words, check=True, timeout=300, capture_output=True, text=True, env=environment).stdout
+
+
 @pytest.fixture
 def cache(tmp_path):
     folder = tmp_path / "cache"
@@ -92,6 +99,17 @@ def test_a_folder_that_cannot_be_written_is_done_without(cache, tmp_path):
         for entry in cache.iterdir():
             entry.chmod(0o400)
         assert answer(run(cache)) == (0, before)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="sizes of files are limited elsewhere in another way")
+def test_a_full_disk_is_done_without(tmp_path):
+    before = answer(run(""))[1]
+    # No file becomes larger than this, as on a disk that is full.
+    program = "import resource\nresource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))\n" + PROGRAM
+    for _ in range(2):
+        found = alone(program, "two_link.urdf", HOMOGEN_CACHE=str(tmp_path / "cache")).split()
+        assert (int(found[0]), found[1]) == (2, before)
+    assert not list((tmp_path / "cache").iterdir())
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="no folder is read-only to root elsewhere")
@@ -237,13 +255,6 @@ of.compile("inverse_dynamics_derivatives", "forward_dynamics")
 of.compile("inverse_dynamics_derivatives", "forward_dynamics", many=False)
 print(count)
 """
-
-
-def alone(program, file="panda_class.urdf", **environment):
-    """What a process of its own prints that compiles everything, which is ended where it waits for ever."""
-    words = [sys.executable, "-W", "ignore", "-c", program, str(ROBOTS / file)]
-    environment = {**os.environ, "HOMOGEN_CACHE": "", **environment}
-    return subprocess.run(words, check=True, timeout=300, capture_output=True, text=True, env=environment).stdout
 
 
 def test_threads_wait_for_a_function_that_another_compiles():

@@ -39,7 +39,7 @@ def load(
     ranges: the least and the greatest number of a field, for bounds of errors: `{"payload": (0, 3)}`
     threads: how many threads share a call with many states [default: all cores]
     functions: names of functions that are compiled in the background from now on, for one state and for many, in `float64`;
-        a call waits for its function alone [default: each is compiled when it is first called]
+        a call waits for its own and for the one at hand [default: each is compiled when it is first called]
 
     A switch is `True`; a link or a joint is a name, several are a list; joints with numbers are a dict:
     `lock={"finger": 0.02}`, `friction={"elbow": 0.1}`; and so are arguments of xacro files and folders of packages:

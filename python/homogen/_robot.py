@@ -269,7 +269,8 @@ class Robot:
 
         dtype: `float64` or `float32`
         many: for arrays of states; otherwise for one state
-        wait: until they are compiled; otherwise they are compiled in the background, and a call waits for its function alone
+        wait: until they are compiled; otherwise that happens in the background, and a call waits for its function and the one at
+            hand
 
         Raises `AttributeError` for a name that is no function's, and `ValueError` for a function of a frame where there is no
         tip.

@@ -18,7 +18,7 @@ HEAD = '''# Written by stub.py from the engine's table of functions.
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -29,6 +29,7 @@ _Floats: TypeAlias = NDArray[np.floating[Any]]
 _Order: TypeAlias = Literal["linear_first", "angular_first"]
 _Integrator: TypeAlias = Literal["semi_implicit", "euler", "rk4"]
 
+@final
 class Robot:
     NQ: int
     NV: int
@@ -76,7 +77,21 @@ class Robot:
         self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None, *,
         integrator: _Integrator = "semi_implicit",
     ) -> results.StepDerivatives: ...
-    def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True) -> None: ...
+    def inverse_kinematics(
+        self, pose: ArrayLike, start: ArrayLike | None = None, *, frame: str | None = None, orientation_tolerance: float = 1e-6,
+        position_tolerance: float = 1e-6, length_scale: float = 0.5, restarts: int = 31,
+    ) -> results.InverseKinematics: ...
+    def inverse_dynamics_jvp(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, q_change: ArrayLike | None = None,
+        qd_change: ArrayLike | None = None, qdd_change: ArrayLike | None = None, actions: ArrayLike | None = None, *,
+        order: _Order | None = None,
+    ) -> results.Jvp: ...
+    def forward_dynamics_jvp(
+        self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, q_change: ArrayLike | None = None,
+        qd_change: ArrayLike | None = None, tau_change: ArrayLike | None = None, actions: ArrayLike | None = None, *,
+        order: _Order | None = None,
+    ) -> results.Jvp: ...
+    def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True, wait: bool = True) -> None: ...
     def check(self) -> str: ...
     def count(self, *functions: str, frames: Sequence[str] = ()) -> dict[str, Any]: ...
     def inspect(self, function: str, frame: str | None = None) -> str: ...
@@ -131,11 +146,11 @@ def results():
     text = "# Written by stub.py from the engine's table of functions.\nfrom typing import Any, NamedTuple\n\n"
     text += "import numpy as np\nfrom numpy.typing import NDArray\n"
     array = "NDArray[np.floating[Any]]"
-    # In the order of the table; those of steps follow.
+    # In the order of the table; those of methods in Python follow.
     types = [types_of_results.of(name) for name, _, _, parts, *_ in _engine.functions() if parts]
-    for of in [*types, types_of_results.NextState, types_of_results.StepDerivatives]:
+    for of in [*types, *types_of_results.OTHERS]:
         text += f"\nclass {of.__name__}(NamedTuple):\n"
-        text += "".join(f"    {part}: {array}\n" for part in of._fields)
+        text += "".join(f"    {part}: {'NDArray[np.bool_]' if part == 'converged' else array}\n" for part in of._fields)
         for name, member in vars(of).items():
             if isinstance(member, property):
                 text += f"    @property\n    def {name}(self) -> {array}: ...\n"

@@ -7,7 +7,8 @@
 # The wheel is compiled as it is published with --libraries, and otherwise in half of the time.
 #
 # Maturin, llvmlite, NumPy, pytest and mypy come from PyPI, crates from crates.io; with --libraries PyTorch, JAX, CasADi,
-# SymPy, Numba and Pinocchio as well, of gigabytes, and only the tests of these run. Where there is no Python from 3.10 on with
+# SymPy, Numba, Pinocchio, MuJoCo, robotics-toolbox, matplotlib and Jupyter's kernel as well, of gigabytes, and only the tests
+# of these run. Where there is no Python from 3.10 on with
 # `venv`, the last line says so and nothing is checked.
 set -euo pipefail
 libraries=()
@@ -16,8 +17,8 @@ profile=tested
 if [ "${1:-}" = --libraries ]; then
     shift
     profile=release
-    libraries=(casadi jax numba pin sympy torch)
-    tests=(test_plain.py test_libraries.py)
+    libraries=(casadi ipykernel jax matplotlib mujoco nbclient numba pin roboticstoolbox-python sympy torch)
+    tests=(test_plain.py test_libraries.py test_guide.py test_notebooks.py)
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

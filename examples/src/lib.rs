@@ -45,6 +45,12 @@ mod guide {
     struct BuildScript;
     #[doc = include_str!("../../guide/src/python.md")]
     struct Python;
+    #[doc = include_str!("../../guide/src/from-pinocchio.md")]
+    struct FromPinocchio;
+    #[doc = include_str!("../../guide/src/from-mujoco.md")]
+    struct FromMujoco;
+    #[doc = include_str!("../../guide/src/from-robotics-toolbox.md")]
+    struct FromRoboticsToolbox;
     #[doc = include_str!("../../guide/src/cpp.md")]
     struct Cpp;
     #[doc = include_str!("../../guide/src/solvers.md")]

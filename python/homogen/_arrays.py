@@ -2,6 +2,8 @@
 
 import numpy as np
 
+_SINGLE, _DOUBLE = np.dtype(np.float32), np.dtype(np.float64)
+
 
 def converted(name, value, single):
     """`value` as a C-contiguous array of `float32` or `float64`.
@@ -15,8 +17,11 @@ def converted(name, value, single):
         array = np.asarray(value)
     except ValueError as reason:
         raise ValueError(f"{name} is no array of numbers: {reason}") from None
-    wanted = np.dtype(np.float32 if single else np.float64)
-    if array.dtype.kind not in "iuf" or not np.can_cast(array.dtype, np.float64, "safe"):
-        raise TypeError(f"{name} is of {array.dtype}, which cannot safely be cast to {wanted}")
-    return np.require(array, wanted, ["C", "A"])
+    wanted = _SINGLE if single else _DOUBLE
+    if array.dtype != wanted:
+        if array.dtype.kind not in "iuf" or not np.can_cast(array.dtype, _DOUBLE, "safe"):
+            raise TypeError(f"{name} is of {array.dtype}, which cannot safely be cast to {wanted}")
+        array = array.astype(wanted, order="C")
+    is_read = array.flags.c_contiguous and array.flags.aligned
+    return array if is_read else np.require(array, wanted, ["C", "A"])
 

@@ -1,24 +1,21 @@
-"""LLVM IR to machine code, and its cache on disk.
+"""LLVM IR to machine code, once in a process, and from the cache on disk where it has been compiled before.
 
-An entry is named after a hash of everything that decides the code: IR, versions, processor and its features. It holds the
-object code behind its own hash, so that an entry which is cut short or changed is made again. It is written to a file of its
-own that then takes its place, so that processes can share a cache. Where nothing can be written, code is compiled anew.
-
-`HOMOGEN_CACHE` names another folder; where it is empty nothing is kept.
+An entry is named after a hash of everything that decides the code: IR, versions, processor and its features. A thread that
+needs a function which another thread compiles waits for that one. A process forks between functions, so that no lock of LLVM
+is held in its child.
 """
 
-import contextlib
 import hashlib
 import os
-import tempfile
+import threading
 import weakref
-from pathlib import Path
 
 import llvmlite
 import llvmlite.binding as llvm
-import platformdirs
 
+from . import _cache
 from ._engine import VERSION
+from ._progress import working
 
 llvm.initialize_native_target()
 llvm.initialize_native_asmprinter()
@@ -36,20 +33,65 @@ _EFFORT = 1
 #: Bytes of the widest vector.
 _VECTOR = 64 if _FEATURES.get("avx512f") else 32 if _FEATURES.get("avx2") else 16
 
-_SUFFIX = ".o"
-_HASH = hashlib.sha256
-
 # Code that is alive, by the name of its entry: robots of one description share it.
 _loaded = weakref.WeakValueDictionary()
 
 
+# Functions that are being compiled, by recipe and kind of call; guarded by the lock of `_idle`, which is told when there are
+# none.
+_pending = {}
+_idle = threading.Condition(threading.Lock())
+
+
+class _Pending:
+    """A function that is being compiled: an event at its end, and what `compiled` then returns, unless that failed."""
+
+    def __init__(self):
+        self.done, self.found = threading.Event(), None
+
+
 def compiled(recipe, name, frame, order, single, many):
     """The address of a function's code, about how many operations a state takes, and the object that keeps the code alive."""
+    key = recipe, name, frame, order, single, many
+    own = _Pending()
+    while (other := _claimed(key, own)) is not own:
+        with working(f"compiling {name}"):
+            other.done.wait()
+        if other.found is not None:
+            return other.found
+    try:
+        with working(f"compiling {name}"):
+            own.found = _from_recipe(*key)
+        return own.found
+    finally:
+        with _idle:
+            del _pending[key]
+            _idle.notify_all()
+        own.done.set()
+
+
+def _claimed(key, own):
+    """What stands for a function that is being compiled: that of another thread, or one's own."""
+    with _idle:
+        return _pending.setdefault(key, own)
+
+
+def _from_recipe(recipe, name, frame, order, single, many):
     fused = FUSES and not recipe.reproducible
     lanes = _VECTOR // (4 if single else 8) if many else 1
     entry, ir, operations = recipe.code(name, frame, order, single, lanes, fused)
     code = loaded(entry, ir)
     return code.address, operations, code
+
+
+def _before_fork():
+    _idle.acquire()
+    while _pending:
+        _idle.wait()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_before_fork, after_in_parent=_idle.release, after_in_child=_idle.release)
 
 
 class _Code:
@@ -70,14 +112,13 @@ class _Code:
 def loaded(entry, ir):
     """The code of an entry, from memory, from disk, or compiled."""
     about = (VERSION, llvmlite.__version__, *llvm.llvm_version_info, _TRIPLE, _CPU, _FEATURES.flatten(), _EFFORT, entry, ir)
-    key = _HASH("\0".join(map(str, about)).encode()).hexdigest()
+    key = hashlib.sha256("\0".join(map(str, about)).encode()).hexdigest()
     code = _loaded.get(key)
     if code is None:
-        file = folder and folder / (key + _SUFFIX)
-        image = _read(file)
+        image = _cache.read(key)
         if image is None:
             image = _compile(entry, ir)
-            _write(file, image)
+            _cache.write(key, image)
         code = _Code(entry, image)
         _loaded[key] = code
     return code
@@ -100,53 +141,3 @@ def _compile(entry, ir):
     passes = llvm.create_pass_builder(machine, options)
     passes.getModulePassManager().run(module, passes)
     return machine.emit_object(module)
-
-
-def _folder():
-    """The folder of the cache; `None` where nothing is to be kept, or others could put code there."""
-    named = os.environ.get("HOMOGEN_CACHE")
-    if named == "":
-        return None
-    try:
-        path = Path(named) if named else platformdirs.user_cache_path("homogen")
-        path.mkdir(mode=0o700, parents=True, exist_ok=True)
-        if hasattr(os, "getuid"):
-            status = path.stat()
-            if status.st_uid != os.getuid() or status.st_mode & 0o022:
-                return None
-    except (OSError, RuntimeError):
-        return None
-    return path
-
-
-#: The folder of the cache; `None` where nothing is kept.
-folder = _folder()
-
-
-def _read(file):
-    """The object code of an entry; `None` where there is none, or it is not whole."""
-    if file is None:
-        return None
-    try:
-        kept = file.read_bytes()
-    except OSError:
-        return None
-    size = _HASH().digest_size
-    image = kept[size:]
-    return image if kept[:size] == _HASH(image).digest() else None
-
-
-def _write(file, image):
-    if file is None:
-        return
-    fresh = None
-    try:
-        number, fresh = tempfile.mkstemp(dir=file.parent, suffix=".new")
-        with open(number, "wb") as stream:
-            stream.write(_HASH(image).digest() + image)
-        os.replace(fresh, file)
-    except OSError:
-        # A full disk or a folder that cannot be written: the next process compiles again.
-        if fresh is not None:
-            with contextlib.suppress(OSError):
-                os.unlink(fresh)

@@ -1,5 +1,6 @@
 """`homogen.load`: from a description and options to a robot."""
 
+import inspect
 import numbers
 import os
 import warnings
@@ -7,7 +8,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ._engine import Recipe, options
-from ._robot import TEXT, Robot
+from ._progress import working
+from ._robot import TEXT, Robot, listed
 
 _OPTIONS = dict(options())
 
@@ -23,6 +25,7 @@ def load(
     fields=None,
     ranges=None,
     threads=None,
+    functions=(),
     **options,
 ):
     """The robot of a description.
@@ -35,6 +38,8 @@ def load(
     fields: numbers that stay free at run time, as attributes: `{"payload": "mass_of:hand"}`
     ranges: the least and the greatest number of a field, for bounds of errors: `{"payload": (0, 3)}`
     threads: how many threads share a call with many states [default: all cores]
+    functions: names of functions that are compiled in the background from now on, for one state and for many, in `float64`;
+        a call waits for its own and for the one at hand [default: each is compiled when it is first called]
 
     A switch is `True`; a link or a joint is a name, several are a list; joints with numbers are a dict:
     `lock={"finger": 0.02}`, `friction={"elbow": 0.1}`; and so are arguments of xacro files and folders of packages:
@@ -49,14 +54,27 @@ def load(
     if threads is not None and threads < 1:
         raise ValueError(f"threads is a number from 1 on, and not {threads}")
     name, text, folder = _text(source)
-    recipe = Recipe(name, text, folder and (folder, None), given, described, order, threads, None)
-    robot = Robot(recipe)
+    with working(f"reading {name}"):
+        recipe = Recipe(name, text, folder and (folder, None), given, described, order, threads, None)
+        robot = Robot(recipe)
+    functions = [functions] if isinstance(functions, str) else list(functions)
+    for many in (False, True) if functions else ():
+        robot.compile(*functions, many=many, wait=False)
     for warning in robot.warnings:
         warnings.warn(warning, DescriptionWarning, stacklevel=2)
     return robot
 
 
-load.__doc__ += "\n".join(f"    {key}: {help}" for key, help in _OPTIONS.items())
+load.__doc__ = listed(load.__doc__, _OPTIONS)
+
+
+def _signature():
+    """The signature with each option, for `help` and completion."""
+    own = [of for of in inspect.signature(load).parameters.values() if of.kind is not inspect.Parameter.VAR_KEYWORD]
+    return inspect.Signature([*own, *(inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=None) for key in _OPTIONS)])
+
+
+load.__signature__ = _signature()
 
 
 def _text(source):

@@ -13,6 +13,7 @@ def load(
     fields: Mapping[str, str] | None = None,
     ranges: Mapping[str, tuple[float, float]] | None = None,
     threads: int | None = None,
+    functions: str | Sequence[str] = ...,
     arguments: Mapping[str, str | float | bool] | None = None,
     packages: Mapping[str, str | PathLike[str]] | None = None,
     base: str | None = None,

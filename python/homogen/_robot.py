@@ -1,17 +1,23 @@
 """A robot: its functions, its fields, and what it says of itself."""
 
 import html
+import inspect
 import json
 import tempfile
 import webbrowser
 from pathlib import Path
+from typing import final
 
 import numpy as np
 
 from . import _engine, results
+from ._background import begin
 from ._compile import compiled
 from ._function import Function
+from ._ik import inverse_kinematics
+from ._jvp import jvp
 from ._library import STEPS, Plain
+from ._progress import working
 from ._step import step
 
 _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
@@ -19,6 +25,13 @@ _OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
 #: The name, in messages, of a description that is no file.
 TEXT = "<text>"
 
+
+def listed(text, lines):
+    """A docstring with lines after it, each a name and a sentence."""
+    return "\n".join([inspect.cleandoc(text), "", *(f"    {name}: {sentence}" for name, sentence in lines.items())])
+
+
+@final
 class Robot:
     """A robot, made by `homogen.load`.
 
@@ -215,17 +228,72 @@ class Robot:
         """
         return step(self, integrator, q, qd, tau, dt, () if actions is None else (actions,), True)
 
-    def compile(self, *names, dtype=np.float64, many=True):
-        """Compiles functions before they are called, all of them where none is named.
+    def inverse_kinematics(
+        self, pose, start=None, *, frame=None, orientation_tolerance=1e-6, position_tolerance=1e-6, length_scale=0.5, restarts=31
+    ):
+        """Configurations within the limits at which a frame is at a target: q, whether each has converged, and the remaining
+        angle in rad and distance in m. What does not converge is the closest configuration found.
+
+        pose: (..., 4, 4), the target in the axes of the base
+        start: (..., n), where the search begins [default: the middle of the limits]
+        frame: the link [default: the tip]
+        orientation_tolerance, position_tolerance: largest angle in rad, largest distance in m
+        length_scale: an angle of 1 rad weighs as much as this distance in m
+        restarts: maximum number of further starts, the same ones at each call
+
+        Raises `ValueError` for a target that is no pose, and for robots with quaternions, planar joints or loops.
+        """
+        tolerance = orientation_tolerance, position_tolerance
+        return inverse_kinematics(self, pose, start, frame, tolerance, length_scale, restarts)
+
+    def inverse_dynamics_jvp(self, q, qd, qdd, q_change=None, qd_change=None, qdd_change=None, actions=None, *, order=None):
+        """Torques τ, and their change ∂τ/∂q δq + ∂τ/∂q̇ δq̇ + M δq̈ along a direction; what is left out of it is zero.
+
+        q_change: (..., NV), along velocities where there are quaternions
+        actions: external wrenches, of robots that have them, in this order of six numbers
+        """
+        return jvp(self, "inverse_dynamics", (q, qd, qdd), actions, (q_change, qd_change, qdd_change), order)
+
+    def forward_dynamics_jvp(self, q, qd, tau, q_change=None, qd_change=None, tau_change=None, actions=None, *, order=None):
+        """Accelerations q̈, and their change ∂q̈/∂q δq + ∂q̈/∂q̇ δq̇ + M⁻¹ δτ along a direction; what is left out of it is
+        zero.
+
+        q_change: (..., NV), along velocities where there are quaternions
+        actions: external wrenches, of robots that have them, in this order of six numbers
+        """
+        return jvp(self, "forward_dynamics", (q, qd, tau), actions, (q_change, qd_change, tau_change), order)
+
+    def compile(self, *names, dtype=np.float64, many=True, wait=True):
+        """Compiles functions before they are called; where none is named all of them, without those of a frame if there is
+        no tip.
 
         dtype: `float64` or `float32`
         many: for arrays of states; otherwise for one state
+        wait: until they are compiled; otherwise that happens in the background, and a call waits for its function and the one at
+            hand
+
+        Raises `AttributeError` for a name that is no function's, and `ValueError` for a function of a frame where there is no
+        tip.
         """
         dtype = np.dtype(dtype)
         if dtype not in (np.float32, np.float64):
             raise ValueError(f"dtype is float32 or float64, and not {dtype}")
-        for name in names or self._functions:
-            getattr(self, name).compile(single=dtype == np.float32, many=many)
+        functions = [self._function(name) for name in names or self._functions]
+        if not names and self.tip is None:
+            functions = [function for function in functions if "frame" not in function.parameters()[1]]
+        options = {"single": dtype == np.float32, "many": bool(many)}
+        if not wait:
+            begin(self, [function.name for function in functions], **options)
+            return
+        for k, function in enumerate(functions):
+            with working(f"compiling {function.name}, {k + 1} of {len(functions)}"):
+                function.compile(**options)
+
+    def _function(self, name):
+        """The function of a name; raises `AttributeError` for any other name."""
+        if name not in self._functions:
+            raise AttributeError(f"{self.name!r} has no function {name!r}")
+        return getattr(self, name)
 
     def check(self):
         """Report, as text: links and joints that were read, merged, locked or left out, and every warning."""
@@ -292,13 +360,14 @@ class Robot:
             if file is None:
                 file = Path(room) / ("robot" if name == TEXT else name)
                 file.write_bytes(self._recipe.bytes)
-            output, remarks, status = _engine.answer([command, str(file), *flags, *words])
+            with working(f"homogen {command}"):
+                output, remarks, status = _engine.answer([command, str(file), *flags, *words])
         if status in (1, 2):
             raise ValueError(remarks.removeprefix("error: ").rstrip().replace(f"{room}/", ""))
         return output
 
 
-Robot.__doc__ += "\n".join(f"    {name}: {sentence}" for name, sentence in _FUNCTIONS.items())
+Robot.__doc__ = listed(Robot.__doc__, _FUNCTIONS)
 
 
 def _places(recipe, counts):

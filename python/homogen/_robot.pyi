@@ -2,7 +2,7 @@
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -13,6 +13,7 @@ _Floats: TypeAlias = NDArray[np.floating[Any]]
 _Order: TypeAlias = Literal["linear_first", "angular_first"]
 _Integrator: TypeAlias = Literal["semi_implicit", "euler", "rk4"]
 
+@final
 class Robot:
     NQ: int
     NV: int
@@ -60,7 +61,21 @@ class Robot:
         self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None, *,
         integrator: _Integrator = "semi_implicit",
     ) -> results.StepDerivatives: ...
-    def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True) -> None: ...
+    def inverse_kinematics(
+        self, pose: ArrayLike, start: ArrayLike | None = None, *, frame: str | None = None, orientation_tolerance: float = 1e-6,
+        position_tolerance: float = 1e-6, length_scale: float = 0.5, restarts: int = 31,
+    ) -> results.InverseKinematics: ...
+    def inverse_dynamics_jvp(
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, q_change: ArrayLike | None = None,
+        qd_change: ArrayLike | None = None, qdd_change: ArrayLike | None = None, actions: ArrayLike | None = None, *,
+        order: _Order | None = None,
+    ) -> results.Jvp: ...
+    def forward_dynamics_jvp(
+        self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, q_change: ArrayLike | None = None,
+        qd_change: ArrayLike | None = None, tau_change: ArrayLike | None = None, actions: ArrayLike | None = None, *,
+        order: _Order | None = None,
+    ) -> results.Jvp: ...
+    def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True, wait: bool = True) -> None: ...
     def check(self) -> str: ...
     def count(self, *functions: str, frames: Sequence[str] = ()) -> dict[str, Any]: ...
     def inspect(self, function: str, frame: str | None = None) -> str: ...

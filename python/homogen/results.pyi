@@ -39,6 +39,16 @@ class ConstrainedForwardDynamics(NamedTuple):
     qdd: NDArray[np.floating[Any]]
     multipliers: NDArray[np.floating[Any]]
 
+class InverseKinematics(NamedTuple):
+    q: NDArray[np.floating[Any]]
+    converged: NDArray[np.bool_]
+    orientation_error: NDArray[np.floating[Any]]
+    position_error: NDArray[np.floating[Any]]
+
+class Jvp(NamedTuple):
+    value: NDArray[np.floating[Any]]
+    change: NDArray[np.floating[Any]]
+
 class NextState(NamedTuple):
     q: NDArray[np.floating[Any]]
     qd: NDArray[np.floating[Any]]

@@ -72,6 +72,7 @@ impl Recipe {
         reason = "it is what `load` is called with"
     )]
     fn new(
+        py: Python<'_>,
         name: String,
         bytes: Vec<u8>,
         folder: Option<Folder>,
@@ -94,11 +95,10 @@ impl Recipe {
         let values = if let Some(values) = values {
             values
         } else {
-            let chain = recipe.chain(Vec::new()).map_err(refused)?;
-            let beside = &chain.description.source.beside;
-            let folder = recipe.folder.take().filter(|_| !beside.is_empty());
-            recipe.folder = folder.map(|(folder, _)| (folder, Some(hash(beside))));
-            chain.nominal.iter().flatten().copied().collect()
+            let (beside, values) = py.detach(|| recipe.read().map_err(refused))?;
+            let folder = recipe.folder.take().filter(|_| beside.is_some());
+            recipe.folder = folder.map(|(folder, _)| (folder, beside));
+            values
         };
         Ok(Self {
             values: RwLock::new(values),
@@ -322,6 +322,14 @@ impl Recipe {
 }
 
 impl Recipe {
+    /// The hash of the files that the description names, `None` where there are none, and the numbers of the fields.
+    fn read(&self) -> Result<(Option<u64>, Vec<f64>), Errors> {
+        let chain = self.chain(Vec::new())?;
+        let beside = &chain.description.source.beside;
+        let beside = (!beside.is_empty()).then(|| hash(beside));
+        Ok((beside, chain.nominal.iter().flatten().copied().collect()))
+    }
+
     /// The signature of a function; `None` where there is none of that name.
     pub fn signature(&self, name: &str) -> Result<Option<Signature>, Errors> {
         let function = Function::from_name(name);

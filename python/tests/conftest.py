@@ -1,5 +1,6 @@
 """What the tests share: robots, states, and what `homogen eval` computes of them."""
 
+import importlib
 import os
 import subprocess
 from pathlib import Path
@@ -13,6 +14,9 @@ REPOSITORY = Path(os.environ.get("HOMOGEN_REPOSITORY", Path(__file__).parents[2]
 ROBOTS = REPOSITORY / "robots"
 HOMOGEN = os.environ.get("HOMOGEN")
 
+#: Libraries that are installed, by the names of their modules.
+DEMANDED = os.environ.get("HOMOGEN_LIBRARIES", "").replace("pin", "pinocchio").replace("-python", "").split(",")
+
 ROD = "pin: rod(0.5) { from: fore, to: base, at: xyz(0.3, 0, 0) }"
 
 #: An arm, a floating quadruped, a robot with a loop, forces from outside with friction, a table of Denavit and Hartenberg.
@@ -23,6 +27,13 @@ CASES = {
     "external": ("two_link.urdf", {"external": ["fore"], "friction": {"elbow": 0.2}}),
     "table": ("rx90_class.dh", {}),
 }
+
+
+def library(name):
+    """The module of a library; the test is skipped where it is missing and not demanded."""
+    if name.partition(".")[0] in DEMANDED:
+        return importlib.import_module(name)
+    return pytest.importorskip(name)
 
 
 def robot(name, **more):

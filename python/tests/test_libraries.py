@@ -3,23 +3,11 @@
 A library that is not installed is skipped, unless HOMOGEN_LIBRARIES names it.
 """
 
-import importlib
-import os
-
 import numpy as np
 import pytest
-from conftest import ROBOTS, robot, same, states
+from conftest import ROBOTS, library, robot, same, states
 
 import homogen
-
-DEMANDED = os.environ.get("HOMOGEN_LIBRARIES", "").replace("pin", "pinocchio").split(",")
-
-
-def library(name):
-    """The module of a library; the test is skipped where it is missing and not demanded."""
-    if name.partition(".")[0] in DEMANDED:
-        return importlib.import_module(name)
-    return pytest.importorskip(name)
 
 
 @pytest.fixture(scope="module")

@@ -43,6 +43,13 @@ def answer(process):
     return int(count), found
 
 
+def alone(program, file="panda_class.urdf", **environment):
+    """What a process of its own prints that compiles everything, which is ended where it waits for ever."""
+    words = [sys.executable, "-W", "ignore", "-c", program, str(ROBOTS / file)]
+    environment = {**os.environ, "HOMOGEN_CACHE": "", **environment}
+    return subprocess.run(words, check=True, timeout=300, capture_output=True, text=True, env=environment).stdout
+
+
 @pytest.fixture
 def cache(tmp_path):
     folder = tmp_path / "cache"
@@ -92,6 +99,17 @@ def test_a_folder_that_cannot_be_written_is_done_without(cache, tmp_path):
         for entry in cache.iterdir():
             entry.chmod(0o400)
         assert answer(run(cache)) == (0, before)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="sizes of files are limited elsewhere in another way")
+def test_a_full_disk_is_done_without(tmp_path):
+    before = answer(run(""))[1]
+    # No file becomes larger than this, as on a disk that is full.
+    program = "import resource\nresource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))\n" + PROGRAM
+    for _ in range(2):
+        found = alone(program, "two_link.urdf", HOMOGEN_CACHE=str(tmp_path / "cache")).split()
+        assert (int(found[0]), found[1]) == (2, before)
+    assert not list((tmp_path / "cache").iterdir())
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="no folder is read-only to root elsewhere")
@@ -193,3 +211,139 @@ def test_robots_go_to_other_processes(method):
     with context.Pool(2) as pool:
         for dynamics, gravity in pool.starmap(torques, [(of, q)] * 4):
             assert same(dynamics, expected) and same(gravity, of.gravity(q))
+
+
+# --- functions in the background ------------------------------------------------------------------
+
+NAMED = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "inverse_dynamics_derivatives"]
+
+
+def test_named_functions_compile_while_the_program_goes_on():
+    q = np.random.default_rng(2).uniform(-1, 1, (20, 7))
+    of = robot("arm", functions=NAMED)
+    # Each call finds code, waits for it, or has it compiled.
+    for k in (3, 0, 2, 1):
+        function = getattr(of, NAMED[k])
+        arguments = [q] * len(function.parameters()[0])
+        expected = getattr(robot("arm"), NAMED[k])(*arguments)
+        found = function(*arguments)
+        for one, other in zip(*(array if isinstance(array, tuple) else [array] for array in (found, expected))):
+            assert same(one, other)
+    assert same(robot("arm", functions="gravity").gravity(q), of.gravity(q))
+    with pytest.raises(AttributeError, match="'panda_class' has no function 'gravty'"):
+        robot("arm", functions=["gravity", "gravty"])
+    of.compile("gravity", "bias", dtype=np.float32, wait=False)
+    assert of.gravity(q.astype(np.float32)).dtype == np.float32
+
+
+SIDE_BY_SIDE = """
+import sys, threading
+import numpy as np
+import homogen, homogen._compile as compiler
+count, whole = 0, compiler._compile
+def counted(*words):
+    global count
+    count += 1
+    return whole(*words)
+compiler._compile = counted
+of = homogen.load(sys.argv[1], tip="link8", functions=["inverse_dynamics_derivatives", "forward_dynamics"])
+q = np.zeros((20, 7))
+threads = [threading.Thread(target=lambda: of.forward_dynamics(q, q, q)) for _ in range(8)]
+for thread in threads: thread.start()
+for thread in threads: thread.join()
+of.compile("inverse_dynamics_derivatives", "forward_dynamics")
+of.compile("inverse_dynamics_derivatives", "forward_dynamics", many=False)
+print(count)
+"""
+
+
+def test_threads_wait_for_a_function_that_another_compiles():
+    # Two functions, each for one state and for many.
+    assert int(alone(SIDE_BY_SIDE)) == 4
+
+
+FORK = """
+import multiprocessing, sys, time
+import numpy as np
+import homogen
+names = ["forward_dynamics", "inverse_dynamics"]
+def call(of):
+    return of.mass_matrix(np.zeros(7)).sum()
+if __name__ == "__main__":
+    context = multiprocessing.get_context("fork")
+    for k in range(3):
+        of = homogen.load(sys.argv[1], tip="link8", functions=names)
+        time.sleep(0.1 + 0.05 * k)
+        process = context.Process(target=call, args=(of,))
+        process.start()
+        process.join()
+        assert process.exitcode == 0
+    print(call(of))
+"""
+
+
+@pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="there is no fork")
+def test_a_process_forks_while_functions_compile():
+    assert np.isfinite(float(alone(FORK)))
+
+
+ENDING = """
+import sys, time
+import homogen
+began = time.monotonic()
+for _ in range(100):
+    of = homogen.load(sys.argv[1], tip="link8", functions=["gravity", *["mass_matrix"] * 1000])
+del of
+of = homogen.load(sys.argv[1], tip="link8", functions=["mass_matrix_inverse", "forward_dynamics_derivatives"] * 1000)
+print("ended")
+"""
+
+
+def test_a_program_ends_before_its_functions_are_compiled():
+    assert alone(ENDING) == "ended\n"
+
+
+# --- the size of the cache ------------------------------------------------------------------------
+
+PRUNED = """
+import os, sys, time
+from homogen import _cache
+for k in range(int(sys.argv[2]), int(sys.argv[3])):
+    _cache.write(f"{k:064x}", bytes(100_000))
+    # The first entry is used again and again.
+    _cache.read(f"{0:064x}")
+"""
+
+
+def entries(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_entries_that_were_used_longest_ago_go(tmp_path):
+    folder = tmp_path / "cache"
+    environment = {**os.environ, "HOMOGEN_CACHE": str(folder), "HOMOGEN_CACHE_SIZE": "1"}
+
+    def write(first, end):
+        return subprocess.Popen([sys.executable, "-c", PRUNED, "", str(first), str(end)], env=environment)
+
+    assert write(0, 5).wait() == 0
+    left, other = folder / "half.new", folder / "notes.txt"
+    for path in (left, other):
+        path.write_bytes(bytes(2_000_000))
+        os.utime(path, (0, 0))
+    processes = [write(first, first + 20) for first in (5, 25, 45)]
+    assert [process.wait() for process in processes] == [0, 0, 0]
+    assert write(65, 70).wait() == 0
+    kept = [path for path in folder.iterdir() if path.suffix == ".o"]
+    # A process that writes looks at all files whenever it has written a sixteenth of the size.
+    assert 8 <= len(kept) <= 11
+    names = {int(path.stem, 16) for path in kept}
+    assert {0, 66, 67, 68, 69} <= names and 1 not in names
+    # Half an entry that nobody finishes goes, and what is not of the cache stays.
+    assert not left.exists() and other.exists()
+
+
+def test_a_size_that_is_no_number_is_the_default(tmp_path):
+    program = "from homogen import _cache; print(_cache.size == _cache.DEFAULT_SIZE)"
+    assert alone(program, HOMOGEN_CACHE_SIZE="much") == "True\n"
+    assert alone(program, HOMOGEN_CACHE_SIZE="2.5") == "False\n"

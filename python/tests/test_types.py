@@ -1,6 +1,7 @@
 """Stubs: what they say is what the engine has, and what type checkers take."""
 
 import ast
+import inspect
 import os
 import subprocess
 import sys
@@ -40,8 +41,9 @@ def test_stubs_have_the_names_of_the_package(arm):
     folder = Path(homogen.__file__).parent
     functions = [item for item in ast.parse((folder / "_load.pyi").read_text()).body if isinstance(item, ast.FunctionDef)]
     keywords = [argument.arg for argument in functions[0].args.kwonlyargs]
-    own = ["order", "fields", "ranges", "threads"]
+    own = ["order", "fields", "ranges", "threads", "functions"]
     assert keywords == own + [key for key, _ in homogen._engine.options()]
+    assert keywords == list(inspect.signature(homogen.load).parameters)[1:]
     classes = [item for item in ast.parse((folder / "_robot.pyi").read_text()).body if isinstance(item, ast.ClassDef)]
     names = {item.target.id for item in classes[0].body if isinstance(item, ast.AnnAssign)}
     names |= {item.name for item in classes[0].body if isinstance(item, ast.FunctionDef) and not item.name.startswith("__")}

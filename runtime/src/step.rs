@@ -27,6 +27,7 @@
 //! ```
 
 mod carried;
+mod midpoint;
 mod tangent;
 
 use crate::robot::described::Robot;
@@ -34,6 +35,8 @@ use crate::robot::joint::Motion;
 use crate::robot::{ForwardDynamics, ForwardDynamicsDerivatives};
 use crate::scalar::Scalar;
 use carried::{Blocks, Configuration, Derivatives, Vector};
+
+pub use midpoint::{ImplicitMidpoint, MidpointDerivatives};
 
 /// A rule of numerical integration, with constant τ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

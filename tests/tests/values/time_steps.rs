@@ -7,7 +7,7 @@
 use std::array::from_fn;
 
 use homogen::robot::{ForwardDynamics, ForwardDynamicsDerivatives};
-use homogen::step::{Integrator, NextState, Step, StepDerivatives, step};
+use homogen::step::{ImplicitMidpoint, Integrator, NextState, Step, StepDerivatives, step};
 use homogen::{Robot, Scalar, chain, generic};
 use homogen_robots::jointed::Brick;
 use homogen_robots::shipped::PandaClass;
@@ -15,10 +15,17 @@ use homogen_tests::dual::Dual;
 use homogen_tests::effort::effort;
 use homogen_tests::rounding::DOUBLE;
 use homogen_tests::states::Random;
+use nalgebra::{SMatrix, SVector};
 
 chain! {
     /// A floating base with every other type of joint that has coordinates of its own, and a mimic joint.
-    struct Walker { floating, generate(forward_dynamics, forward_dynamics_derivatives) }
+    struct Walker {
+        floating,
+        generate(
+            inverse_dynamics, inverse_dynamics_derivatives, mass_matrix, forward_dynamics,
+            forward_dynamics_derivatives
+        )
+    }
     link trunk { mass: 3.0, com: [0.05, 0.02, 0.1], inertia: [0.04, 0.001, 0.002, 0.05, -0.003, 0.06] }
     joint puck: planar([0.0, 0.6, 0.8]) { from: trunk, to: puck, at: xyz(0.2, 0.0, 0.1) rpy(0.1, 0.2, 0.3) }
     link puck { mass: 3.0, com: [0.05, 0.02, 0.1], inertia: [0.04, 0.001, 0.002, 0.05, -0.003, 0.06] }
@@ -114,6 +121,85 @@ fn steps_have_their_orders_of_convergence() {
         let [coarse, fine] = [32, 64].map(|steps| distance(&after(integrator, steps), &exact));
         let found = (coarse / fine).log2();
         assert!((found - order).abs() < 0.2, "{integrator:?}: {found}");
+    }
+}
+
+/// The step of the midpoint rule by Newton's method.
+fn by_midpoint((q, qd): (&[f64; Q], &[f64; N]), tau: &[f64; N], dt: f64) -> NextState<N, f64, Q> {
+    let mut next = *qd;
+    for _ in 0..8 {
+        let residual = Walker.midpoint_residual((q, qd), &next, tau, dt);
+        let by = Walker.midpoint_derivatives((q, qd), &next, dt).next_qd;
+        let by = SMatrix::<f64, N, N>::from_fn(|row, column| by[row][column]);
+        let step = by
+            .lu()
+            .solve(&SVector::from(residual))
+            .expect("a regular equation");
+        next = from_fn(|k| next[k] - step[k]);
+    }
+    let residual = Walker.midpoint_residual((q, qd), &next, tau, dt);
+    assert!(largest(residual) < 1e-9, "{residual:?}");
+    let q = Walker.midpoint_configuration((q, qd), &next, dt);
+    NextState { q, qd: next }
+}
+
+#[test]
+fn the_midpoint_rule_is_symmetric_and_of_order_2() {
+    let mut random = Random::new(8);
+    let (q, _, tau) = walking(&mut random);
+    let qd = from_fn(|_| random.unit());
+    let after = |steps: u32| {
+        let mut state = NextState { q, qd };
+        for _ in 0..steps {
+            state = by_midpoint((&state.q, &state.qd), &tau, 0.2 / f64::from(steps));
+        }
+        state
+    };
+    let mut exact = NextState { q, qd };
+    for _ in 0..1000 {
+        exact = Walker.step(Integrator::Rk4, &exact.q, &exact.qd, &tau, 2e-4);
+    }
+    let [coarse, fine] = [32, 64].map(|steps| distance(&after(steps), &exact));
+    let order = (coarse / fine).log2();
+    assert!((order - 2.0).abs() < 0.1, "{order}");
+    let there = by_midpoint((&q, &qd), &tau, 0.01);
+    let back = by_midpoint((&there.q, &there.qd), &tau, -0.01);
+    let off = distance(&back, &NextState { q, qd });
+    assert!(off < 1e-10, "{off:e}");
+}
+
+#[test]
+fn derivatives_of_the_midpoint_rule_are_those_of_dual_numbers() {
+    let mut random = Random::new(9);
+    for dt in [1e-3, 0.05, 2.0] {
+        let (q, qd, tau) = walking(&mut random);
+        let next: [f64; N] = from_fn(|k| qd[k] + dt * random.unit());
+        let by = Walker.midpoint_derivatives((&q, &qd), &next, dt);
+        let none = [0.0; N];
+        for k in 0..N {
+            let unit: [f64; N] = from_fn(|i| if i == k { 1.0 } else { 0.0 });
+            let directions = [
+                (&by.q, [&unit, &none, &none]),
+                (&by.qd, [&none, &unit, &none]),
+                (&by.next_qd, [&none, &none, &unit]),
+            ];
+            for (block, [of_q, of_qd, of_next]) in directions {
+                let moved = Walker.integrate(
+                    &q.map(|x| Dual::new(x, 0.0)),
+                    &of_q.map(|slope| Dual::new(0.0, slope)),
+                );
+                let residual = Walker.midpoint_residual(
+                    (&moved, &Dual::pairs(&qd, of_qd)),
+                    &Dual::pairs(&next, of_next),
+                    &Dual::pairs(&tau, &none),
+                    Dual::new(dt, 0.0),
+                );
+                let size = largest(block.as_flattened().iter().copied());
+                let pairs = block.iter().zip(residual);
+                let off = largest(pairs.map(|(row, dual)| row[k] - dual.slope)) / size;
+                assert!(off < 1e-11, "{dt} s, {k}: {off:e}");
+            }
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use super::solvable::{self, Worst, solvable};
 use crate::chain::{Chain, Joint, MimicJoint};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::formulation::{Formulation, Forward, Frame};
-use crate::function::Function;
+use crate::function::{Function, Given, Truth};
 use crate::layout::Layout;
 use crate::model::{Algorithm, Congruence};
 use crate::real::Real;
@@ -168,22 +168,22 @@ pub(super) fn hopeless(
 /// Warnings about accelerations: about the form that is requested, instead of the one that would be chosen; about the
 /// loss of all forms; and about fields that must not be zero.
 ///
-/// If no function is named, a robot with many joints is not measured: that takes as long as generating its mass
-/// matrix.
+/// If no function is named, only accelerations and the inverse mass matrix are measured, which lose as much as their
+/// derivatives, and no robot with many joints: that takes as long as generating its mass matrix.
 pub(crate) fn warnings(chain: &Chain, request: &Request) -> Vec<Diagnostic> {
     const UNASKED: usize = 40;
-    let most = if request.functions.is_empty() {
-        UNASKED
-    } else {
-        super::MOST
-    };
+    let is_asked = !request.functions.is_empty();
+    let most = if is_asked { super::MOST } else { UNASKED };
     if chain.joints.len() > most {
         return Vec::new();
     }
+    let is_measured = |function: &Function| match function.truth() {
+        Truth::Solution(Given::Torques | Given::MassMatrix) => true,
+        Truth::Solution(_) => is_asked,
+        _ => false,
+    };
     let items = request.items(false).into_iter();
-    let items: Vec<Vec<Function>> = items
-        .filter(|item| item.iter().any(|function| function.solves()))
-        .collect();
+    let items: Vec<Vec<Function>> = items.filter(|item| item.iter().any(is_measured)).collect();
     if items.is_empty() {
         return Vec::new();
     }

@@ -24,9 +24,10 @@ const ROBOTS: [(&str, &str, bool); 5] = [
 
 /// The functions that are not compared: second derivatives and gradients, which are as long as all others together.
 /// `tests/signed/run.sh` runs the tests of them that files bring along.
-const NOT_COMPARED: [Function; 4] = [
+const NOT_COMPARED: [Function; 5] = [
     Function::InverseDynamicsVjp,
     Function::InverseDynamicsHessian,
+    Function::ForwardDynamicsParameterDerivatives,
     Function::ForwardDynamicsVjp,
     Function::ForwardDynamicsHessian,
 ];

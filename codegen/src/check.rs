@@ -261,7 +261,7 @@ impl Check {
                     Space::Coordinates | Space::Velocities => "joint",
                     Space::Parameters | Space::BaseParameters => "parameter",
                     Space::Constraints => "residual",
-                    Space::Actions => "action",
+                    Space::Wrench | Space::Actions => "action",
                 };
                 format!(" ({what} {})", quoted(&entry.name))
             }
@@ -317,7 +317,7 @@ struct Wrong {
     expected: f64,
 }
 
-/// Relative error allowed for a solution without a finite bound, whose pivots may be rounding errors.
+/// Relative error allowed for a result without a finite bound: of a division by a number that may be a rounding error.
 const UNBOUNDED: f64 = 1e-6;
 
 /// The first entry of a function that disagrees with the description.
@@ -341,6 +341,9 @@ fn first_wrong(
         Truth::Solution(Given::TorqueDerivatives) => {
             return solved::first_wrong_derivative(dense, found);
         }
+        Truth::Solution(Given::Regressor) => {
+            return solved::first_unlike(&dense.accelerations_by_parameters()?, found);
+        }
         Truth::Solution(Given::Gradient) => {
             return solved::first_unlike(&dense.driven()?.gradient(), found);
         }
@@ -362,9 +365,9 @@ fn first_wrong(
         if function.is_constrained() {
             // A solution has the uncertainty of the described numbers and of the printed ones.
             most += expected.error;
-            if !most.is_finite() {
-                most = UNBOUNDED * largest;
-            }
+        }
+        if !most.is_finite() {
+            most = UNBOUNDED * largest;
         }
         let (found, expected) = (found.to_f64(), expected.to_f64());
         wrong(entry, found, expected, distance <= most)

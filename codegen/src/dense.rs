@@ -116,15 +116,75 @@ impl Dense {
         frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>, &Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
+        self.column_rates_at(frame, &self.rates(Motion::Coasting), seen)
+    }
+
+    fn column_rates_at(
+        &self,
+        frame: FrameId,
+        rates: &Rates,
+        seen: impl Fn(&Matrix<Approximate>, &Matrix<Approximate>) -> Matrix<Approximate>,
+    ) -> Vec<Approximate> {
         let mut columns = vec![Approximate::exact(0.0); 6 * self.state.velocities()];
-        let rates = self.rates(Motion::Coasting);
-        for (k, screw, rate) in self.configuration.moving_rates(frame, &rates) {
+        for (k, screw, rate) in self.configuration.moving_rates(frame, rates) {
             let column = &mut columns[6 * k.index()..][..6];
             for (entry, own) in column.iter_mut().zip(seen(screw, &rate).vectors()) {
                 *entry = *entry + own;
             }
         }
         columns
+    }
+
+    /// The rates of the columns of the geometric Jacobian, in the axes of frame 0 with the reference point at the moving
+    /// origin of a frame.
+    pub(crate) fn geometric_rates(&self, frame: FrameId) -> Vec<Approximate> {
+        self.geometric_rates_at(frame, &self.rates(Motion::Coasting))
+    }
+
+    fn geometric_rates_at(&self, frame: FrameId, rates: &Rates) -> Vec<Approximate> {
+        let tip = self.pose(frame).column();
+        let (w, _) = self.configuration.motion(frame, rates);
+        // The reference point moves by W P; the axes keep their directions.
+        let mut pole = Matrix::zero();
+        pole.set_column(w.times(&Matrix::translation(tip)).column());
+        let back = Matrix::translation(tip.map(|entry| -entry));
+        self.column_rates_at(frame, rates, |screw, rate| {
+            back.carries(&rate.minus(&pole.commutator(screw)))
+        })
+    }
+
+    /// The derivatives of the geometric Jacobian by each coordinate: its rates at a unit velocity of each joint alone.
+    pub(crate) fn jacobian_derivative(&self, frame: FrameId) -> Vec<Approximate> {
+        let rates = self.unit_rates();
+        rates
+            .flat_map(|rates| self.geometric_rates_at(frame, &rates))
+            .collect()
+    }
+
+    /// The powers of these derivatives against a wrench, with a row for each column of the Jacobian.
+    pub(crate) fn forward_kinematics_hessian(&self, frame: FrameId) -> Vec<Approximate> {
+        let count = self.state.velocities();
+        let derivatives = self.jacobian_derivative(frame);
+        let wrench = self.state.arguments[Variable::Wrench].iter();
+        let wrench: Vec<Approximate> = wrench.copied().map(Approximate::exact).collect();
+        let power = |row: usize, column: usize| {
+            let screw = derivatives[6 * (count * column + row)..].iter();
+            let terms = wrench.iter().zip(screw);
+            terms.fold(Approximate::exact(0.0), |sum, (&force, &rate)| {
+                sum + force * rate
+            })
+        };
+        let rows = (0..count).flat_map(|row| (0..count).map(move |column| (row, column)));
+        rows.map(|(row, column)| power(row, column)).collect()
+    }
+
+    /// The rates at a unit velocity of each joint alone.
+    fn unit_rates(&self) -> impl Iterator<Item = Rates> {
+        list::ids(self.state.velocities()).map(move |k| {
+            let mut rates = self.rates(Motion::Rest);
+            rates.first[k] = Approximate::exact(1.0);
+            rates
+        })
     }
 
     /// The loops.
@@ -184,11 +244,7 @@ impl Dense {
 
     /// The same at a unit velocity of each joint alone.
     pub(crate) fn unit_moments(&self) -> impl Iterator<Item = Matrix<Approximate>> {
-        list::ids(self.state.velocities()).map(move |k| {
-            let mut rates = self.rates(Motion::Rest);
-            rates.first[k] = Approximate::exact(1.0);
-            self.moments_at(&rates)
-        })
+        self.unit_rates().map(|rates| self.moments_at(&rates))
     }
 
     fn moments_at(&self, rates: &Rates) -> Matrix<Approximate> {
@@ -271,12 +327,47 @@ impl Dense {
         self.rows_of(&self.columns_of_regressor().iter().collect::<Vec<_>>())
     }
 
+    /// The row y of T = y π.
+    pub(crate) fn kinetic_energy_regressor(&self) -> Vec<Approximate> {
+        let rates = self.rates(Motion::Coasting);
+        let motions = self.configuration.motions(&rates);
+        let half = Approximate::exact(0.5);
+        let mut energies = self.configuration.of_each_parameter(|link, inertia| {
+            let (w, _) = &motions[link];
+            half * w.times(inertia).times(&w.transposed()).trace()
+        });
+        for rate in self.configuration.rates_of_parameters(&rates) {
+            let zero = Approximate::exact(0.0);
+            energies.extend([half * rate * rate, zero, zero]);
+        }
+        energies
+    }
+
+    /// The row y of U = y π.
+    pub(crate) fn potential_energy_regressor(&self) -> Vec<Approximate> {
+        let rates = self.rates(Motion::Rest);
+        let gravity = self.gravity();
+        let mut energies = self
+            .configuration
+            .of_each_parameter(|_, inertia| -gravity.times(inertia).trace());
+        for _ in self.configuration.rates_of_parameters(&rates) {
+            energies.extend([Approximate::exact(0.0); 3]);
+        }
+        energies
+    }
+
     fn columns_of_regressor(&self) -> &List<ParameterId, List<VelocityId, Approximate>> {
         let found = || {
             self.configuration
                 .regressor(&self.rates(Motion::Accelerated), |_| true)
         };
         self.regressor.get_or_init(found)
+    }
+
+    /// Y by its columns, at computed accelerations.
+    fn regressor_of(&self, qdd: List<VelocityId, Approximate>) -> Columns<Approximate> {
+        self.configuration
+            .regressor(&self.rates_with(qdd), |_| true)
     }
 
     /// Y by its columns, and the sizes of the terms of their entries; links without a wanted column are left out.

@@ -19,6 +19,7 @@ mod gradient;
 pub(crate) mod gravity;
 mod hessian;
 pub(crate) mod jacobian;
+pub(crate) mod jacobian_derivative;
 pub(crate) mod jacobian_rate;
 pub(crate) mod loops;
 mod mass_center;
@@ -45,7 +46,7 @@ use crate::chain::BodyId;
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::list::{self, List, Square};
-use crate::matrix::{Action, Inertia, Screw, Vector};
+use crate::matrix::{Action, Inertia, Pose, Screw, Vector};
 use crate::space::{FrameId, ParameterId, Variable, VelocityId};
 
 /// The data of a function: bodies with their frames, a state, and the algorithm.
@@ -205,13 +206,60 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// Y of τ = Y π by its columns; in the frames of the links, for every algorithm.
     pub(crate) fn regressor(&self) -> List<ParameterId, List<VelocityId, Term<'g>>> {
-        let joints = carry::joints(self.bodies, &self.state, Algorithm::PLAIN);
-        let links = self.bodies.bodies.map(|body| body.link);
-        let columns = regressor::regressor(&joints, &links, self.bodies.gravity, &self.state);
+        // q̈ is read only when it is needed, because older terms come first in a sum.
+        self.regressor_at(|k| self.state.qdd(k))
+    }
+
+    /// The same at given q̈, one entry a velocity.
+    pub(crate) fn regressor_of(
+        &self,
+        qdd: &List<VelocityId, Term<'g>>,
+    ) -> List<ParameterId, List<VelocityId, Term<'g>>> {
+        let second = velocities::shared(&self.state, self.bodies, qdd);
+        self.regressor_at(|k| second[k])
+    }
+
+    fn regressor_at(
+        &self,
+        second: impl Fn(BodyId) -> Term<'g>,
+    ) -> List<ParameterId, List<VelocityId, Term<'g>>> {
+        let (joints, links, state) = (self.plain_joints(), self.links(), &self.state);
+        let columns = regressor::regressor(&joints, &links, self.bodies.gravity, state, &second);
         let actuators = self.bodies.identifies_actuators;
-        let actuators = actuators.then(|| regressor::of_actuators(&joints, &self.state));
+        let actuators = actuators.then(|| regressor::of_actuators(&joints, state, &second));
         let columns = columns.iter().chain(actuators.iter().flatten());
         columns.map(|column| self.forces(column)).collect()
+    }
+
+    /// The kinetic energy of each inertial parameter at 1.
+    pub(crate) fn kinetic_energy_regressor(&self) -> Vec<Term<'g>> {
+        let (joints, state) = (self.plain_joints(), &self.state);
+        let mut energies = regressor::kinetic_energy(&joints, &self.links(), state);
+        if self.bodies.identifies_actuators {
+            energies.extend(regressor::kinetic_energy_of_actuators(&joints, state));
+        }
+        energies
+    }
+
+    /// The potential energy of each inertial parameter at 1.
+    pub(crate) fn potential_energy_regressor(&self) -> Vec<Term<'g>> {
+        let (joints, gravity) = (self.plain_joints(), self.bodies.gravity);
+        let mut energies =
+            regressor::potential_energy(&joints, &self.links(), gravity, &self.state);
+        if self.bodies.identifies_actuators {
+            energies.extend(vec![self.state.zero(); 3 * joints.len()]);
+        }
+        energies
+    }
+
+    /// The pose of each link's frame in its body's; `None` for bodies that are no links.
+    fn links(&self) -> List<BodyId, Option<Pose<Term<'g>>>> {
+        self.bodies.bodies.map(|body| body.link)
+    }
+
+    /// The joints in the frames of the links, by the plain algorithm.
+    fn plain_joints(&self) -> carry::Joints<'g> {
+        carry::joints(self.bodies, &self.state, Algorithm::PLAIN)
     }
 
     /// A matrix by rows, from columns with an entry for each velocity.
@@ -294,7 +342,10 @@ impl<'s, 'g> Scene<'s, 'g> {
     }
 
     /// A matrix with a row and a column for each velocity, from one with those for each body.
-    fn by_velocities(&self, matrix: Square<BodyId, Term<'g>>) -> Square<VelocityId, Term<'g>> {
+    pub(crate) fn by_velocities(
+        &self,
+        matrix: Square<BodyId, Term<'g>>,
+    ) -> Square<VelocityId, Term<'g>> {
         velocities::gathered_by_both(&self.state, self.bodies, matrix)
     }
 

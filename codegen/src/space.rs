@@ -19,6 +19,8 @@ pub enum Space {
     Coordinates,
     /// Velocities q̇; accelerations q̈ and torques τ range over the same entries, in other units.
     Velocities,
+    /// One wrench: couple and force.
+    Wrench,
     /// External wrenches: couple and force of each.
     Actions,
     /// Inertial parameters of each link that a joint moves, with everything that is fixed to it, in the link's frame:
@@ -122,6 +124,8 @@ pub struct Spaces {
     pub base_parameters: Vec<Entry>,
     /// Residuals of the loops: lengths (`Slide`) and products of axes (`Turn`).
     pub constraints: Vec<Entry>,
+    /// Entries of one wrench: c_x, c_y, c_z, f_x, f_y, f_z.
+    pub wrench: Vec<Entry>,
     /// Entries of the external wrenches: c_x, c_y, c_z, f_x, f_y, f_z of each.
     pub actions: Vec<Entry>,
 }
@@ -136,6 +140,7 @@ impl Spaces {
             Space::Parameters => &self.parameters,
             Space::BaseParameters => &self.base_parameters,
             Space::Constraints => &self.constraints,
+            Space::Wrench => &self.wrench,
             Space::Actions => &self.actions,
         }
     }

@@ -20,6 +20,8 @@ pub struct State<T, const N: usize> {
     pub tau: [T; N],
     /// Weights λ of torques.
     pub weights: [T; N],
+    /// A wrench that weights the twist of a frame: couple, then force.
+    pub wrench: [T; 6],
 }
 
 impl<const N: usize> State<f32, N> {
@@ -32,11 +34,12 @@ impl<const N: usize> State<f32, N> {
             qdd: self.qdd.map(f64::from),
             tau: self.tau.map(f64::from),
             weights: self.weights.map(f64::from),
+            wrench: self.wrench.map(f64::from),
         }
     }
 }
 
-/// States with q in ±π, q̇ in ±2, q̈ in ±10, τ in ±20 and λ in ±1.
+/// States with q in ±π, q̇ in ±2, q̈ in ±10, τ in ±20 and λ in ±1; the wrench repeats τ.
 #[must_use]
 pub fn random<const N: usize>(count: usize, seed: u64) -> Vec<State<f32, N>> {
     let mut random = Random::new(seed);
@@ -49,6 +52,7 @@ pub fn random<const N: usize>(count: usize, seed: u64) -> Vec<State<f32, N>> {
             qdd: within(10.0),
             tau,
             weights: tau.map(|entry| entry / 20.0),
+            wrench: std::array::from_fn(|k| tau[k % N]),
         }
     };
     (0..count).map(state).collect()

@@ -63,7 +63,7 @@ fn the_output_shown_has_the_current_counts() {
     for function in all.filter(|&function| function != Function::BaseRegressor) {
         let operation_count = operation_counts.of(function);
         let start = format!(
-            "  {:<28} {:>4} {:>4} {:>4} {:>5} ",
+            "  {:<38} {:>4} {:>4} {:>4} {:>5} ",
             function.name(),
             operation_count.mul,
             operation_count.add,

@@ -57,7 +57,7 @@ pub fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     match (quantity.over, dimensions) {
         ([], [6] | [3, 4]) => lengths.extend([4, 4]),
         ([], dimensions) => lengths.extend(dimensions),
-        (_, &[rows]) => lengths.insert(0, rows),
+        (_, &[rows]) => lengths.insert(lengths.len() - 1, rows),
         _ => {}
     }
     lengths
@@ -84,6 +84,9 @@ pub fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec
     if let (&[_], &[each]) = (quantity.over, quantity.entity.dimensions()) {
         let row = |row: usize| numbers.iter().skip(row).step_by(each).copied().collect();
         return Some((0..each).map(row).collect());
+    }
+    if quantity.over.len() > 1 && quantity.entity != Entity::Number {
+        return None;
     }
     Some(match quantity.entity {
         Entity::Number => {

@@ -48,6 +48,7 @@ pub use loops::{
 /// | kind | function |
 /// |---|---|
 /// | `tip` | of the end effector's frame |
+/// | `tip_weighted` | the same, contracted with a wrench `wrench` |
 /// | `whole` | of the whole robot |
 /// | `weighted` | of the whole robot, contracted with weights `weights` |
 /// | `solution` | of the whole robot, by solving linear equations |
@@ -88,6 +89,16 @@ macro_rules! every_function {
             #[doc = "add `geometric_jacobian_rate` to `generate(…)` of the robot"]
             /// L̇₁ … L̇_N of its columns, whose reference point moves with the tip [1/s, m/s].
             tip GeometricJacobianRate geometric_jacobian_rate(q, qd) -> [$crate::Screw<T>; N];
+            /// The derivatives of the Jacobian with the axes of frame 0 and the reference point at the tip.
+            #[doc = "add `jacobian_derivative` to `generate(…)` of the robot"]
+            /// ∂L/∂q of the columns of the geometric Jacobian, a Jacobian for each coordinate \[1, m, 1/m\], or along each
+            /// velocity of a joint with a quaternion.
+            tip JacobianDerivative jacobian_derivative(q) -> [[$crate::Screw<T>; N]; N];
+            /// The kinematic Hessian of the tip, contracted with a wrench.
+            #[doc = "add `forward_kinematics_hessian` to `generate(…)` of the robot"]
+            /// ∂(Jᵗ Φ)/∂q of the geometric Jacobian J for a constant wrench Φ at the origin of the tip in the axes of frame 0,
+            /// `wrench`: couple \[N m\], then force \[N\]; a row for each torque or force of Jᵗ Φ [N m, N, N/m].
+            tip_weighted ForwardKinematicsHessian forward_kinematics_hessian(q, wrench) -> [[T; N]; N];
             /// The velocity of the tip.
             #[doc = "add `velocity` to `generate(…)` of the robot"]
             /// W₀,tip₍₀₎, in rad/s and m/s.
@@ -143,6 +154,14 @@ macro_rules! every_function {
             /// Y of τ = Y π, by rows, where π are the base parameters: the linear combinations of inertial parameters
             /// that torques determine.
             chosen BaseRegressor base_regressor(q, qd, qdd) -> [[T; P]; N];
+            /// The regressor of the kinetic energy on the inertial parameters.
+            #[doc = "add `kinetic_energy_regressor` to `generate(…)` of the robot"]
+            /// The row y of T = y π, for the parameters π of [`Regressor`].
+            sized KineticEnergyRegressor kinetic_energy_regressor(q, qd) -> [T; P];
+            /// The regressor of the potential energy on the inertial parameters.
+            #[doc = "add `potential_energy_regressor` to `generate(…)` of the robot"]
+            /// The row y of U = y π, for the parameters π of [`Regressor`]; U is zero at the origin of frame 0.
+            sized PotentialEnergyRegressor potential_energy_regressor(q) -> [T; P];
             /// The centre of mass.
             #[doc = "add `center_of_mass` to `generate(…)` of the robot"]
             /// The centre of mass of the bodies that joints move, in frame 0 \[m\].
@@ -197,6 +216,11 @@ macro_rules! every_function {
             #[doc = "add `forward_dynamics_hessian` to `generate(…)` of the robot"]
             /// The Hessian of λᵀq̈, with the accelerations of forward dynamics and their weights λ.
             weighted ForwardDynamicsHessian forward_dynamics_hessian(q, qd, tau, weights) -> $crate::AccelerationHessian<N, T>;
+            /// The derivatives of forward dynamics by the inertial parameters.
+            #[doc = "add `forward_dynamics_parameter_derivatives` to `generate(…)` of the robot"]
+            /// ∂q̈/∂π = −M⁻¹ Y of forward dynamics, for the parameters π of [`Regressor`] and its Y at q̈, a row for each
+            /// acceleration.
+            sized ForwardDynamicsParameterDerivatives forward_dynamics_parameter_derivatives(q, qd, tau) -> [[T; P]; N];
             /// The derivative of the torques at rest by q.
             #[doc = "add `gravity_derivative` to `generate(…)` of the robot"]
             /// ∂τ/∂q of `gravity`, a row for each torque or force [N m, N, N/m].
@@ -209,10 +233,13 @@ macro_rules! every_function {
     };
 }
 
-/// The array type of an argument: `Q` entries for `q`, `N` for all others.
+/// The array type of an argument: `Q` entries for `q`, six for `wrench`, `N` for all others.
 macro_rules! list_of {
     (q) => {
         [T; Q]
+    };
+    (wrench) => {
+        [T; 6]
     };
     ($other:ident) => {
         [T; N]

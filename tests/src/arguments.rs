@@ -11,21 +11,25 @@ use crate::states::Random;
 /// A value for every argument; a function reads those that it has.
 pub type Arguments = space::Arguments<f64>;
 
-/// Random arguments: all entries in [−4, 4) and multiples of 2⁻²¹, exact in `f32`; no external wrenches.
+/// Random arguments: all entries in [−4, 4) and multiples of 2⁻²¹, exact in `f32`; the wrench repeats τ, and there are
+/// no external ones.
 pub fn random(joints: usize, random: &mut Random) -> Arguments {
     of_lists(joints, joints, random)
 }
 
 /// The same for different numbers of coordinates and velocities; quaternions are not normalised.
 pub fn of_lists(coordinates: usize, velocities: usize, random: &mut Random) -> Arguments {
-    Arguments::of(|variable| {
+    let mut arguments = Arguments::of(|variable| {
         let count = match variable {
             Variable::Q => coordinates,
-            Variable::Actions => 0,
+            Variable::Wrench | Variable::Actions => 0,
             _ => velocities,
         };
         (0..count).map(|_| 4.0 * random.unit()).collect()
-    })
+    });
+    let repeated = arguments[Variable::Tau].iter().copied().cycle();
+    arguments[Variable::Wrench] = repeated.take(6).collect();
+    arguments
 }
 
 /// The value of an input of a program.
@@ -40,13 +44,14 @@ pub fn at<T: Clone>(arguments: &space::Arguments<T>, input: Input) -> T {
     }
 }
 
-/// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit; external wrenches if there are any.
+/// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit; wrenches if there are any.
 #[must_use]
 pub fn line(arguments: &Arguments) -> String {
     let mut words = Vec::new();
     for variable in Variable::ALL {
         let entries = &arguments[variable];
-        if variable == Variable::Actions && entries.is_empty() {
+        let may_lack = matches!(variable, Variable::Wrench | Variable::Actions);
+        if may_lack && entries.is_empty() {
             continue;
         }
         words.push(variable.name().to_owned());

@@ -10,7 +10,7 @@ use homogen::{
 use crate::states::State;
 
 /// Defines, from the list of every function, a trait of those that are compared and a function that evaluates them.
-/// Solutions, whose errors depend on conditioning, functions with weights, and results as wide as the robot has
+/// Solutions, whose errors depend on conditioning, functions with weights or a wrench, and results as wide as the robot has
 /// parameters have tests of their own.
 macro_rules! evaluated {
     (@[] [$($name:ident $method:ident($($argument:ident),*) $as_blocks:ident;)*]) => {
@@ -48,6 +48,9 @@ macro_rules! evaluated {
         evaluated!(@[$($rest)*] $found);
     };
     (@[$(#[doc = $about:literal])+ weighted $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
+        evaluated!(@[$($rest)*] $found);
+    };
+    (@[$(#[doc = $about:literal])+ tip_weighted $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
         evaluated!(@[$($rest)*] $found);
     };
     (@[$(#[doc = $about:literal])+ chosen $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
@@ -205,6 +208,16 @@ impl<T: Scalar, const N: usize> Blocks<T> for [Screw<T>; N] {
         } else {
             screws(function, self)
         }
+    }
+}
+
+/// One block with the rates, since these are those at unit velocities: where no joint carries another along, all of them
+/// are pure rounding errors.
+impl<T: Scalar, const N: usize, const M: usize> Blocks<T> for [[Screw<T>; M]; N] {
+    fn blocks(&self, _: &str) -> Vec<Block<T>> {
+        let entries = self.as_flattened().iter();
+        let entries = entries.flat_map(|one| [one.u(), one.b()]).flatten();
+        vec![Block::new("jacobian_rates", entries)]
     }
 }
 

@@ -7,6 +7,7 @@ const ARGUMENTS = {
   qdd: { letter: "q̈", space: "velocities", noun: "Acceleration" },
   tau: { letter: "τ", space: "velocities", noun: "Force or torque" },
   weights: { letter: "λ", space: "velocities", noun: "Weight" },
+  wrench: { letter: "Φ", noun: "Entry of the wrench" },
 };
 
 const UNITS = {
@@ -15,7 +16,10 @@ const UNITS = {
   qdd: { rotation: "rad/s²", translation: "m/s²" },
   tau: { rotation: "N m", translation: "N" },
   weights: { rotation: "rad", translation: "m" },
+  wrench: { rotation: "N m", translation: "N" },
 };
+
+const WRENCH = ["c_x", "c_y", "c_z", "f_x", "f_y", "f_z"].map((name, k) => ({ name, kind: k < 3 ? "rotation" : "translation" }));
 
 // Kinds of names that are numbers.
 const NUMBERS = ["entry", "argument", "action", "sum", "angle", "part"];
@@ -26,7 +30,10 @@ function meaning(robot, { names, of }, name) {
   switch (said?.kind) {
     case undefined: return { kind: "other" };
     case "entry": return { ...said, form: robot.letters.forms[said.form], frame: of };
-    case "argument": return { ...said, entry: robot.skeleton[ARGUMENTS[said.argument].space][said.index - 1] };
+    case "argument": {
+      const { space } = ARGUMENTS[said.argument];
+      return { ...said, entry: (space ? robot.skeleton[space] : WRENCH)[said.index - 1] };
+    }
     default: return said;
   }
 }

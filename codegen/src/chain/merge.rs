@@ -90,6 +90,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
     reader.report.links = modelled.map(name).collect();
     reader.report.dropped = tree.dropped.iter().map(|&link| name(link)).collect();
     let (joints, mut spaces) = listed::listed(description, bodies, &graph);
+    spaces.wrench = wrench(str::to_owned).into();
     spaces.actions = actions(&external);
     let Reader {
         nominal, report, ..
@@ -115,14 +116,19 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
 
 /// The entries of the external wrenches on some links.
 fn actions(external: &[Frame]) -> Vec<Entry> {
-    let entries = external.iter().flat_map(|link| {
-        ACTION.map(|(name, kind)| Entry {
-            name: entry(&link.name, name),
-            kind,
-            range: None,
-        })
-    });
-    entries.collect()
+    let entries = external.iter();
+    entries
+        .flat_map(|link| wrench(|name| entry(&link.name, name)))
+        .collect()
+}
+
+/// The entries of a wrench.
+fn wrench(name: impl Fn(&str) -> String) -> [Entry; ACTION.len()] {
+    ACTION.map(|(entry, kind)| Entry {
+        name: name(entry),
+        kind,
+        range: None,
+    })
 }
 
 /// Converts numbers to scalars, and records corrections in a report.

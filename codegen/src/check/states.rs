@@ -11,7 +11,7 @@ use crate::expression::Double;
 use crate::list::Id;
 use crate::quaternion::normalize;
 use crate::random::Random;
-use crate::space::{Entry, Kind, Spaces, Variable};
+use crate::space::{Entry, Kind, Space, Spaces, Variable};
 
 /// A number of states.
 pub(super) fn states(chain: &Chain, count: usize) -> Vec<State> {
@@ -65,6 +65,11 @@ fn state(chain: &Chain, random: &mut Random) -> State {
             }
         }
     }
+    // Made of torques, so that carried tests of other functions stay what they were.
+    let torques = state.arguments[Variable::Tau].iter().cycle();
+    let entries = torques.zip(spaces.entries(Space::Wrench)).zip(0_u32..);
+    let wrench = entries.map(|((torque, _), k)| (torque.to_f64() + f64::from(k)).into());
+    state.arguments[Variable::Wrench] = wrench.collect();
     for (parameter, nominal) in chain.request.parameters.iter().zip(&chain.nominal) {
         let fields = parameter.near(nominal, || random.unit());
         state.fields.push(fields);

@@ -279,6 +279,7 @@ fn truth(
             found.extend(dense.inverse_mass_matrix()?.concat());
             Some(found)
         }
+        Truth::Solution(Given::Regressor) => dense.accelerations_by_parameters(),
         Truth::Solution(Given::Gradient) => Some(dense.driven()?.gradient()),
         Truth::Solution(Given::Hessian) => {
             let driven = dense.driven()?;

@@ -280,6 +280,32 @@ impl Configuration {
         columns
     }
 
+    /// A number for each inertial parameter of the links: a function of a link and of the J that the parameter is at 1.
+    pub(super) fn of_each_parameter(
+        &self,
+        of: impl Fn(BodyId, &Matrix<Scalar>) -> Scalar,
+    ) -> Vec<Scalar> {
+        let links = self.robot.links.iter();
+        let numbers = links.flat_map(|&link| {
+            let pose = &self.poses[link];
+            let inertias = units().map(|unit| pose.times(&unit).times(&pose.transposed()));
+            inertias
+                .map(|inertia| of(link, &inertia))
+                .collect::<Vec<_>>()
+        });
+        numbers.collect()
+    }
+
+    /// Armature, damping and friction that are parameters, each degree of freedom with its rate.
+    pub(super) fn rates_of_parameters(&self, rates: &Rates) -> Vec<Scalar> {
+        let identified = self.robot.identified.iter().flatten();
+        let degrees_of_freedom =
+            identified.flat_map(|&body| &self.robot.bodies[body].degrees_of_freedom);
+        degrees_of_freedom
+            .map(|one| one.factor * rates.first[one.velocity])
+            .collect()
+    }
+
     /// The columns of armature, damping and friction.
     fn regressor_of_actuators(&self, rates: &Rates) -> Vec<List<VelocityId, Scalar>> {
         let mut columns = Vec::new();

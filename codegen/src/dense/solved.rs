@@ -58,6 +58,16 @@ impl Dense {
         pairs.map(|(tau, bias)| tau - bias).collect()
     }
 
+    /// −M⁻¹ Y, by rows, with Y at the accelerations that τ produces.
+    pub(crate) fn accelerations_by_parameters(&self) -> Option<Vec<Approximate>> {
+        let solver = Solver::of(self)?;
+        let accelerations = solver.solution(&self.unbalanced_torques());
+        let columns = self.regressor_of(accelerations).into_iter();
+        let solutions = columns.map(|column| solver.solution(&opposite(&column)));
+        let solutions: Vec<Vector> = solutions.collect();
+        Some(self.rows_of(&solutions.iter().collect::<Vec<_>>()))
+    }
+
     /// The motion that τ produces, and y = M⁻¹ λ.
     pub(crate) fn driven(&self) -> Option<Driven<'_>> {
         let solver = Solver::of(self)?;

@@ -185,6 +185,7 @@ mod tests {
             "forward_dynamics_derivatives_batch",
             "forward_dynamics_vjp_batch",
             "forward_dynamics_hessian_batch",
+            "forward_dynamics_parameter_derivatives_batch",
         ];
         assert_eq!(with_external.functions, expected);
     }

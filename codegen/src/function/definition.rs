@@ -33,6 +33,8 @@ pub enum Given {
     MassMatrix,
     /// ∂τ/∂q and ∂τ/∂q̇ at the q̈ that τ produces; the solution is each column of ∂q̈/∂q and ∂q̈/∂q̇.
     TorqueDerivatives,
+    /// Y at the q̈ that τ produces; the solution is each column of −M⁻¹ Y.
+    Regressor,
     /// λ; the solution is M⁻¹ λ, by which the derivatives of τ are weighted.
     Gradient,
     /// λ and ∂(M y)/∂q with y = M⁻¹ λ; the solution is y, and M⁻¹ times each row of the latter.

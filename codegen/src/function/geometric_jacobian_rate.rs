@@ -4,7 +4,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
-use crate::dense::{Matrix, Motion};
+use crate::dense::Dense;
 use crate::expression::Term;
 use crate::model::{Algorithm, Carried, Scene, jacobian_rate};
 use crate::space::Variable;
@@ -15,17 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::SCREW_RATES,
     properties: &[Property::Frame],
-    truth: Truth::Value(|dense, frame| {
-        let tip = dense.pose(frame).column();
-        let (w, _) = dense.motion(frame, Motion::Coasting);
-        // The reference point moves by W P; the axes keep their directions.
-        let mut pole = Matrix::zero();
-        pole.set_column(w.times(&Matrix::translation(tip)).column());
-        let back = Matrix::translation(tip.map(|entry| -entry));
-        dense.column_rates(frame, |screw, rate| {
-            back.carries(&rate.minus(&pole.commutator(screw)))
-        })
-    }),
+    truth: Truth::Value(Dense::geometric_rates),
     algorithms,
     dense: tally::screw_rates_elsewhere,
     build,

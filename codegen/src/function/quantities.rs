@@ -43,6 +43,17 @@ pub(super) const SCREW_RATES: Outcome = Outcome::One(Quantity {
     },
 });
 
+/// The derivative of a screw by each coordinate, for each velocity.
+pub(super) const SCREW_DERIVATIVES: Outcome = Outcome::One(Quantity {
+    over: &[Space::Velocities, Space::Velocities],
+    entity: Entity::Screw,
+    units: |of| {
+        let u = by_one(of, "1", "1/m");
+        let b = by_one(&of[1..], by_one(of, "m", "1"), by_one(of, "1", "1/m"));
+        vec![u, u, u, b, b, b]
+    },
+});
+
 /// A point.
 pub(super) const POINT: Outcome = Outcome::One(Quantity {
     over: &[],
@@ -285,6 +296,49 @@ const fn of_parameters(over: &'static [Space]) -> Outcome {
         },
     })
 }
+
+/// Energy by inertial parameters.
+pub(super) const ENERGIES: Outcome = Outcome::One(Quantity {
+    over: &[Space::Parameters],
+    entity: Entity::Number,
+    units: |of| {
+        vec![match of[0] {
+            Kind::Moment(0) => "m²/s²",
+            Kind::Moment(1) => "m/s²",
+            Kind::Actuator { order, translates } => match (order, translates) {
+                (2, true) => "m²/s²",
+                (1, false) => "1/s",
+                (1, true) => "m²/s",
+                (0, false) => "1",
+                (0, true) => "m",
+                _ => "1/s²",
+            },
+            _ => "1/s²",
+        }]
+    },
+});
+
+/// Joint accelerations by inertial parameters.
+pub(super) const ACCELERATIONS_BY_PARAMETERS: Outcome = Outcome::One(Quantity {
+    over: &[Space::Velocities, Space::Parameters],
+    entity: Entity::Number,
+    units: |of| {
+        let [rotation, translation] = match of[1] {
+            Kind::Moment(0) => ["1/(kg s²)", "m/(kg s²)"],
+            Kind::Moment(1) => ["1/(kg m s²)", "1/(kg s²)"],
+            Kind::Actuator { order, translates } => match (order, translates) {
+                (2, true) => ["1/(kg s²)", "m/(kg s²)"],
+                (1, false) => ["1/(kg m² s)", "1/(kg m s)"],
+                (1, true) => ["1/(kg s)", "m/(kg s)"],
+                (0, false) => ["1/(kg m²)", "1/(kg m)"],
+                (0, true) => ["1/(kg m)", "1/kg"],
+                _ => ["1/(kg m² s²)", "1/(kg m s²)"],
+            },
+            _ => ["1/(kg m² s²)", "1/(kg m s²)"],
+        };
+        vec![by_one(of, rotation, translation)]
+    },
+});
 
 /// Residuals of the loops.
 pub(super) const RESIDUALS: Outcome = Outcome::One(of_loops(|of| vec![by_one(of, "1", "m")]));

@@ -16,7 +16,7 @@ use crate::request::{Parameter, Request, Target};
 use crate::space::{FrameId, Variable};
 
 /// Some hundred units of rounding at 2⁻¹⁰⁶, for sums of a few hundred products.
-const TOLERANCE: f64 = 1e-28;
+const TOLERANCE: f64 = 1e-27;
 
 /// An arbitrary state: all entries differ, and none is special.
 fn state(input: Input) -> Double {
@@ -26,7 +26,7 @@ fn state(input: Input) -> Double {
         Input::Variable(Variable::Qd, k) => entry(k, -0.7),
         Input::Variable(Variable::Qdd, k) => entry(k, 1.9),
         Input::Variable(Variable::Tau, k) => entry(k, 2.3),
-        Input::Variable(Variable::Weights, k) => entry(k, 0.7),
+        Input::Variable(Variable::Weights | Variable::Wrench, k) => entry(k, 0.7),
         Input::Variable(Variable::Actions, k) => entry(k, 0.9),
         Input::Parameter(field, k) => entry(3 * field + k, 0.31),
     }
@@ -266,7 +266,10 @@ fn a_locked_joint_is_a_joint_at_rest() {
             Input::Variable(Variable::Qdd, of) => {
                 shift(of).map_or(Double::ZERO, |of| state(Input::Variable(Variable::Qdd, of)))
             }
-            Input::Variable(Variable::Tau | Variable::Weights | Variable::Actions, _)
+            Input::Variable(
+                Variable::Tau | Variable::Weights | Variable::Wrench | Variable::Actions,
+                _,
+            )
             | Input::Parameter(..) => state(input),
         };
         let terms = Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, algorithm);

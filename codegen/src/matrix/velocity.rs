@@ -67,6 +67,13 @@ impl<'g> Velocity<Term<'g>> {
         }
     }
 
+    /// The same motion in a frame of the body with this pose in its present one: M⁻¹ W M.
+    #[must_use]
+    pub fn seen_from(self, frame: Pose<Term<'g>>) -> Self {
+        self.move_pole(frame.translation)
+            .rotate(frame.rotation.transposed())
+    }
+
     /// The derivative of a screw that is fixed to the body, L̇ = W L − L W: that of M L M⁻¹ with Ṁ = W M.
     #[must_use]
     pub fn rate_of(self, screw: Screw<Term<'g>>) -> Screw<Term<'g>> {

@@ -1,11 +1,12 @@
-//! The regressor: torques as a linear function of the inertial parameters of each link and of armature, damping and
-//! friction, τ = Y π.
+//! Regressors: torques and energies as linear functions of the inertial parameters of each link and of armature, damping
+//! and friction, τ = Y π.
 //!
 //! In: the joints, the frames of the links, and the motion. Out: Y. Φ = skew\[H J\] is linear in J, and the power of
 //! each of its parts along L is computed in the frame of the link: L is passed outwards, one screw a joint, instead
-//! of ten wrenches inwards.
+//! of ten wrenches inwards. ½ Tr(W J Wᵗ) and −Tr(H_g J) are linear in J too.
 
 use super::carry::Joints;
+use super::moving;
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
 use crate::chain::BodyId;
@@ -17,12 +18,13 @@ use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 pub const PARAMETERS: usize = 10;
 
 /// The columns of Y, one after the other, over the torques of each body: ten for each body that is a link, whose frame
-/// has a pose in the body's.
+/// has a pose in the body's. `second` is q̈ of each body.
 pub fn regressor<'g>(
     joints: &Joints<'g>,
     links: &List<BodyId, Option<Pose<Term<'g>>>>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
+    second: impl Fn(BodyId) -> Term<'g>,
 ) -> Vec<List<BodyId, Term<'g>>> {
     let mut columns = Vec::new();
     let base = Moving::still(Acceleration::linear(-gravity));
@@ -31,7 +33,7 @@ pub fn regressor<'g>(
     let mut motions: List<BodyId, Vec<(BodyId, Velocity<Term<'g>>)>> = List::new();
     for (k, joint) in joints.numbered() {
         let outer = joint.parent.map_or(base, |parent| all[parent]);
-        let moving = beyond(outer, joint, state.qd(joint.body), state.qdd(joint.body));
+        let moving = beyond(outer, joint, state.qd(joint.body), second(k));
         let h = moving.h;
         let (index, frame) = joint.numbers();
         h.label(index, frame);
@@ -52,10 +54,7 @@ pub fn regressor<'g>(
                 .rotate(link.rotation.transposed());
             let mut own = vec![List::filled(state.zero(), joints.len()); PARAMETERS];
             for &(row, motion) in &moved {
-                let seen = motion
-                    .move_pole(link.translation)
-                    .rotate(link.rotation.transposed());
-                for (column, power) in own.iter_mut().zip(powers(seen, h)) {
+                for (column, power) in own.iter_mut().zip(powers(motion.seen_from(link), h)) {
                     column[row] = power;
                 }
             }
@@ -67,16 +66,103 @@ pub fn regressor<'g>(
 }
 
 /// The columns of armature, damping and friction, three for each joint: q̈, q̇ and its sign.
-pub fn of_actuators<'g>(joints: &Joints<'g>, state: &State<'g>) -> Vec<List<BodyId, Term<'g>>> {
+pub fn of_actuators<'g>(
+    joints: &Joints<'g>,
+    state: &State<'g>,
+    second: impl Fn(BodyId) -> Term<'g>,
+) -> Vec<List<BodyId, Term<'g>>> {
     let of_each = joints.ids().flat_map(|k| {
         let rate = state.qd(k);
-        [state.qdd(k), rate, rate.sign()].map(|entry| {
+        [second(k), rate, rate.sign()].map(|entry| {
             let mut column = List::filled(state.zero(), joints.len());
             column[k] = entry;
             column
         })
     });
     of_each.collect()
+}
+
+/// The kinetic energy of each parameter of the links at 1.
+pub fn kinetic_energy<'g>(
+    joints: &Joints<'g>,
+    links: &List<BodyId, Option<Pose<Term<'g>>>>,
+    state: &State<'g>,
+) -> Vec<Term<'g>> {
+    let mut velocities: List<BodyId, Velocity<Term<'g>>> = List::new();
+    let mut energies = Vec::new();
+    for (k, joint) in joints.numbered() {
+        let outer = joint.parent.map(|parent| velocities[parent]);
+        let outer = outer.unwrap_or_else(|| Velocity::zero(state.graph));
+        let w = moving::beyond(outer, joint, state.qd(k));
+        if let Some(link) = links[k] {
+            energies.extend(kinetic_energies(w.seen_from(link)));
+        }
+        velocities.push(w);
+    }
+    energies
+}
+
+/// The kinetic energy of armature, damping and friction at 1, three for each joint: ½ q̇² of the first.
+pub fn kinetic_energy_of_actuators<'g>(joints: &Joints<'g>, state: &State<'g>) -> Vec<Term<'g>> {
+    let of_each = joints.ids().flat_map(|k| {
+        let rate = state.qd(k);
+        [
+            state.constant(0.5) * (rate * rate),
+            state.zero(),
+            state.zero(),
+        ]
+    });
+    of_each.collect()
+}
+
+/// The potential energy of each parameter of the links at 1: gravity along the position of a link for its mass, along
+/// its axes for first moments, and nothing for second moments.
+pub fn potential_energy<'g>(
+    joints: &Joints<'g>,
+    links: &List<BodyId, Option<Pose<Term<'g>>>>,
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+) -> Vec<Term<'g>> {
+    // Gravity in the axes of each body, and its potential at the body's origin.
+    let mut all: List<BodyId, (Vector<Term<'g>>, Term<'g>)> = List::new();
+    let mut energies = Vec::new();
+    for (k, joint) in joints.numbered() {
+        let base = (gravity, state.zero());
+        let (outer, height) = joint.parent.map_or(base, |parent| all[parent]);
+        let before = joint.placement.rotation.transposed() * outer;
+        let own = joint.vector_outboard(outer);
+        let step = joint.placement.translation.dot(outer) + joint.offset().dot(before);
+        let here = height - step;
+        if let Some(link) = links[k] {
+            let [x, y, z] = (link.rotation.transposed() * own).0;
+            energies.push(here - link.translation.dot(own));
+            energies.extend([-x, -y, -z]);
+            energies.extend([state.zero(); PARAMETERS - 4]);
+        }
+        all.push((own, here));
+    }
+    energies
+}
+
+/// ½ Tr(W J Wᵗ) for a J with one entry 1, and its mirror image, in the order of [`powers`].
+fn kinetic_energies(w: Velocity<Term<'_>>) -> [Term<'_>; PARAMETERS] {
+    let (omega, v) = (w.omega, w.v);
+    let half = omega.x().graph().constant(0.5);
+    let [x, y, z] = omega.0;
+    let [xx, yy, zz] = omega.0.map(|entry| entry * entry);
+    let [qx, qy, qz] = v.cross(omega).0;
+    [
+        half * v.dot(v),
+        qx,
+        qy,
+        qz,
+        half * (yy + zz),
+        -(x * y),
+        -(x * z),
+        half * (xx + zz),
+        -(y * z),
+        half * (xx + yy),
+    ]
 }
 
 /// L ⊗ skew\[H J\] for a J with one entry 1, and its mirror image: m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz,

@@ -100,7 +100,16 @@ impl<'g> State<'g> {
 
     /// An external wrench.
     pub(super) fn action(&self, k: usize) -> Action<Term<'g>> {
-        let entry = |entry: usize| self.entry(Variable::Actions, ACTION.len() * k + entry);
+        self.wrench(Variable::Actions, k)
+    }
+
+    /// The wrench that weights the twist of a frame.
+    pub(crate) fn weights_of_twist(&self) -> Action<Term<'g>> {
+        self.wrench(Variable::Wrench, 0)
+    }
+
+    fn wrench(&self, of: Variable, k: usize) -> Action<Term<'g>> {
+        let entry = |entry: usize| self.entry(of, ACTION.len() * k + entry);
         Action {
             c: Vector([entry(0), entry(1), entry(2)]),
             f: Vector([entry(3), entry(4), entry(5)]),

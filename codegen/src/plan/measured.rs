@@ -83,7 +83,9 @@ struct Solved {
 /// others.
 pub(super) const fn allowed(function: Function) -> f64 {
     match function.truth() {
-        Truth::Solution(Given::TorqueDerivatives | Given::Gradient | Given::Hessian) => 10.0,
+        Truth::Solution(
+            Given::TorqueDerivatives | Given::Regressor | Given::Gradient | Given::Hessian,
+        ) => 10.0,
         Truth::Value(_)
         | Truth::OfMass(_)
         | Truth::Directional(_)

@@ -4,7 +4,7 @@
 //! stand in the order of those shapes. It prints nothing.
 //!
 //! The last axes of an array are those of one state. A 4×4 matrix is whole; what each joint has is a column, so that a
-//! Jacobian is (6, n); six numbers that turn and move stand in one of two orders, in arguments as in results.
+//! Jacobian is (6, n), and its derivatives are (n, 6, n), one after the other; six numbers that turn and move stand in one of two orders, in arguments as in results.
 
 use super::documentation;
 use super::steps::Step;
@@ -89,7 +89,8 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
 #[must_use]
 pub fn has_order(function: Function, arguments: &[Variable]) -> bool {
     let mut parts = function.result().parts();
-    arguments.contains(&Variable::Actions) || parts.any(|(_, part)| is_six(part.entity))
+    let has_wrenches = |of: &Variable| matches!(of, Variable::Wrench | Variable::Actions);
+    arguments.iter().any(has_wrenches) || parts.any(|(_, part)| is_six(part.entity))
 }
 
 /// The signatures of the functions of configurations: integration, difference and normalisation.
@@ -144,14 +145,14 @@ pub fn arrange_results(generated: &mut GeneratedFunction, spaces: &Spaces, order
         .collect();
 }
 
-/// Reads external wrenches with the force first.
+/// Reads wrenches with the force first.
 fn read_linear_first(program: &mut Program) {
     let read = |operand: Operand| match operand {
-        Operand::Input(Input::Variable(Variable::Actions, entry)) => {
+        Operand::Input(Input::Variable(of @ (Variable::Wrench | Variable::Actions), entry)) => {
             let each = u16::try_from(ACTION.len()).expect("six");
             let (action, entry) = (entry / each, entry % each);
             let entry = action * each + (entry + each / 2) % each;
-            Operand::Input(Input::Variable(Variable::Actions, entry))
+            Operand::Input(Input::Variable(of, entry))
         }
         other => other,
     };
@@ -171,24 +172,30 @@ fn arranged(
 ) -> impl Iterator<Item = usize> + use<> {
     let each = quantity.entity.size();
     let count = quantity.size(spaces) / each.max(1);
-    let columns = has_columns(quantity);
+    let columns = quantity.over.last().filter(|_| has_columns(quantity));
+    let columns = columns.map(|&space| spaces.len(space));
     let half = match (is_six(quantity.entity), order) {
         (true, Order::LinearFirst) => each / 2,
         _ => 0,
     };
     (0..count * each).map(move |place| {
-        let (entity, entry) = if columns {
-            (place % count, place / count)
-        } else {
-            (place / each, place % each)
+        let (entity, entry) = match columns {
+            Some(columns) => {
+                let (matrix, within) = (place / (each * columns), place % (each * columns));
+                (matrix * columns + within % columns, within / columns)
+            }
+            None => (place / each, place % each),
         };
         entity * each + (entry + half) % each
     })
 }
 
-/// True for a column for each entry of a space.
+/// True for matrices with a column for each entry of the last space.
 pub(super) fn has_columns(quantity: &Quantity) -> bool {
-    matches!((quantity.over, quantity.entity.dimensions()), ([_], [_]))
+    matches!(
+        (quantity.over, quantity.entity.dimensions()),
+        ([.., _], [_])
+    )
 }
 
 /// True for six numbers of which three turn.
@@ -203,7 +210,7 @@ fn shape(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut shape = quantity.lengths(spaces);
     match (below(quantity.entity), quantity.entity.dimensions()) {
         (Some(_), _) => shape.extend([4, 4]),
-        (None, &[rows]) if has_columns(quantity) => shape.insert(0, rows),
+        (None, &[rows]) if has_columns(quantity) => shape.insert(shape.len() - 1, rows),
         (None, dimensions) => shape.extend(dimensions),
     }
     shape
@@ -288,6 +295,11 @@ mod tests {
             [("spatial_jacobian", &[6, 2][..])]
         );
         assert!(jacobian.of_a_frame && jacobian.has_order);
+        let by_q = of(Function::JacobianDerivative);
+        assert_eq!(
+            shapes(&by_q.results),
+            [("jacobian_derivative", &[2, 6, 2][..])]
+        );
         let pose = of(Function::ForwardKinematics);
         assert_eq!(shapes(&pose.results), [("forward_kinematics", &[4, 4][..])]);
         assert_eq!(pose.results[0].len, 12);
@@ -344,6 +356,16 @@ mod tests {
         assert_eq!(angular, by_rows.collect::<Vec<_>>());
         let linear = arranged(Order::LinearFirst);
         assert_eq!(linear, [&angular[6..], &angular[..6]].concat());
+    }
+
+    #[test]
+    fn matrices_follow_one_another_with_their_columns() {
+        let module = robot("two_link.urdf", &[], &[]);
+        let (_, quantity) = (Function::JacobianDerivative.result().parts().next()).unwrap();
+        let places = arranged(&quantity, &module.spaces, Order::AngularFirst);
+        let matrix = |first: usize| (0..6).flat_map(move |row| [first + row, first + 6 + row]);
+        let expected: Vec<usize> = matrix(0).chain(matrix(12)).collect();
+        assert_eq!(places.collect::<Vec<_>>(), expected);
     }
 
     #[test]

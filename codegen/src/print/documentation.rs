@@ -337,7 +337,7 @@ fn arguments(arguments: &[Variable]) -> String {
         let [rotation, translation] =
             [Kind::Rotation, Kind::Translation].map(|kind| argument.unit(kind));
         match argument {
-            Variable::Actions => {
+            Variable::Wrench | Variable::Actions => {
                 format!("{} (c, f) in {rotation}, {translation}", argument.letter())
             }
             _ => format!("{} in {rotation} or {translation}", argument.letter()),
@@ -462,7 +462,7 @@ mod tests {
         assert_eq!(
             arguments(&Variable::ALL),
             "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, \
-             Φ (c, f) in N m, N."
+             Φ (c, f) in N m, N, Φ (c, f) in N m, N."
         );
         assert_eq!(arguments(&[Variable::Q]), "q in rad or m.");
     }

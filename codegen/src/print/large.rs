@@ -1,10 +1,11 @@
-//! In: functions. Out: the length of their rows. Otherwise hundreds of results would wait on the stack for the end of
+//! Large matrices of numbers, whose entries are stored as soon as they are computed.
+//!
 //! In: functions. Out: the length of their rows. Otherwise hundreds of results would wait on the stack for the end of the
 //! function, since compilers do not move stores forward that far.
 
 use crate::function::Function;
 use crate::schedule::LONGEST_SCOPE;
-use crate::space::{Outcome, Spaces};
+use crate::space::{Entity, Outcome, Spaces};
 
 /// Row length of the result of `functions` if it is a matrix with more numbers than a scope has; `None` for solutions,
 /// since their entries are read again.
@@ -15,7 +16,8 @@ pub(super) fn columns(functions: &[Function], spaces: &Spaces) -> Option<usize> 
     let Outcome::One(quantity) = function.result() else {
         return None;
     };
-    if function.solves() || function.is_constrained() {
+    let has_numbers = quantity.entity == Entity::Number;
+    if !has_numbers || function.solves() || function.is_constrained() {
         return None;
     }
     let [rows, columns] = quantity.lengths(spaces)[..] else {
@@ -65,5 +67,6 @@ mod tests {
             assert_eq!(columns(&[function], &quadruped), None);
         }
         assert_eq!(columns(&[Function::MassMatrixInverse], &free), None);
+        assert_eq!(columns(&[Function::JacobianDerivative], &free), None);
     }
 }

@@ -20,18 +20,21 @@ pub enum Variable {
     /// Weights λ of results: of joint torques and forces as a virtual displacement [rad or m], of joint accelerations
     /// as torques and forces \[N m or N\].
     Weights,
+    /// Weights λ of the twist of a frame: a wrench at its origin, in the axes of frame 0 \[N m and N\].
+    Wrench,
     /// External wrenches on links \[N m and N\].
     Actions,
 }
 
 impl Variable {
     /// All arguments, in the order of parameters.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Q,
         Self::Qd,
         Self::Qdd,
         Self::Tau,
         Self::Weights,
+        Self::Wrench,
         Self::Actions,
     ];
 
@@ -44,6 +47,7 @@ impl Variable {
             Self::Qdd => "qdd",
             Self::Tau => "tau",
             Self::Weights => "weights",
+            Self::Wrench => "wrench",
             Self::Actions => "actions",
         }
     }
@@ -57,7 +61,7 @@ impl Variable {
             Self::Qdd => "q̈",
             Self::Tau => "τ",
             Self::Weights => "λ",
-            Self::Actions => "Φ",
+            Self::Wrench | Self::Actions => "Φ",
         }
     }
 
@@ -67,6 +71,7 @@ impl Variable {
         match self {
             Self::Q => Space::Coordinates,
             Self::Qd | Self::Qdd | Self::Tau | Self::Weights => Space::Velocities,
+            Self::Wrench => Space::Wrench,
             Self::Actions => Space::Actions,
         }
     }
@@ -82,8 +87,8 @@ impl Variable {
             (Self::Qd, Kind::Translation) => "m/s",
             (Self::Qdd, Kind::Rotation) => "rad/s²",
             (Self::Qdd, Kind::Translation) => "m/s²",
-            (Self::Tau | Self::Actions, Kind::Rotation) => "N m",
-            (Self::Tau | Self::Actions, Kind::Translation) => "N",
+            (Self::Tau | Self::Wrench | Self::Actions, Kind::Rotation) => "N m",
+            (Self::Tau | Self::Wrench | Self::Actions, Kind::Translation) => "N",
             (_, Kind::Moment(_) | Kind::Actuator { .. }) => {
                 panic!("no argument is over parameters")
             }
@@ -97,7 +102,7 @@ impl Variable {
     }
 
     /// Magnitude that is assumed if the description has no limits: q within π rad or 1 m, q̇ within 10 rad/s or 1 m/s,
-    /// q̈ within 10 rad/s² or 10 m/s², external wrenches within 100 N m and 100 N. `None` for τ.
+    /// q̈ within 10 rad/s² or 10 m/s², wrenches within 100 N m and 100 N. `None` for τ.
     #[must_use]
     pub const fn usual(self, kind: Kind) -> Option<f64> {
         match (self, kind) {
@@ -107,7 +112,7 @@ impl Variable {
             | (Self::Weights, _) => Some(1.0),
             (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Actuator { .. }) => None,
             (Self::Qd | Self::Qdd, _) => Some(10.0),
-            (Self::Actions, _) => Some(100.0),
+            (Self::Wrench | Self::Actions, _) => Some(100.0),
         }
     }
 

@@ -52,10 +52,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let states = random::<7>(1000, 1);
     println!();
     println!(
-        "                                operations             worst error        ns per call in f64"
+        "                                          operations             worst error        ns per call in f64"
     );
     println!(
-        "                                mul  add trig dense      f64     f32  generated generic ratio"
+        "                                          mul  add trig dense      f64     f32  generated generic ratio"
     );
     let all = Function::ALL.into_iter();
     // A chain does not know its base parameters.
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [wide, single] = errors(function, &states);
         let (generated, generic) = times(function, &states[..64]);
         println!(
-            "  {:<28} {:>4} {:>4} {:>4} {:>5} {wide:>8.0e} {single:>7.0e} {:>10.0} {:>7.0} {:>5.0}",
+            "  {:<38} {:>4} {:>4} {:>4} {:>5} {wide:>8.0e} {single:>7.0e} {:>10.0} {:>7.0} {:>5.0}",
             function.name(),
             operation_count.mul,
             operation_count.add,
@@ -88,6 +88,7 @@ fn show_torques() {
         qdd: [1.0, 0.5, -0.5, 2.0, 1.5, -1.0, 3.0],
         tau: [0.0; 7],
         weights: [0.0; 7],
+        wrench: [0.0; 6],
     };
     let row = |name: &str, unit: &str, numbers: &[f64], digits: usize| {
         print!("  {name:<11}");

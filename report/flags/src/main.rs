@@ -66,6 +66,7 @@ struct States<const N: usize> {
     qdd: Vec<[f64; N]>,
     tau: Vec<[f64; N]>,
     weights: Vec<[f64; N]>,
+    wrench: Vec<[f64; 6]>,
 }
 
 impl<const N: usize> States<N> {
@@ -78,6 +79,7 @@ impl<const N: usize> States<N> {
             qdd,
             tau,
             weights,
+            wrench: random.list(),
         }
     }
 }

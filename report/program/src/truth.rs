@@ -96,13 +96,15 @@ pub fn given(state: &[f64], coordinates: usize, input: Input) -> f64 {
     let (q, rates) = state.split_at(coordinates);
     match input {
         Input::Variable(Variable::Q, k) => q[usize::from(k)],
-        // A state lists the others in their order; its torques are weights as well, since no function has both.
+        // A state lists the others in their order; its torques are weights and a wrench as well, since no function has
+        // both.
         Input::Variable(variable, k) => {
+            let count = rates.len() / 3;
             let listed = match variable {
-                Variable::Weights => Variable::Tau,
+                Variable::Weights | Variable::Wrench => Variable::Tau,
                 other => other,
             };
-            rates[(listed as usize - 1) * (rates.len() / 3) + usize::from(k)]
+            rates[(listed as usize - 1) * count + usize::from(k) % count.max(1)]
         }
         Input::Parameter(..) => unreachable!("no number was left open"),
     }

@@ -67,10 +67,13 @@ impl<'a, R: ?Sized> Columns<'a, R> {
     }
 }
 
-/// The columns of an argument: one for each coordinate for `q`, one for each velocity for all others.
+/// The columns of an argument: one for each coordinate for `q`, six for `wrench`, one for each velocity for all others.
 macro_rules! columns_of {
     (q, $column:ty) => {
         [$column; Q]
+    };
+    (wrench, $column:ty) => {
+        [$column; 6]
     };
     ($other:ident, $column:ty) => {
         [$column; N]

@@ -38,11 +38,17 @@ pub use super::closure::{
 pub use super::derivatives::{coriolis_matrix, gravity_derivative, inverse_dynamics_derivatives};
 pub use super::hessian::inverse_dynamics_hessian;
 pub use dynamics::{bias, gravity, inverse_dynamics, mass_matrix, regressor, torques_of_wrench};
-pub use energy::{kinetic_energy, potential_energy};
-pub use forward::{forward_dynamics, forward_dynamics_derivatives, mass_matrix_inverse};
+pub use energy::{
+    kinetic_energy, kinetic_energy_regressor, potential_energy, potential_energy_regressor,
+};
+pub use forward::{
+    forward_dynamics, forward_dynamics_derivatives, forward_dynamics_parameter_derivatives,
+    mass_matrix_inverse,
+};
 pub use kinematics::{
     acceleration, acceleration_bias, body_jacobian, body_jacobian_rate, forward_kinematics,
-    geometric_jacobian, geometric_jacobian_rate, spatial_jacobian, spatial_jacobian_rate, velocity,
+    forward_kinematics_hessian, geometric_jacobian, geometric_jacobian_rate, jacobian_derivative,
+    spatial_jacobian, spatial_jacobian_rate, velocity,
 };
 pub use momentum::{
     center_of_mass, center_of_mass_jacobian, center_of_mass_velocity, centroidal_momentum,

@@ -202,11 +202,7 @@ impl<T: RealField + Copy> DegreeOfFreedom<T> {
         qd: &[T; N],
         qdd: &[T; N],
     ) -> [T; 3] {
-        let own = |rates: &[T; N]| {
-            let rate = rates.get(self.velocity).copied().unwrap_or(T::zero());
-            self.multiplier * rate
-        };
-        let rate = own(qd);
+        let rate = self.rate(qd);
         let sign = if rate > T::zero() {
             T::one()
         } else if rate < T::zero() {
@@ -214,7 +210,13 @@ impl<T: RealField + Copy> DegreeOfFreedom<T> {
         } else {
             T::zero()
         };
-        [own(qdd), rate, sign].map(|torque| self.multiplier * torque)
+        [self.rate(qdd), rate, sign].map(|torque| self.multiplier * torque)
+    }
+
+    /// The rate of the joint itself, from q̇, or its second rate from q̈.
+    pub(super) fn rate<const N: usize>(&self, rates: &[T; N]) -> T {
+        let rate = rates.get(self.velocity).copied().unwrap_or(T::zero());
+        self.multiplier * rate
     }
 
     /// Viscous friction, reflected to the velocity.

@@ -46,6 +46,7 @@ macro_rules! implement {
 }
 
 macro_rules! call {
+    (tip_weighted $($call:tt)*) => { call!(tip $($call)*) };
     (tip $chain:ident.$method:ident($($argument:ident),*)) => {
         generic::$method($chain, &$chain.tip(), $($argument),*)
     };

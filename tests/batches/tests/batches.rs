@@ -87,6 +87,7 @@ struct States<T, const N: usize, const Q: usize> {
     qdd: Vec<[T; N]>,
     tau: Vec<[T; N]>,
     weights: Vec<[T; N]>,
+    wrench: Vec<[T; 6]>,
 }
 
 /// Random states; the sixth has NaN coordinates, the twelfth angles of 7e6 rad.
@@ -97,18 +98,21 @@ fn states<T: Copy, const N: usize, const Q: usize>(number: fn(f64) -> T) -> Stat
     q[5] = [number(f64::NAN); Q];
     q[11] = q[11].map(|_| number(7e6));
     let mut random = Random::new(6);
-    let mut list = || -> Vec<[T; N]> {
-        let state = |_| std::array::from_fn(|_| number(4.0 * random.unit() - 2.0));
-        (0..COUNT).map(state).collect()
-    };
-    let [qd, qdd, tau, weights] = [(); 4].map(|()| list());
+    let [qd, qdd, tau, weights] = [(); 4].map(|()| list(&mut random, number));
+    let wrench = list(&mut random, number);
     States {
         q,
         qd,
         qdd,
         tau,
         weights,
+        wrench,
     }
+}
+
+fn list<T, const N: usize>(random: &mut Random, number: fn(f64) -> T) -> Vec<[T; N]> {
+    let mut state = |_| std::array::from_fn(|_| number(4.0 * random.unit() - 2.0));
+    (0..COUNT).map(&mut state).collect()
 }
 
 /// The numbers of a result one by one, in the order of columns.

@@ -17,6 +17,7 @@ macro_rules! with_every_function {
             [
                 forward_kinematics, spatial_jacobian, body_jacobian, geometric_jacobian,
                 spatial_jacobian_rate, body_jacobian_rate, geometric_jacobian_rate,
+                jacobian_derivative,
                 velocity, acceleration, acceleration_bias,
                 inverse_dynamics, gravity, bias, mass_matrix, kinetic_energy, potential_energy,
                 center_of_mass, center_of_mass_velocity, center_of_mass_jacobian,

@@ -83,17 +83,21 @@ impl Actuator {
     /// The torques of an armature, a damping and a friction of 1.
     #[must_use]
     pub fn columns(&self, qd: &[Big], qdd: &[Big]) -> [Big; 3] {
-        let own = |rates: &[Big]| &self.factor * &rates[self.velocity];
-        let rate = own(qd);
+        let rate = self.rate(qd);
         let sign = Arithmetic::sign(rate.clone());
-        [own(qdd), rate, sign].map(|joint| &self.factor * joint)
+        [self.rate(qdd), rate, sign].map(|joint| &self.factor * joint)
+    }
+
+    /// The rate of the joint, from q̇, or its second rate from q̈.
+    #[must_use]
+    pub fn rate(&self, rates: &[Big]) -> Big {
+        &self.factor * &rates[self.velocity]
     }
 
     /// The torque without friction, which is continuous: armature q̈ + damping q̇.
     #[must_use]
     pub fn smooth_torque(&self, qd: &[Big], qdd: &[Big]) -> Big {
-        let own = |rates: &[Big]| &self.factor * &rates[self.velocity];
-        let force = &self.armature * own(qdd) + &self.damping * own(qd);
+        let force = &self.armature * self.rate(qdd) + &self.damping * self.rate(qd);
         &self.factor * force
     }
 

@@ -27,7 +27,9 @@ use jacobian::{jacobian, jacobian_rate};
 pub use momentum::mass;
 use momentum::{about_mass_center, by_mass, mass_center, moments, moved, unit_motions};
 use motion::{Motion, Positions};
-use regressor::{regressor, with_columns_of_actuators};
+use regressor::{
+    kinetic_energy_regressor, potential_energy_regressor, regressor, with_columns_of_actuators,
+};
 pub use sizes::torque_sizes;
 use torques::{external, mass_matrix, torques};
 
@@ -150,6 +152,29 @@ pub fn evaluate(
             let back = Matrix::translation(&tip.map(|entry| -entry));
             jacobian_rate(robot, &positions, &motion, at(), (&back, &of_origin))
         }
+        Function::JacobianDerivative => {
+            let tip = positions.of_frame(at()).column();
+            let back = Matrix::translation(&tip.clone().map(|entry| -entry));
+            unit_motions(robot, &positions)
+                .flat_map(|motion| {
+                    let rate = (&motion.w_of(at()) * &Matrix::translation(&tip)).column();
+                    let of_origin = Matrix::screw(&[(); 3].map(|()| Big::zero()), &rate);
+                    jacobian_rate(robot, &positions, &motion, at(), (&back, &of_origin))
+                })
+                .collect()
+        }
+        Function::ForwardKinematicsHessian => {
+            let derivatives = evaluate(robot, Function::JacobianDerivative, frame, arguments);
+            let (count, wrench) = (rest.len(), &arguments[Variable::Wrench]);
+            let power = |row: usize, column: usize| {
+                let terms = derivatives[6 * (count * column + row)..].iter().zip(wrench);
+                terms.fold(Big::zero(), |sum, (rate, force)| {
+                    sum + rate * Big::new(*force)
+                })
+            };
+            let places = (0..count * count).map(|k| (k / count, k % count));
+            places.map(|(row, column)| power(row, column)).collect()
+        }
         Function::AccelerationBias => moving(&qd, &rest).h_of(at()).rows(),
         Function::TipVelocity => {
             let w = moving(&qd, &rest).w_of(at());
@@ -198,6 +223,19 @@ pub fn evaluate(
             let motion = moving(&qd, &qdd);
             let of_links = regressor(robot, &positions, &motion);
             with_columns_of_actuators(robot, of_links, [&qd, &qdd])
+        }
+        Function::KineticEnergyRegressor => {
+            let motion = moving(&qd, &rest);
+            kinetic_energy_regressor(robot, &positions, &motion, &qd)
+        }
+        Function::PotentialEnergyRegressor => potential_energy_regressor(robot, &positions),
+        Function::ForwardDynamicsParameterDerivatives => {
+            let qdd = evaluate(robot, Function::ForwardDynamics, frame, arguments);
+            let of_links = regressor(robot, &positions, &moving(&qd, &qdd));
+            let rows = with_columns_of_actuators(robot, of_links, [&qd, &qdd]);
+            let rows = rows.chunks(rows.len() / qd.len().max(1));
+            let right = rows.map(|row| row.iter().map(|entry| -entry).collect());
+            solve(mass_matrix(robot, &positions), right.collect()).concat()
         }
         Function::CenterOfMass => mass_center(robot, &positions).to_vec(),
         Function::CenterOfMassVelocity => {

@@ -106,6 +106,15 @@ impl Measure {
             | Function::GeometricJacobianRate => {
                 compared(&|k| rates * if k % 6 < 3 { 1.0 } else { self.arm })
             }
+            Function::JacobianDerivative => {
+                let gain = self.gain * self.gain;
+                compared(&|k| gain * if k % 6 < 3 { 1.0 } else { self.arm })
+            }
+            Function::ForwardKinematicsHessian => {
+                let (couple, force) = arguments[Variable::Wrench].split_at(3);
+                let size = self.gain * self.gain * (sum(couple) + self.arm * sum(force));
+                compared(&|_| size)
+            }
             Function::AccelerationBias => compared(&|k| self.acceleration(k, rates * rates)),
             Function::InverseDynamics | Function::Bias | Function::Gravity => {
                 let mut at = arguments.clone();
@@ -139,17 +148,15 @@ impl Measure {
                 compared(&|_| size)
             }
             Function::Regressor => {
-                // A unit mass at the end of a lever arm, or unit moments.
-                let first = rates;
-                let rates = sum(&arguments[Variable::Qdd]) + rates * rates;
-                let columns = expected(function).len() / count.max(1);
-                let of_links = 10 * self.robot.bodies.iter().filter(|body| body.link).count();
-                compared(&|k| match k % columns.max(1) {
-                    column if column >= of_links => rates + first + 1.0,
-                    column if column % 10 == 0 => (self.gravity + rates * self.arm) * self.arm,
-                    column if column % 10 < 4 => self.gravity + rates * self.arm,
-                    _ => rates,
-                })
+                let sizes = self.columns(arguments);
+                let columns = found.len() / count.max(1);
+                compared(&|k| sizes[self.kind(k % columns.max(1))])
+            }
+            Function::KineticEnergyRegressor => compared(&|k| {
+                rates * rates * [self.arm * self.arm, self.arm, 1.0, 1.0][self.kind(k)]
+            }),
+            Function::PotentialEnergyRegressor => {
+                compared(&|k| self.gravity * [self.reach, 1.0, 0.0, 0.0][self.kind(k)])
             }
             Function::CenterOfMass => compared(&|_| self.reach),
             Function::CenterOfMassVelocity => compared(&|_| rates * self.arm),
@@ -183,6 +190,30 @@ impl Measure {
             }
             other => self.weighted_error(other, found, arguments),
         }
+    }
+
+    /// The order of the moment of mass that a parameter is, and 3 for armature, damping and friction.
+    fn kind(&self, parameter: usize) -> usize {
+        let of_links = 10 * self.robot.bodies.iter().filter(|body| body.link).count();
+        match parameter % 10 {
+            _ if parameter >= of_links => 3,
+            0 => 0,
+            1..4 => 1,
+            _ => 2,
+        }
+    }
+
+    /// Sizes of the columns of the regressor, by the kind of their parameters.
+    fn columns(&self, at: &Arguments) -> [f64; 4] {
+        // A unit mass at the end of a lever arm, or unit moments; armature, damping and friction.
+        let first = self.gain * sum(&at[Variable::Qd]);
+        let rates = sum(&at[Variable::Qdd]) + first * first;
+        [
+            (self.gravity + rates * self.arm) * self.arm,
+            self.gravity + rates * self.arm,
+            rates,
+            rates + first + 1.0,
+        ]
     }
 
     /// Accelerations caused by one rounding error of each torque's terms, relative to the accelerations of a state.

@@ -107,6 +107,7 @@ impl<'r> Prepared<'r> {
                 Variable::Qdd => drawn(&dense.velocities, seed, 4 * state + 2),
                 Variable::Tau => drawn(&dense.velocities, seed, 4 * state + 3),
                 Variable::Weights => drawn(&dense.velocities, !seed, 4 * state),
+                Variable::Wrench => wrench(&mut Random::new(seed ^ (state << 32) ^ 2_u64)).into(),
                 Variable::Actions => wrenches(robot, seed, state),
                 other => unreachable!("no function has {other:?}"),
             })
@@ -349,7 +350,9 @@ impl<'r> Prepared<'r> {
 
     pub(super) fn input(&self, input: Input, arguments: &Arguments) -> f64 {
         match input {
-            Input::Variable(Variable::Actions, k) => arguments[Variable::Actions][usize::from(k)],
+            Input::Variable(variable @ (Variable::Wrench | Variable::Actions), k) => {
+                arguments[variable][usize::from(k)]
+            }
             Input::Variable(variable, k) => {
                 let place = self.place(variable.space(), usize::from(k));
                 arguments[variable][place]
@@ -473,10 +476,14 @@ fn drawn(entries: &[Entry], seed: u64, of: u64) -> Vec<f64> {
 /// c and f of each external wrench, determined by the seed, the state and the link.
 fn wrenches(robot: &Robot, seed: u64, state: u64) -> Vec<f64> {
     let actions = robot.acted_on().flat_map(|link| {
-        let mut random = Random::new(seed ^ (state << 32) ^ ((link as u64) << 48) ^ 1);
-        [(); 6].map(|()| 4.0 * random.unit())
+        let seed = seed ^ (state << 32) ^ ((link as u64) << 48) ^ 1;
+        wrench(&mut Random::new(seed))
     });
     actions.collect()
+}
+
+fn wrench(random: &mut Random) -> [f64; 6] {
+    [(); 6].map(|()| 4.0 * random.unit())
 }
 
 /// The same for coordinates, with normalised quaternions.

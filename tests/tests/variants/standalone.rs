@@ -108,6 +108,7 @@ macro_rules! standalone {
             $robot.spatial_jacobian_rate(q, qd).concat(),
             $robot.body_jacobian_rate(q, qd).concat(),
             $robot.geometric_jacobian_rate(q, qd).concat(),
+            $robot.jacobian_derivative(q).concat().concat(),
             $robot.velocity(q, qd).to_vec(),
             square_and_column($robot.acceleration(q, qd, qdd)),
             square_and_column($robot.acceleration_bias(q, qd)),
@@ -149,6 +150,8 @@ macro_rules! regressors {
         [
             $robot.regressor(q, qd, qdd).as_flattened(),
             $robot.base_regressor(q, qd, qdd).as_flattened(),
+            &$robot.kinetic_energy_regressor(q, qd),
+            &$robot.potential_energy_regressor(q),
         ]
         .concat()
     }};

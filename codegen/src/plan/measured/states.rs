@@ -43,8 +43,8 @@ impl<'c> States<'c> {
         let (spaces, range) = (chain.spaces(), Range::of(chain));
         let limited = Arguments::of(|variable| match variable {
             Variable::Q => range.turns_with_digits(),
-            // No function that solves an equation reads accelerations; another one beside it may.
-            Variable::Qdd => vec![[1.0; 2]; spaces.len(variable.space())],
+            // No function that solves an equation reads accelerations or weights of a twist; another one beside it may.
+            Variable::Qdd | Variable::Wrench => vec![[1.0; 2]; spaces.len(variable.space())],
             Variable::Tau | Variable::Actions => {
                 vec![[-TORQUE, TORQUE]; spaces.len(variable.space())]
             }
@@ -85,7 +85,7 @@ impl<'c> States<'c> {
         let mut arguments = Arguments::of(|variable| {
             let ends = ranges[variable].iter();
             ends.map(|&[lower, upper]| {
-                if variable == Variable::Qdd {
+                if matches!(variable, Variable::Qdd | Variable::Wrench) {
                     return lower;
                 }
                 if is_near && variable == Variable::Q {
@@ -111,7 +111,10 @@ impl<'c> States<'c> {
     /// A state near another one, at any angles: half of its entries are changed, within their ranges.
     pub(super) fn near(&self, state: &Arguments<f64>, random: &mut Random) -> Arguments<f64> {
         let mut arguments = state.clone();
-        for variable in Variable::ALL {
+        let read = Variable::ALL
+            .into_iter()
+            .filter(|of| *of != Variable::Wrench);
+        for variable in read {
             for (entry, &[lower, upper]) in arguments[variable].iter_mut().zip(&self.any[variable])
             {
                 if random.unit() < 0.5 {

@@ -16,7 +16,7 @@ use crate::function::Function;
 use crate::module;
 use crate::real::Real;
 use crate::request::Request;
-use crate::space::{Space, Spaces};
+use crate::space::{ACTION, Space, Spaces};
 
 /// Every requested method and trait, and `chain`, for a crate with the runtime.
 ///
@@ -29,9 +29,11 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     let unnamed = || ident(&dialect.names.clone().alone("N"));
     let unknown = spaces.is_none().then(unnamed);
     let lengths = |space: Space| {
-        // The number of external wrenches is known from the request.
-        if space == Space::Actions {
-            return literal(request.external.len());
+        // The number of external wrenches is known from the request, and a wrench has six entries.
+        match space {
+            Space::Actions => return literal(request.external.len()),
+            Space::Wrench => return literal(ACTION.len()),
+            _ => {}
         }
         let known = spaces.map(|spaces| literal(spaces.len(space)));
         known.unwrap_or_else(|| quote! { #unknown })
@@ -39,7 +41,7 @@ pub fn stub(item: &Item, request: &Request, spaces: Option<&Spaces>) -> TokenStr
     // The lengths of parameter spaces need more of the description than the joints.
     let other = ident(&dialect.names.clone().alone("P"));
     let lengths = |space: Space| match space {
-        Space::Coordinates | Space::Velocities | Space::Actions => lengths(space),
+        Space::Coordinates | Space::Velocities | Space::Wrench | Space::Actions => lengths(space),
         _ => quote! { #other },
     };
     let parameter = unknown.as_ref().map(constant);

@@ -152,6 +152,43 @@ pub fn mass_matrix<
     rows
 }
 
+/// Number of inertial parameters of a body.
+pub(super) const PARAMETERS: usize = 10;
+
+/// J of a body, in frame 0, that is 1 at one of its parameters and at its mirror image, in the order of [`regressor`].
+pub(super) fn unit_inertia<T: RealField + Copy, const B: usize>(
+    positions: &Positions<T, B>,
+    parameter: usize,
+) -> Matrix4<T> {
+    const PLACES: [(usize, usize); PARAMETERS] = [
+        (3, 3),
+        (0, 3),
+        (1, 3),
+        (2, 3),
+        (0, 0),
+        (0, 1),
+        (0, 2),
+        (1, 1),
+        (1, 2),
+        (2, 2),
+    ];
+    let (row, column) = PLACES[parameter % PARAMETERS];
+    let mut unit = Matrix4::zeros();
+    unit[(row, column)] = T::one();
+    unit[(column, row)] = T::one();
+    let m = positions.m[parameter / PARAMETERS];
+    m * unit * m.transpose()
+}
+
+/// Panics if `P` is not the number of parameters of B bodies, or of these and as many actuators.
+pub(super) fn assert_count<const P: usize, const B: usize>(actuators: usize) {
+    let of_bodies = PARAMETERS * B;
+    assert!(
+        P == of_bodies || P == of_bodies + 3 * actuators,
+        "a body has ten parameters, and a velocity of a joint three"
+    );
+}
+
 /// Y of τ = Y π [m²/s², m/s², 1/s² and a unit of length less for forces].
 ///
 /// π lists for each body m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz in its frame. If `P` is large enough,
@@ -176,26 +213,10 @@ pub fn regressor<
     qd: &[T; N],
     qdd: &[T; N],
 ) -> [[T; P]; N] {
-    const PLACES: [(usize, usize); 10] = [
-        (3, 3),
-        (0, 3),
-        (1, 3),
-        (2, 3),
-        (0, 0),
-        (0, 1),
-        (0, 2),
-        (1, 1),
-        (1, 2),
-        (2, 2),
-    ];
     let motion = Motion::at(chain, q, qd, qdd);
     let (positions, h_g) = (&motion.positions, gravity_matrix::<T>(chain.gravity));
-    let of_bodies = PLACES.len() * B;
-    let of_drives = 3 * positions.degrees_of_freedom().count();
-    assert!(
-        P == of_bodies || P == of_bodies + of_drives,
-        "a body has ten parameters, and a velocity of a joint three"
-    );
+    let of_bodies = PARAMETERS * B;
+    assert_count::<P, B>(positions.degrees_of_freedom().count());
     let mut rows = [[T::zero(); P]; N];
     if P > of_bodies {
         for (k, dof) in positions.degrees_of_freedom().enumerate() {
@@ -203,14 +224,9 @@ pub fn regressor<
             rows[dof.velocity][of_bodies + 3 * k..][..3].copy_from_slice(&unit_torques);
         }
     }
-    for (parameter, k) in (0..of_bodies).map(|parameter| (parameter, parameter % PLACES.len())) {
-        let body = parameter / PLACES.len();
-        let mut unit = Matrix4::zeros();
-        let (row, place) = PLACES[k];
-        unit[(row, place)] = T::one();
-        unit[(place, row)] = T::one();
-        let m = positions.m[body];
-        let hj = (motion.h[body] - h_g) * m * unit * m.transpose();
+    for parameter in 0..of_bodies {
+        let body = parameter / PARAMETERS;
+        let hj = (motion.h[body] - h_g) * unit_inertia(positions, parameter);
         let phi = hj - hj.transpose();
         for dof in positions.degrees_of_freedom() {
             if let Some(row) = rows.get_mut(dof.velocity)

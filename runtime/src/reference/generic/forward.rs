@@ -3,7 +3,7 @@
 //! In: a [`Chain`], its positions and velocities, and torques. Out: accelerations, M⁻¹ and derivatives, all by the
 //! Cholesky factors of M; NaN if M is not positive definite.
 
-use super::dynamics::{bias, mass_matrix};
+use super::dynamics::{bias, mass_matrix, regressor};
 use crate::reference::derivatives::inverse_dynamics_derivatives;
 use crate::robot::chain::Chain;
 use crate::robot::derivatives::AccelerationDerivatives;
@@ -81,6 +81,35 @@ pub fn forward_dynamics_derivatives<
         dqd: answer(needed.dqd),
         dtau: mass_matrix_inverse(chain, q),
     }
+}
+
+/// ∂q̈/∂π = −M⁻¹ Y of the accelerations that the torques \[N m\] and forces \[N\] `tau` produce, with the regressor Y
+/// of [`regressor`] at these accelerations and its parameters π, a row for each acceleration; by Cholesky.
+///
+/// NaN if M is not positive definite.
+///
+/// # Panics
+///
+/// If `P` is neither 10 B nor 10 B plus three for each velocity of a joint.
+#[must_use]
+pub fn forward_dynamics_parameter_derivatives<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const P: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    q: &[T; Q],
+    qd: &[T; N],
+    tau: &[T; N],
+) -> [[T; P]; N] {
+    let qdd = forward_dynamics(chain, q, qd, tau);
+    let rows: [[T; P]; N] = regressor(chain, q, qd, &qdd);
+    let needed: SMatrix<T, N, P> = SMatrix::from_fn(|i, parameter| -rows[i][parameter]);
+    let found = mass_matrix_factors(chain, q).map(|factors| factors.solve(&needed));
+    from_fn(|i| from_fn(|parameter| found.map_or(nan(), |found| found[(i, parameter)])))
 }
 
 /// The Cholesky factors of M; `None` if it is not positive definite.

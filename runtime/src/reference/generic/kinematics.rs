@@ -7,6 +7,7 @@ use crate::matrix::{Acceleration, Pose, Screw, Velocity};
 use crate::reference::dense::{axial, block, column, inverse};
 use crate::reference::motion::{DegreeOfFreedom, Motion, Positions};
 use crate::robot::chain::{Chain, Frame};
+use core::array::from_fn;
 use nalgebra::{Matrix4, RealField};
 
 /// M₀,frame.
@@ -138,6 +139,50 @@ pub fn geometric_jacobian_rate<
         let back = Matrix4::new_translation(&-m_0_frame.fixed_view::<3, 1>(0, 3));
         (back, w_pole)
     })
+}
+
+/// ∂L/∂q of the columns of [`geometric_jacobian`], a Jacobian for each coordinate \[1, m, 1/m\], or along each velocity of
+/// a joint with a quaternion: its rate at a unit velocity of each joint alone.
+#[must_use]
+pub fn jacobian_derivative<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+) -> [[Screw<T>; N]; N] {
+    from_fn(|k| {
+        let unit = from_fn(|i| if i == k { T::one() } else { T::zero() });
+        geometric_jacobian_rate(chain, frame, q, &unit)
+    })
+}
+
+/// ∂(Jᵗ Φ)/∂q of [`geometric_jacobian`] for a constant wrench Φ at the origin of `frame` in the axes of frame 0, couple
+/// \[N m\], then force \[N\]; a row for each torque or force of Jᵗ Φ [N m, N, N/m].
+#[must_use]
+pub fn forward_kinematics_hessian<
+    T: RealField + Copy,
+    const N: usize,
+    const F: usize,
+    const Q: usize,
+    const B: usize,
+>(
+    chain: &Chain<N, F, Q, B>,
+    frame: &Frame,
+    q: &[T; Q],
+    wrench: &[T; 6],
+) -> [[T; N]; N] {
+    let derivatives = jacobian_derivative(chain, frame, q);
+    let power = |screw: &Screw<T>| {
+        let entries = screw.u().into_iter().chain(screw.b());
+        let terms = entries.zip(wrench);
+        terms.fold(T::zero(), |sum, (rate, force)| sum + rate * *force)
+    };
+    from_fn(|row| from_fn(|k| power(&derivatives[k][row])))
 }
 
 /// W₀,frame₍₀₎ [rad/s, m/s].

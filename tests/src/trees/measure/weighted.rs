@@ -1,4 +1,4 @@
-//! Sizes and errors of derivatives that are contracted with weights λ.
+//! Sizes and errors of derivatives that are contracted with weights λ, and of products with M⁻¹.
 //!
 //! Sizes of sums are those of their terms. Results of forward dynamics are compared with the true ones; their sizes are
 //! those of what the rounding of M and of τ makes of y = M⁻¹ λ and of q̈, or of y itself.
@@ -44,6 +44,14 @@ impl Measure {
                 let sizes = self.acceleration_gradient(arguments);
                 largest(found, &expected(), &|k| sizes[k])
             }
+            Function::ForwardDynamicsParameterDerivatives => {
+                let count = arguments[Variable::Qd].len();
+                let sizes = self.accelerations_by_parameters(arguments);
+                let parameters = found.len() / count.max(1);
+                largest(found, &expected(), &|k| {
+                    sizes[k / parameters][self.kind(k % parameters)]
+                })
+            }
             Function::InverseDynamicsHessian => {
                 self.hessian_error(function, found, arguments, Variable::Tau)
             }
@@ -52,6 +60,21 @@ impl Measure {
             }
             other => panic!("{} has no measure", other.name()),
         }
+    }
+
+    /// For each acceleration the sizes of its derivatives by parameters of each kind.
+    fn accelerations_by_parameters(&self, at: &Arguments) -> Vec<[f64; 4]> {
+        let count = at[Variable::Qd].len();
+        let Solutions {
+            at,
+            inverse,
+            inverted,
+            ..
+        } = self.solutions(at);
+        let sizes = self.columns(&at);
+        let rows = inverse.chunks(count.max(1));
+        rows.map(|row| sizes.map(|size| size * sum(row) * self.gain * (1.0 + inverted)))
+            .collect()
     }
 
     /// Sizes of the gradient of λᵀτ by q, q̇ and q̈.

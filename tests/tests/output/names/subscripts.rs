@@ -42,7 +42,8 @@ fn states_of(function: Function, chain: &Chain, state: &Arguments) -> Vec<Argume
         | Function::ForwardDynamics => state[Variable::Qdd] = rest,
         Function::ForwardDynamicsDerivatives
         | Function::ForwardDynamicsVjp
-        | Function::ForwardDynamicsHessian => {
+        | Function::ForwardDynamicsHessian
+        | Function::ForwardDynamicsParameterDerivatives => {
             let solved = [Function::ForwardDynamics];
             let program = program_by(
                 chain,

@@ -17,7 +17,7 @@ pub(super) enum Source {
     One,
 }
 
-/// A sparse matrix.
+/// A sparse matrix; several matrices of a result stand beside each other, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Matrix {
     pub rows: usize,
@@ -38,7 +38,7 @@ impl Matrix {
             [rows, ref columns @ ..] => (rows, columns.iter().product()),
         };
         let last = below(quantity.entity);
-        let is_transposed = has_columns(quantity);
+        let is_transposed = quantity.over.len() == 1 && has_columns(quantity);
         let mut entries = Vec::new();
         for (place, operand) in operands.iter().enumerate() {
             // A function that could not be expanded has no operands, and a zero is no entry.

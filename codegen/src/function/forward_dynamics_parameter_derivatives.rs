@@ -1,0 +1,42 @@
+//! Derivatives of forward dynamics by the inertial parameters: ∂q̈/∂π = −M⁻¹ Y, with the regressor Y at q̈.
+
+use super::definition::{Definition, Given, Property, Truth};
+use super::tally::{Size, Tally};
+use super::{forward_dynamics, mass_matrix_inverse, quantities, regressor};
+use crate::expression::Term;
+use crate::list::List;
+use crate::model::Scene;
+use crate::space::{Variable, VelocityId};
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "forward_dynamics_parameter_derivatives",
+    sentence,
+    arguments: &[Variable::Q, Variable::Qd, Variable::Tau],
+    result: quantities::ACCELERATIONS_BY_PARAMETERS,
+    properties: &[Property::Mass, Property::External],
+    truth: Truth::Solution(Given::Regressor),
+    algorithms: Definition::one_way,
+    dense,
+    build,
+};
+
+fn sentence(_: &str, _: &str) -> String {
+    "Derivatives ∂q̈/∂π = −M⁻¹ Y of the joint accelerations that τ produces against gravity, by the parameters π of \
+     `regressor`, a row for each acceleration."
+        .to_owned()
+}
+
+fn dense(size: Size) -> Tally {
+    // q̈, Y, and a product with M⁻¹.
+    let parts = forward_dynamics::dense(size).plus(regressor::dense(size));
+    let product = 10 * size.joints.pow(3);
+    parts.and(product, product)
+}
+
+fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let columns = scene.regressor_of(&forward_dynamics::accelerations(scene));
+    let columns = columns.iter().map(|column| column.map(|&entry| -entry));
+    let columns: Vec<List<VelocityId, Term<'g>>> = columns.collect();
+    let found = mass_matrix_inverse::times(scene, &columns);
+    scene.rows_of(&found.iter().collect::<Vec<_>>())
+}

@@ -32,9 +32,18 @@ enum Language {
 
 /// Order of six numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Halves {
+pub(super) enum Halves {
     LinearFirst,
     AngularFirst,
+}
+
+impl From<Halves> for Order {
+    fn from(halves: Halves) -> Self {
+        match halves {
+            Halves::LinearFirst => Self::LinearFirst,
+            Halves::AngularFirst => Self::AngularFirst,
+        }
+    }
 }
 
 /// Write the functions of a robot as a file of Rust that needs only core, or of C, C++, LLVM IR or Python
@@ -43,7 +52,7 @@ enum Halves {
 Example:
   homogen generate arm.urdf --scalar f32 --functions inverse_dynamics,gravity -o arm.rs
   homogen generate arm.urdf --language c -o arm.c
-  homogen generate arm.urdf --language cpp -o arm.hpp
+  homogen generate arm.urdf --language cpp --order linear-first -o arm.hpp
   homogen generate arm.urdf --language python -o arm.py
 
 Exit status: 0; 1 for an error in the input; 2 for one in the arguments; 3 if all functions were requested and one was
@@ -58,9 +67,10 @@ pub(super) struct Generate {
     /// Number of states in a vector of LLVM IR
     #[arg(long, value_name = "COUNT", default_value = "8")]
     lanes: NonZeroUsize,
-    /// In Python the first half of twists, wrenches and momenta
-    #[arg(long, value_enum, default_value = "linear-first")]
-    order: Halves,
+    /// In C++ and Python the first half of twists, wrenches and momenta
+    /// [default: angular-first in C++, linear-first in Python]
+    #[arg(long, value_enum)]
+    order: Option<Halves>,
     /// The type of numbers [default: f64, or any with --runtime]
     #[arg(long, value_enum)]
     scalar: Option<Scalar>,
@@ -106,6 +116,9 @@ impl Generate {
         }
         if let Some(prefix) = &self.extern_c {
             builder = builder.extern_c(prefix);
+        }
+        if self.order.is_some() && !matches!(self.language, Language::Cpp | Language::Python) {
+            return Err(mistake("--order is for C++ and Python"));
         }
         let (output, module) = match self.language {
             Language::Rust => self.rust(&builder)?,
@@ -153,7 +166,8 @@ impl Generate {
         let module = builder.cpp_module()?;
         let name = self.output.file_name().and_then(|name| name.to_str());
         let name = name.filter(|_| !is_standard_input(&self.output));
-        let text = builder.cpp(&module, name.unwrap_or("robot.hpp"));
+        let order = self.order.map_or(Order::AngularFirst, Order::from);
+        let text = builder.cpp(&module, name.unwrap_or("robot.hpp"), order);
         Ok((self.put(text)?, module))
     }
 
@@ -167,10 +181,7 @@ impl Generate {
     /// Writes a module of Python, or returns its text.
     fn python(&self, builder: &Builder) -> Result<(String, Module), Errors> {
         let module = builder.plain_python_module()?;
-        let order = match self.order {
-            Halves::LinearFirst => Order::LinearFirst,
-            Halves::AngularFirst => Order::AngularFirst,
-        };
+        let order = self.order.map_or(Order::LinearFirst, Order::from);
         Ok((self.put(builder.plain_python(&module, order))?, module))
     }
 

@@ -1,4 +1,4 @@
-//! `homogen new`: a folder to begin with: a crate, a project of C for CMake, a package for Python, or a firmware for a
+//! `homogen new`: a folder to begin with: a crate, a project of C or C++ for CMake, a package for Python, or a firmware for a
 //! microcontroller, which runs under QEMU.
 //!
 //! `homogen_page` has the files, which the site offers, too. Existing folders are not changed.
@@ -12,12 +12,14 @@ use std::path::{Component, Path, PathBuf};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::functions::Generated;
+use super::generate::Halves;
 use super::options::{Asked, Scalar, mistake};
 use super::{Answer, Outcome, functions};
 use homogen_codegen::builder::Builder;
 use homogen_codegen::description::xacro::Given;
 use homogen_codegen::description::{FileFormat, expand_file};
 use homogen_codegen::error::Errors;
+use homogen_codegen::print::arrays::Order;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::{SCOPE, SOURCE};
@@ -35,8 +37,7 @@ pub(super) struct New {
 enum What {
     /// Write a crate without dependencies: its functions need only core
     Crate(Box<Wrapped>),
-    /// Write a project of C99 for CMake: a static library
-    Cmake(Box<Wrapped>),
+    Cmake(Box<Cmake>),
     /// Write a package for Python without dependencies
     Python(Box<Wrapped>),
     Firmware(Box<Firmware>),
@@ -53,6 +54,47 @@ struct Wrapped {
     /// The folder to write [default: the robot's name with _robot]
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
+}
+
+/// Write a project for CMake: a static library of C99, or a header of C++17 alone
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Example:
+  homogen new cmake arm.urdf --language cpp -o arm
+  cmake -S arm -B build && cmake --build build && cmake --install build --prefix installed
+In the CMakeLists.txt of a program:
+  find_package(arm REQUIRED) or add_subdirectory(arm)
+  target_link_libraries(program PRIVATE arm::arm)")]
+struct Cmake {
+    #[command(flatten)]
+    wrapped: Wrapped,
+    /// The language; cpp is C++17
+    #[arg(long, value_enum, default_value = "c")]
+    language: Compiled,
+    /// In C++ the first half of twists, wrenches and momenta
+    /// [default: angular-first]
+    #[arg(long, value_enum)]
+    order: Option<Halves>,
+}
+
+/// A language that CMake compiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Compiled {
+    C,
+    Cpp,
+}
+
+impl Cmake {
+    fn project(&self) -> Result<Project, Errors> {
+        match (self.language, self.order) {
+            (Compiled::C, None) => Ok(Project::Cmake),
+            (Compiled::C, Some(_)) => Err(mistake("--order is for --language cpp")),
+            (Compiled::Cpp, order) => {
+                let order = order.map_or(Order::AngularFirst, Order::from);
+                Ok(Project::Cpp(order))
+            }
+        }
+    }
 }
 
 /// Write a crate for a Cortex-M with a control loop for a robot
@@ -103,7 +145,7 @@ impl New {
     pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         match &self.what {
             What::Crate(wrapped) => wrapped.run(Project::Crate, input),
-            What::Cmake(wrapped) => wrapped.run(Project::Cmake, input),
+            What::Cmake(cmake) => cmake.wrapped.run(cmake.project()?, input),
             What::Python(wrapped) => wrapped.run(Project::Python, input),
             What::Firmware(firmware) => firmware.run(),
         }
@@ -234,15 +276,21 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("homogen-projects-{}", std::process::id()));
         fs::create_dir_all(&folder).expect("a folder");
         let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots/two_link.urdf");
-        for (kind, code) in [
-            ("crate", "src/robot.rs"),
-            ("cmake", "two_link.c"),
-            ("python", "two_link_robot/__init__.py"),
+        for (kind, options, code) in [
+            ("crate", "", "src/robot.rs"),
+            ("cmake", "", "two_link.c"),
+            (
+                "cmake",
+                "--language=cpp --order=linear-first",
+                "two_link.hpp",
+            ),
+            ("python", "", "two_link_robot/__init__.py"),
         ] {
-            let output = folder.join(kind);
-            let words =
-                ["homogen", "new", kind, "--functions", "gravity", "-o"].map(OsString::from);
-            let words = words.into_iter();
+            let output = folder.join(code.replace('/', "_"));
+            let options = options.split_whitespace();
+            let words = ["homogen", "new", kind].into_iter().chain(options);
+            let words = words.chain(["--functions", "gravity", "-o"]);
+            let words = words.map(OsString::from);
             let words = words.chain([output.clone().into(), robot.clone().into()]);
             let first = crate::answer(words.clone(), &mut std::io::empty());
             assert_eq!(first.code, 0, "{}", first.remarks);
@@ -256,6 +304,21 @@ mod tests {
             );
         }
         fs::remove_dir_all(folder).expect("it was there");
+    }
+
+    #[test]
+    fn an_order_is_for_cpp() {
+        let words = [
+            "homogen",
+            "new",
+            "cmake",
+            "arm.urdf",
+            "--order",
+            "linear-first",
+        ];
+        let answer = crate::answer(words.map(OsString::from), &mut std::io::empty());
+        assert_eq!(answer.code, 1);
+        assert!(answer.remarks.contains("--order is for --language cpp"));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 mod quantity;
 mod variable;
 
-pub use quantity::{Entity, Outcome, Part, Quantity};
+pub use quantity::{Entity, Order, Outcome, Part, Quantity};
 pub use variable::{Arguments, Variable};
 
 use crate::list::{List, id};

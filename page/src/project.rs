@@ -1,4 +1,4 @@
-//! Projects to begin with around generated code: a crate, a project of C for CMake, a package for Python.
+//! Projects to begin with around generated code: a crate, projects of C and C++ for CMake, a package for Python.
 //!
 //! In: the builder of a robot. Out: paths and texts, with the module whose warnings are to be reported. Paths are those
 //! below the project's folder. No name of a description becomes code or a path.
@@ -7,6 +7,7 @@ use homogen_codegen::builder::Builder;
 use homogen_codegen::error::Errors;
 use homogen_codegen::module::Module;
 use homogen_codegen::print::arrays::Order;
+use homogen_codegen::print::c::cpp;
 use homogen_codegen::template::filled;
 
 /// A kind of project.
@@ -16,20 +17,29 @@ pub enum Project {
     Crate,
     /// A library in C99 with its `CMakeLists.txt`.
     Cmake,
+    /// A header in C++17 with its `CMakeLists.txt`; the order is that of twists, wrenches and momenta.
+    Cpp(Order),
     /// A package for Python without dependencies.
     Python,
 }
 
 impl Project {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Crate, Self::Cmake, Self::Python];
+    pub const ALL: [Self; 4] = [
+        Self::Crate,
+        Self::Cmake,
+        Self::Cpp(Order::AngularFirst),
+        Self::Python,
+    ];
 
-    /// Its word on the command line: `homogen new crate`.
+    /// Its words on the command line: `homogen new crate`.
     #[must_use]
-    pub const fn word(self) -> &'static str {
+    pub const fn words(self) -> &'static str {
         match self {
             Self::Crate => "crate",
             Self::Cmake => "cmake",
+            Self::Cpp(Order::AngularFirst) => "cmake --language cpp",
+            Self::Cpp(Order::LinearFirst) => "cmake --language cpp --order linear-first",
             Self::Python => "python",
         }
     }
@@ -42,12 +52,18 @@ impl Project {
         let module = match self {
             Self::Crate => builder.file_module()?,
             Self::Cmake => builder.c_module()?,
+            Self::Cpp(_) => builder.cpp_module()?,
             Self::Python => builder.plain_python_module()?,
         };
         let robot = &module.about.robot;
         let (stem, folder) = (stem(robot), folder(robot));
         let words = [("@NAME@", &*folder), ("@FILE@", &*stem)];
         let of = |path: &str, text: &str| (path.to_owned(), filled(text, &words));
+        let readme = |header: &str| {
+            let words = [words[0], words[1], ("@HEADER@", header)];
+            let text = filled(include_str!("project/README.md.in"), &words);
+            ("README.md".to_owned(), text)
+        };
         let files = match self {
             Self::Crate => {
                 let code = builder.source(&module).to_string();
@@ -60,10 +76,37 @@ impl Project {
             Self::Cmake => {
                 let header = format!("{stem}.h");
                 let source = builder.c(&module, &header);
+                let cmake = concat!(
+                    include_str!("project/c.cmake.in"),
+                    include_str!("project/install.cmake.in")
+                );
                 vec![
-                    of("CMakeLists.txt", include_str!("project/CMakeLists.txt.in")),
+                    of("CMakeLists.txt", cmake),
+                    readme(&header),
                     (format!("{stem}.c"), source.text),
                     (header, source.header),
+                ]
+            }
+            Self::Cpp(order) => {
+                let header = format!("{stem}.hpp");
+                let code = builder.cpp(&module, &header, order);
+                let namespace = builder.cpp_namespace(&module);
+                let cmake = concat!(
+                    include_str!("project/cpp.cmake.in"),
+                    include_str!("project/install.cmake.in")
+                );
+                let call = cpp::call(&module);
+                let words = [
+                    ("@CALL@", &*call),
+                    ("@HEADER@", &header),
+                    ("@NAMESPACE@", &namespace),
+                ];
+                let example = filled(include_str!("project/example.cpp.in"), &words);
+                vec![
+                    of("CMakeLists.txt", cmake),
+                    readme(&header),
+                    ("example.cpp".to_owned(), example),
+                    (header, code),
                 ]
             }
             Self::Python => {

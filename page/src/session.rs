@@ -290,7 +290,7 @@ impl Open {
             return self.firmware(builder, file);
         }
         let mut kinds = Project::ALL.into_iter();
-        let project = kinds.find(|project| project.word() == kind);
+        let project = kinds.find(|project| project.words() == kind);
         let project = project.ok_or_else(|| mistake("unknown project"))?;
         let builder = builder.request(self.asked(asked)?);
         let (files, module) = project.files(&builder)?;
@@ -344,11 +344,13 @@ impl Open {
                 (Language::C(&header), files)
             }
             Some("cpp") => {
-                let file = format!("{name}.hpp");
-                let text = builder.cpp(&builder.cpp_module()?, &file);
+                let (file, order) = (format!("{name}.hpp"), Order::AngularFirst);
+                let text = builder.cpp(&builder.cpp_module()?, &file, order);
                 let files = json!([{ "name": file, "text": text }]);
-                let command =
-                    builder.command(self.written.source.file.as_deref(), Language::Cpp(&file));
+                let command = builder.command(
+                    self.written.source.file.as_deref(),
+                    Language::Cpp(&file, order),
+                );
                 return Ok(json!({ "files": files, "command": command }));
             }
             Some("llvm") => {

@@ -48,7 +48,14 @@ def nested(number, lengths):
     return text
 
 
-def call(prefix, name, arguments, results, number, fields):
+def swaps(arrays, is_linear, prefix=""):
+    """Lines that bring six numbers of C into the order of C++; no robot of that order has another six."""
+    for word, lengths in arrays:
+        if is_linear and lengths[-1:] == ["6"]:
+            yield f"swap_halves(&{prefix}{word}{'[0]' * len(lengths)}, {'*'.join(lengths)});"
+
+
+def call(prefix, name, arguments, results, number, fields, is_linear):
     """Lines that call a function in both languages and compare the results."""
     short = re.sub("^_", "", name.removeprefix(prefix))
     lines = ["{"]
@@ -61,6 +68,7 @@ def call(prefix, name, arguments, results, number, fields):
     to = [f"{'' if lengths else '&'}c_{word}" for word, lengths in results]
     robot = ["&robot"] if fields else []
     lines.append(f"{name}({', '.join([*robot, *in_c, *to])});")
+    lines += [*swaps(arguments, is_linear), *swaps(results, is_linear, "c_")]
     own = ["own"] if fields else []
     ways = [words]
     if all(len(lengths) == 1 for _, lengths in arguments) and arguments:
@@ -108,6 +116,14 @@ static void fill(T* to, int count)
 {
     std::uniform_real_distribution<T> uniform(T(-2), T(2));
     std::generate(to, to + count, [&] { return uniform(source); });
+}
+
+template <class T>
+[[maybe_unused]] static void swap_halves(T* six, int count)
+{
+    for (int k = 0; k < count; k += 6) {
+        std::swap_ranges(six + k, six + k + 3, six + k + 3);
+    }
 }
 
 static void same(const void* found, const void* expected, std::size_t size, const char* name)
@@ -159,7 +175,7 @@ static void dual(ARGUMENT)
 """
 
 
-def program(header, text, number):
+def program(header, text, number, is_linear):
     """The text of the program."""
     space = re.search(r"^namespace (\w+) \{", header, re.MULTILINE)[1]
     prefix = re.search(r"typedef struct \{.*?\} (\w+?)robot;", text, re.DOTALL)
@@ -175,7 +191,7 @@ def program(header, text, number):
     names = [name for name, *_ in prototypes(text)]
     prefix = prefix[1] if prefix else space + "_"
     for name, arguments, results in prototypes(text):
-        main.append(call(prefix, name, arguments, results, number, struct))
+        main.append(call(prefix, name, arguments, results, number, struct, is_linear))
     dual = ""
     if f"{prefix}gravity_derivative" in names:
         dual = DUAL.replace("ARGUMENT", "const SPACE::Robot<>& own" if own else "").replace("OWN ", own)
@@ -202,12 +218,13 @@ def main(homogen, folder, *robots):
     compilers = [("c++", WARNINGS)] + [("clang++", OF_CLANG)] * bool(shutil.which("clang++"))
     for robot in robots:
         options = shlex.split(robot)
-        subprocess.run([homogen, "generate", *options, "--language", "c", "-o", folder / "robot.c"], check=True)
+        in_c = [option for option in options if option not in ("--order", "linear-first")]
+        subprocess.run([homogen, "generate", *in_c, "--language", "c", "-o", folder / "robot.c"], check=True)
         subprocess.run([homogen, "generate", *options, "--language", "cpp", "-o", folder / "robot.hpp"], check=True)
         subprocess.run(["cc", "-std=c99", "-O2", "-ffp-contract=off", "-c", folder / "robot.c", "-o", folder / "robot.o"], check=True)
         header, text = (folder / "robot.hpp").read_text(), (folder / "robot.h").read_text()
         number = "float" if "--scalar f32" in robot else "double"
-        (folder / "main.cpp").write_text(program(header, text, number))
+        (folder / "main.cpp").write_text(program(header, text, number, "--order" in options))
         for compiler, flags in compilers:
             compiled(compiler, flags, folder, "main")
             found = subprocess.run([folder / "main"], check=False, capture_output=True, text=True)

@@ -12,6 +12,7 @@ use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
 use crate::real::Real;
 use crate::request::ForC;
+use crate::space::Order;
 
 impl Builder {
     /// The functions in C99: a source, and a header that it includes by this name.
@@ -120,6 +121,7 @@ impl Builder {
             fused: self.fuses(module),
             for_c: self.request.for_c,
             templates: false,
+            order: Order::AngularFirst,
         };
         let Source { header, text } = c::print(module, &writing);
         let [header, text] =

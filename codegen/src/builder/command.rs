@@ -26,8 +26,8 @@ pub enum Language<'a> {
     Rust,
     /// With the name of the header in `#include`.
     C(&'a str),
-    /// With the name of the file.
-    Cpp(&'a str),
+    /// With the name of the file and the order of six numbers.
+    Cpp(&'a str, Order),
     /// With the number of lanes of a vector.
     Llvm(NonZeroUsize),
     /// With the order of six numbers.
@@ -56,8 +56,11 @@ impl Builder {
                 let source = header.strip_suffix(".h").unwrap_or(header);
                 command.option("output", &format!("{source}.c"));
             }
-            Language::Cpp(file) => {
+            Language::Cpp(file, order) => {
                 command.option("language", "cpp");
+                if order == Order::LinearFirst {
+                    command.option("order", "linear-first");
+                }
                 command.option("output", file);
             }
             Language::Llvm(lanes) => {

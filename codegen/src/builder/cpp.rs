@@ -7,6 +7,7 @@ use super::command::Language;
 use super::file::write;
 use crate::error::{Errors, Place};
 use crate::module::Module;
+use crate::print::arrays::Order;
 use crate::print::ascii::spelt;
 use crate::print::c::cpp::{self, Header};
 
@@ -16,25 +17,27 @@ impl Builder {
     ///
     /// A function returns `std::array`, or a struct of several; fields are those of a struct that it takes first.
     /// Numbers are `double` or `float`, or of any class with operators and `sin`, `cos` and `sqrt`. Results of built-in
-    /// numbers equal those of [`Builder::to_c`] bit for bit.
+    /// numbers equal those of [`Builder::to_c`] bit for bit; `order` is that of twists, wrenches and momenta, which are
+    /// angular first in C.
     ///
     /// # Errors
     /// All errors of the description and of the request; options that only other languages have.
-    pub fn to_cpp(&self, file: &str) -> Result<String, Errors> {
-        self.cpp_module().map(|module| self.cpp(&module, file))
+    pub fn to_cpp(&self, file: &str, order: Order) -> Result<String, Errors> {
+        self.cpp_module()
+            .map(|module| self.cpp(&module, file, order))
     }
 
     /// Writes [`Builder::to_cpp`] to a file in `OUT_DIR`, and reports the watched files and the warnings to cargo.
     ///
     /// # Errors
     /// All errors of the description and of the request, each of which cargo shows; a file that cannot be written.
-    pub fn write_cpp(&self, file: impl AsRef<Path>) -> Result<(), Errors> {
+    pub fn write_cpp(&self, file: impl AsRef<Path>, order: Order) -> Result<(), Errors> {
         let file = file.as_ref();
         self.telling(|| {
             let module = self.cpp_module()?;
             self.report(&module);
             let name = file.file_name().and_then(|name| name.to_str());
-            write(file, &self.cpp(&module, name.unwrap_or("robot.hpp")))
+            write(file, &self.cpp(&module, name.unwrap_or("robot.hpp"), order))
         })
     }
 
@@ -60,12 +63,20 @@ impl Builder {
     /// The header in C++ of a module.
     #[doc(hidden)]
     #[must_use]
-    pub fn cpp(&self, module: &Module, file: &str) -> String {
+    pub fn cpp(&self, module: &Module, file: &str, order: Order) -> String {
         let header = Header {
             prefix: &self.prefix(module),
-            asked: &self.asked(module, Language::Cpp(file)),
+            asked: &self.asked(module, Language::Cpp(file, order)),
+            order,
         };
         let text = cpp::header(module, &header);
         if self.ascii { spelt(&text) } else { text }
+    }
+
+    /// The namespace of that header.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn cpp_namespace(&self, module: &Module) -> String {
+        cpp::namespace(&self.prefix(module))
     }
 }

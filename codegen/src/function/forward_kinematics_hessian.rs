@@ -3,6 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{self, Size, Tally};
+use crate::dense::Dense;
 use crate::expression::Term;
 use crate::model::{Scene, jacobian_derivative};
 use crate::space::Variable;
@@ -13,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Wrench],
     result: quantities::STIFFNESS,
     properties: &[Property::Frame],
-    truth: Truth::Value(|dense, frame| dense.forward_kinematics_hessian(frame)),
+    truth: Truth::Value(Dense::forward_kinematics_hessian),
     algorithms: Definition::one_way,
     dense,
     build,
@@ -21,9 +22,9 @@ pub(super) const DEFINITION: Definition = Definition {
 
 fn sentence(base: &str, frame: &str) -> String {
     format!(
-        "Kinematic Hessian of {frame}, contracted: ∂(Jᵗ Φ)/∂q of the geometric Jacobian J for a constant wrench Φ (c, f) at \
-         the origin of {frame}, in the axes of {base} (frame 0); a row for each torque or force of Jᵗ Φ; N m, N, N/m. \
-         With c = 0 it is symmetric, the second derivative of fᵗ p for the position p."
+        "Kinematic Hessian of {frame}, contracted: ∂(Jᵗ Φ)/∂q of the geometric Jacobian J for a constant wrench Φ at the \
+         origin of {frame}, in the axes of {base} (frame 0); a row for each torque or force of Jᵗ Φ; N m, N, N/m. \
+         With a couple of zero it is symmetric, the second derivative of fᵗ p for the force f and the position p."
     )
 }
 

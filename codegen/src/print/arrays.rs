@@ -12,16 +12,8 @@ use crate::expression::Input;
 use crate::function::Function;
 use crate::module::{GeneratedFunction, Module, arguments};
 use crate::schedule::{Operand, Program};
+pub use crate::space::Order;
 use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
-
-/// Order of the two halves of six numbers that turn and move.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Order {
-    /// v before ω, f before the couple, the linear momentum before the angular one.
-    LinearFirst,
-    /// The other way round, as programs have it.
-    AngularFirst,
-}
 
 /// An argument or a result.
 #[derive(Clone, Debug)]
@@ -90,7 +82,7 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
 pub fn has_order(function: Function, arguments: &[Variable]) -> bool {
     let mut parts = function.result().parts();
     let has_wrenches = |of: &Variable| matches!(of, Variable::Wrench | Variable::Actions);
-    arguments.iter().any(has_wrenches) || parts.any(|(_, part)| is_six(part.entity))
+    arguments.iter().any(has_wrenches) || parts.any(|(_, part)| part.entity.halves().is_some())
 }
 
 /// The signatures of the functions of configurations: integration, difference and normalisation.
@@ -149,9 +141,8 @@ pub fn arrange_results(generated: &mut GeneratedFunction, spaces: &Spaces, order
 fn read_linear_first(program: &mut Program) {
     let read = |operand: Operand| match operand {
         Operand::Input(Input::Variable(of @ (Variable::Wrench | Variable::Actions), entry)) => {
-            let each = u16::try_from(ACTION.len()).expect("six");
-            let (action, entry) = (entry / each, entry % each);
-            let entry = action * each + (entry + each / 2) % each;
+            let entry = Order::LinearFirst.place(usize::from(entry));
+            let entry = u16::try_from(entry).expect("of the same wrench");
             Operand::Input(Input::Variable(of, entry))
         }
         other => other,
@@ -174,10 +165,7 @@ fn arranged(
     let count = quantity.size(spaces) / each.max(1);
     let columns = quantity.over.last().filter(|_| has_columns(quantity));
     let columns = columns.map(|&space| spaces.len(space));
-    let half = match (is_six(quantity.entity), order) {
-        (true, Order::LinearFirst) => each / 2,
-        _ => 0,
-    };
+    let order = (quantity.entity.halves()).map_or(Order::AngularFirst, |_| order);
     (0..count * each).map(move |place| {
         let (entity, entry) = match columns {
             Some(columns) => {
@@ -186,7 +174,7 @@ fn arranged(
             }
             None => (place / each, place % each),
         };
-        entity * each + (entry + half) % each
+        order.place(entity * each + entry)
     })
 }
 
@@ -195,14 +183,6 @@ pub(super) fn has_columns(quantity: &Quantity) -> bool {
     matches!(
         (quantity.over, quantity.entity.dimensions()),
         ([.., _], [_])
-    )
-}
-
-/// True for six numbers of which three turn.
-const fn is_six(entity: Entity) -> bool {
-    matches!(
-        entity,
-        Entity::Velocity | Entity::Momentum | Entity::Action | Entity::Screw
     )
 }
 

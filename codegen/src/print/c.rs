@@ -26,6 +26,7 @@ use crate::formulation::Sines;
 use crate::module::Module;
 use crate::real::Real;
 use crate::request::ForC;
+use crate::space::Order;
 
 pub(super) use declarations::results;
 pub(super) use header::Header;
@@ -58,6 +59,8 @@ pub struct Writing<'a> {
     pub for_c: ForC,
     /// True for bodies of C++ templates over the scalar `T`.
     pub templates: bool,
+    /// Order of the two halves of twists, wrenches and momenta.
+    pub order: Order,
 }
 
 /// Default prefix: `double_pendulum_` for the robot `double pendulum`.

@@ -13,7 +13,7 @@ use crate::module::{self, About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
 use crate::request::Target;
 use crate::schedule::{OperationCount, sections};
-use crate::space::{Entry, Kind, Outcome, Space, Spaces, Variable};
+use crate::space::{Entry, Kind, Order, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
 /// Angles for which the sines of a function without the runtime are accurate.
@@ -34,25 +34,26 @@ impl Angles {
     }
 }
 
-/// Comment of a function. `angles`: given if the results are plain arrays. `once`: operations done by `prepare`, for
+/// Comment of a function. `plain`: angles and the order of six numbers, given if the results are plain arrays. `once`: operations done by `prepare`, for
 /// functions of a prepared robot.
 pub(super) fn of_function(
     module: &Module,
     generated: &GeneratedFunction,
-    angles: Option<&Angles>,
+    plain: Option<(&Angles, Order)>,
     once: Option<&OperationCount>,
 ) -> Vec<String> {
     let about = &module.about;
     let frame = generated.frame.as_deref().unwrap_or(&about.tip);
     let mut lines = sentences(module, &generated.functions, frame);
     lines.push(String::new());
-    lines.push(arguments(&generated.arguments(&module.spaces)));
+    let order = plain.map_or(Order::AngularFirst, |(_, order)| order);
+    lines.push(arguments(&generated.arguments(&module.spaces), order));
     lines.extend(remarks(&module.spaces, &generated.functions));
-    if let Some(angles) = angles {
+    if let Some((angles, _)) = plain {
         let results = generated.functions.iter();
         let results = results.flat_map(|function| function.result().parts());
-        let layouts = results.filter_map(|(_, result)| result.entity.layout());
-        lines.extend(layouts.map(str::to_owned));
+        let layouts = results.filter_map(|(_, result)| result.entity.layout(order));
+        lines.extend(layouts);
         lines.push(if generated.program.angles.is_empty() {
             format!("{HUGE}.")
         } else {
@@ -332,13 +333,16 @@ fn range(angles: &Angles) -> String {
 }
 
 /// Arguments with their units; those of weights are in the function's sentence.
-fn arguments(arguments: &[Variable]) -> String {
+fn arguments(arguments: &[Variable], order: Order) -> String {
     let units = |argument: &Variable| {
         let [rotation, translation] =
             [Kind::Rotation, Kind::Translation].map(|kind| argument.unit(kind));
         match argument {
             Variable::Wrench | Variable::Actions => {
-                format!("{} (c, f) in {rotation}, {translation}", argument.letter())
+                let [first, second] = order.halves(["c", "f"]);
+                let [of_first, of_second] = order.halves([rotation, translation]);
+                let letter = argument.letter();
+                format!("{letter} ({first}, {second}) in {of_first}, {of_second}")
             }
             _ => format!("{} in {rotation} or {translation}", argument.letter()),
         }
@@ -455,15 +459,22 @@ fn left_out(about: &About) -> impl Iterator<Item = String> {
 #[cfg(test)]
 mod tests {
     use super::arguments;
-    use crate::space::Variable;
+    use crate::space::{Order, Variable};
 
     #[test]
     fn arguments_have_their_units() {
         assert_eq!(
-            arguments(&Variable::ALL),
+            arguments(&Variable::ALL, Order::AngularFirst),
             "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, \
              Φ (c, f) in N m, N, Φ (c, f) in N m, N."
         );
-        assert_eq!(arguments(&[Variable::Q]), "q in rad or m.");
+        assert_eq!(
+            arguments(&[Variable::Q], Order::AngularFirst),
+            "q in rad or m."
+        );
+        assert_eq!(
+            arguments(&[Variable::Actions], Order::LinearFirst),
+            "Φ (f, c) in N, N m."
+        );
     }
 }

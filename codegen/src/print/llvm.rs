@@ -19,6 +19,7 @@ use crate::print::c::{own, symbols};
 use crate::print::documentation::{self, Angles};
 use crate::print::steps::{Step, has_angles};
 use crate::real::Real;
+use crate::space::Order;
 use crate::wording::visible;
 use batch::{arrays, batch, moves};
 use function::{Function, Of, define};
@@ -99,9 +100,12 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
     for (of, symbol) in functions.chain(steps) {
         if writing.asked.is_some() {
             text.push_str(&comment(&match of {
-                Of::State(generated) => {
-                    documentation::of_function(module, generated, Some(&angles), None)
-                }
+                Of::State(generated) => documentation::of_function(
+                    module,
+                    generated,
+                    Some((&angles, Order::AngularFirst)),
+                    None,
+                ),
                 Of::Step(step) => documentation::of_step(module, step, Some(&angles)),
             }));
         }

@@ -44,6 +44,7 @@ use quote::quote;
 use super::{Fields, documentation};
 use crate::function::Function;
 use crate::module::{GeneratedFunction, Module};
+use crate::space::Order;
 use dialect::Dialect;
 
 pub use comments::header;
@@ -133,7 +134,15 @@ fn method(
     computation: (&TokenStream, &Dialect),
 ) -> TokenStream {
     let (_, dialect) = computation;
-    let about = documentation::of_function(module, generated, dialect.angles().as_ref(), None);
+    let about = documentation::of_function(
+        module,
+        generated,
+        dialect
+            .angles()
+            .as_ref()
+            .map(|angles| (angles, Order::AngularFirst)),
+        None,
+    );
     method::method(
         (item, &module.spaces),
         (generated, &about),

@@ -27,6 +27,36 @@ pub enum Entity {
     Screw,
 }
 
+/// Order of the two halves of six numbers that turn and move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Order {
+    /// v before ω, f before the couple, the linear momentum before the angular one.
+    LinearFirst,
+    /// The other way round, as programs have it.
+    AngularFirst,
+}
+
+impl Order {
+    /// Place of an entry of arrays of six numbers, which programs have angular first.
+    #[must_use]
+    pub const fn place(self, entry: usize) -> usize {
+        let within = entry % 6;
+        match self {
+            Self::LinearFirst => entry - within + (within + 3) % 6,
+            Self::AngularFirst => entry,
+        }
+    }
+
+    /// Two halves, the angular one given first.
+    #[must_use]
+    pub const fn halves(self, [angular, linear]: [&str; 2]) -> [&str; 2] {
+        match self {
+            Self::LinearFirst => [linear, angular],
+            Self::AngularFirst => [angular, linear],
+        }
+    }
+}
+
 /// An array of entities over a product of spaces, the last space's entries next to each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantity {
@@ -76,19 +106,36 @@ impl Entity {
         self.dimensions().iter().product()
     }
 
+    /// Letters of the angular and the linear half of six numbers; `None` for other entities.
+    #[must_use]
+    pub const fn halves(self) -> Option<[&'static str; 2]> {
+        match self {
+            Self::Velocity => Some(["ω", "v"]),
+            Self::Momentum => Some(["γ", "ρ"]),
+            Self::Action => Some(["c", "f"]),
+            Self::Screw => Some(["u", "b"]),
+            _ => None,
+        }
+    }
+
     /// Sentence about the order of values in arrays; `None` for a number.
     #[must_use]
-    pub const fn layout(self) -> Option<&'static str> {
-        Some(match self {
-            Self::Number => return None,
+    pub fn layout(self, order: Order) -> Option<String> {
+        if let Some(halves) = self.halves() {
+            let [first, second] = order.halves(halves);
+            let start = match self {
+                Self::Screw => "One screw for each joint; order",
+                _ => "Order",
+            };
+            return Some(format!("{start}: {first}, {second}."));
+        }
+        let text = match self {
             Self::Pose => "Rows 1 to 3 of the 4×4 matrix: R, t; the fourth is 0, 0, 0, 1.",
             Self::Acceleration => "Rows 1 to 3 of the 4×4 matrix: G, a; the fourth is 0.",
-            Self::Velocity => "Order: ω, v.",
             Self::Point | Self::Vector => "Order: x, y, z.",
-            Self::Momentum => "Order: γ, ρ.",
-            Self::Action => "Order: c, f.",
-            Self::Screw => "One screw for each joint; order: u, b.",
-        })
+            _ => return None,
+        };
+        Some(text.to_owned())
     }
 }
 

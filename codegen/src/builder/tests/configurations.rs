@@ -40,7 +40,9 @@ fn each_language_has_the_configurations_of_the_file() {
     ] {
         assert!(c.contains(part), "{part}\n{c}");
     }
-    let cpp = robot.to_cpp("arm.hpp").expect("no mistakes");
+    let cpp = robot
+        .to_cpp("arm.hpp", Order::AngularFirst)
+        .expect("no mistakes");
     for part in [
         "inline constexpr std::array<const char*, 2> CONFIGURATION_NAMES = {\"home\", \"\\303\\244\\077\"};\n",
         "inline constexpr std::array<std::array<double, 2>, 2> CONFIGURATIONS = {{{0.5, -1.0},\n    {0.0, 2.0}}};\n",
@@ -60,7 +62,9 @@ fn a_robot_without_configurations_prints_nothing_of_them() {
         robot.to_source().expect("no mistakes").to_string(),
         robot.to_tokens().expect("no mistakes").to_string(),
         robot.to_c("arm.h").expect("no mistakes").header,
-        robot.to_cpp("arm.hpp").expect("no mistakes"),
+        robot
+            .to_cpp("arm.hpp", Order::AngularFirst)
+            .expect("no mistakes"),
         robot
             .to_plain_python(Order::LinearFirst)
             .expect("no mistakes"),

@@ -110,7 +110,9 @@ fn a_header_of_cpp_has_templates_in_a_namespace() {
     let builder = two_link()
         .generate([Function::Gravity, Function::KineticEnergy])
         .parameter("payload", Target::MassOf("fore".into()));
-    let text = builder.to_cpp("arm.hpp").expect("no mistakes");
+    let text = builder
+        .to_cpp("arm.hpp", Order::AngularFirst)
+        .expect("no mistakes");
     for part in [
         " --functions gravity,kinetic_energy --field payload=mass_of:fore --language cpp --output arm.hpp`",
         "\nnamespace two_link {\n",
@@ -126,9 +128,20 @@ fn a_header_of_cpp_has_templates_in_a_namespace() {
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }
+    let jacobian = two_link().generate([Function::GeometricJacobian]);
+    let text = jacobian.to_cpp("arm.hpp", Order::LinearFirst);
+    let text = text.expect("no mistakes");
+    for part in [
+        " --language cpp --order linear-first --output arm.hpp`",
+        "the linear three, then the angular three.",
+        "order: b, u.",
+        "geometric_jacobian[1][4] = T(-1.0);\n",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
     let other = builder.prepare().section(NonZeroUsize::MIN).casadi();
     let errors = other
-        .to_cpp("arm.hpp")
+        .to_cpp("arm.hpp", Order::AngularFirst)
         .expect_err("three mistakes")
         .to_string();
     for option in ["`prepare`", "`section`", "`casadi`"] {
@@ -204,7 +217,7 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
         .parameter("payload", Target::MassOf("fore".into()));
     let errors = [
         builder.to_source().map(|_| ()),
-        builder.to_cpp("arm.hpp").map(|_| ()),
+        builder.to_cpp("arm.hpp", Order::AngularFirst).map(|_| ()),
         builder.clone().scalar(Real::F32).to_c("arm.h").map(|_| ()),
         floating.steps(Integrator::Euler).to_c("arm.h").map(|_| ()),
         closed.steps(Integrator::Euler).to_c("arm.h").map(|_| ()),

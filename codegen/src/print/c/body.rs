@@ -242,6 +242,10 @@ impl<'w> Writer<'w> {
             let read = entries.iter().enumerate();
             for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
                 let lengths = argument_lengths(*argument, &module.spaces);
+                let k = match argument {
+                    Variable::Wrench | Variable::Actions => self.writing.order.place(k),
+                    _ => k,
+                };
                 let value = self.loaded(place(argument.name(), k, &lengths));
                 self.constant(name, &value);
             }
@@ -390,6 +394,8 @@ impl<'w> Writer<'w> {
                     continue;
                 }
                 let value = self.stored(value);
+                let halves = quantity.entity.halves();
+                let k = halves.map_or(k, |_| self.writing.order.place(k));
                 let place = self.entry(name, k, &lengths);
                 self.line(&format!("{place} = {value};"));
             }

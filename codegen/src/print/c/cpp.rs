@@ -7,6 +7,8 @@ mod described;
 mod functions;
 mod support;
 
+pub use functions::call;
+
 use std::fmt::Write;
 
 use super::Writing;
@@ -16,6 +18,7 @@ use crate::formulation::Sines;
 use crate::module::Module;
 use crate::print::documentation::{self, Angles};
 use crate::request::ForC;
+use crate::space::Order;
 
 /// Options of the output.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +27,8 @@ pub struct Header<'a> {
     pub prefix: &'a str,
     /// The request.
     pub asked: &'a str,
+    /// Order of the two halves of twists, wrenches and momenta.
+    pub order: Order,
 }
 
 /// Text of the header; generic numbers are by default `double`.
@@ -41,9 +46,14 @@ pub fn header(module: &Module, header: &Header<'_>) -> String {
         fused: false,
         for_c: ForC::default(),
         templates: true,
+        order: header.order,
     };
     let mut head = documentation::head(module, header.asked);
     head.push(NEEDS.to_owned());
+    let [first, second] = header.order.halves(["angular", "linear"]);
+    head.push(format!(
+        "Twists, wrenches and momenta have six numbers: the {first} three, then the {second} three."
+    ));
     let mut text = comment(&head);
     let guard = format!("HOMOGEN_{}_HPP", namespace.to_uppercase());
     // Writing to a string cannot fail.
@@ -60,7 +70,8 @@ pub fn header(module: &Module, header: &Header<'_>) -> String {
 }
 
 /// Namespace for a prefix: `two_link` for `two_link_`.
-fn namespace(prefix: &str) -> String {
+#[must_use]
+pub fn namespace(prefix: &str) -> String {
     let name = prefix.trim_matches('_');
     let name = if name.is_empty() { "robot" } else { name };
     let mut names = unscoped();

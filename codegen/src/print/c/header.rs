@@ -14,6 +14,7 @@ use crate::module::{Module, Prepared};
 use crate::print::documentation::{self, Angles};
 use crate::print::steps::Step;
 use crate::request::Integrator;
+use crate::space::Order;
 
 /// Options of a header.
 pub(in crate::print) struct Header<'a> {
@@ -61,8 +62,9 @@ impl Header<'_> {
         }
         base_parameters(&mut text, module, prefix);
         let qualifier = if is_c { "HOMOGEN_FN " } else { "" };
+        let plain = Some((self.angles, Order::AngularFirst));
         for (generated, name) in module.functions.iter().zip(symbols(module, prefix)) {
-            let about = documentation::of_function(module, generated, Some(self.angles), None);
+            let about = documentation::of_function(module, generated, plain, None);
             text.push_str(&comment(&about));
             let parameters = parameters(module, generated, (prefix, "robot"));
             // Writing to a string cannot fail.
@@ -97,9 +99,10 @@ impl Header<'_> {
         let prepare = own(prefix, "prepare");
         let _ = writeln!(text, "HOMOGEN_FN void {prepare}({filled});\n");
         let symbols = prepared_symbols(module, prefix);
+        let plain = Some((self.angles, Order::AngularFirst));
         for (generated, name) in prepared.functions.iter().zip(symbols) {
             let once = Some(&prepared.operation_count);
-            let about = documentation::of_function(module, generated, Some(self.angles), once);
+            let about = documentation::of_function(module, generated, plain, once);
             text.push_str(&comment(&about));
             let parameters = parameters(module, generated, (prefix, "prepared"));
             // Writing to a string cannot fail.

@@ -9,7 +9,7 @@ use crate::print::rust::tests::{generated, literal, module, revolute, step, with
 use crate::real::Real;
 use crate::request::ForC;
 use crate::schedule::{Length, Operand, Operation, Program};
-use crate::space::Variable;
+use crate::space::{Order, Variable};
 
 const PLAIN: Writing<'_> = Writing {
     prefix: "pendulum_",
@@ -22,6 +22,7 @@ const PLAIN: Writing<'_> = Writing {
         acados: false,
     },
     templates: false,
+    order: Order::AngularFirst,
 };
 
 const FUSED: Writing<'_> = Writing {

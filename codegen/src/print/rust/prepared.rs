@@ -21,6 +21,7 @@ use super::names::{ident, of_methods};
 use super::steps;
 use crate::module::Module;
 use crate::print::{Fields, documentation};
+use crate::space::Order;
 
 /// Method of the robot, and items beside it; empty if it was not requested.
 pub(super) fn prepared(
@@ -71,7 +72,10 @@ pub(super) fn prepared(
         let about = documentation::of_function(
             module,
             generated,
-            inside.angles().as_ref(),
+            inside
+                .angles()
+                .as_ref()
+                .map(|angles| (angles, Order::AngularFirst)),
             Some(&prepared.operation_count),
         );
         methods.extend(method::method(

@@ -8,6 +8,7 @@ use crate::module::Module;
 use crate::print::c;
 use crate::print::rust::{Item, Library, Source, print};
 use crate::request::{ForC, Request};
+use crate::space::Order;
 
 fn module() -> Module {
     let (description, request) = described(&(FOUR_BAR.to_owned() + PIN));
@@ -63,6 +64,7 @@ fn headers_of_c_count_residuals() {
         fused: false,
         for_c: ForC::default(),
         templates: false,
+        order: Order::AngularFirst,
     };
     let c::Source { header, .. } = c::print(&module(), &writing);
     for part in [

@@ -8,17 +8,18 @@ use crate::print::Fields;
 use crate::print::c::Writing;
 use crate::print::c::body::{body, of_step};
 use crate::print::c::comments::comment;
-use crate::print::c::declarations::{argument_lengths, lengths, results};
+use crate::print::c::declarations::{argument_lengths, lengths, number, results};
 use crate::print::c::names::symbols;
 use crate::print::documentation::{self, Angles};
 use crate::print::steps::{Step, has_angles};
-use crate::space::Quantity;
+use crate::space::{Quantity, Variable};
 
 /// All functions.
 pub(super) fn text(module: &Module, writing: &Writing<'_>, angles: &Angles) -> String {
     let mut text = String::new();
     for (generated, name) in module.functions.iter().zip(symbols(module, writing.prefix)) {
-        let about = documentation::of_function(module, generated, Some(angles), None);
+        let about =
+            documentation::of_function(module, generated, Some((angles, writing.order)), None);
         let fields = Fields::Own(&module.parameters);
         // Functions are whole, so that no section needs a name.
         let body = body(module, (generated, fields), writing, &mut str::to_owned);
@@ -56,6 +57,25 @@ pub(super) fn text(module: &Module, writing: &Writing<'_>, angles: &Angles) -> S
     text
 }
 
+/// A call of the first function at the neutral configuration, at rest and with fields of zero, without its namespace; empty
+/// if there is no function.
+#[must_use]
+pub fn call(module: &Module) -> String {
+    let names = symbols(module, "").into_iter();
+    let Some((generated, name)) = module.functions.iter().zip(names).next() else {
+        return String::new();
+    };
+    let robot = (!module.parameters.is_empty()).then(|| "Robot<>{}".to_owned());
+    let number = number(module.scalar);
+    let arguments = generated.arguments(&module.spaces).into_iter();
+    let arguments = arguments.map(|argument| match argument {
+        Variable::Q => "NEUTRAL".to_owned(),
+        _ => array(number, &argument_lengths(argument, &module.spaces)) + "{}",
+    });
+    let all: Vec<String> = robot.into_iter().chain(arguments).collect();
+    format!("{name}({})", all.join(", "))
+}
+
 /// A function and the lengths of its arrays.
 struct Function<'f> {
     name: &'f str,
@@ -85,10 +105,10 @@ fn members(module: &Module, generated: &GeneratedFunction) -> Vec<(String, Strin
     members.collect()
 }
 
-/// `std::array<std::array<T, 3>, 2>`.
-fn array(lengths: &[usize]) -> String {
+/// `std::array<std::array<T, 3>, 2>` for the number `T`.
+fn array(number: &str, lengths: &[usize]) -> String {
     let inner = lengths.iter().rev();
-    inner.fold("T".to_owned(), |of, length| {
+    inner.fold(number.to_owned(), |of, length| {
         format!("std::array<{of}, {length}>")
     })
 }
@@ -107,7 +127,7 @@ impl Function<'_> {
         let mut text = format!("template <class T>\nstruct {} {{\n", self.structure_name());
         for (_, member, lengths) in &self.results {
             // Writing to a string cannot fail.
-            let _ = writeln!(text, "    {} {member};", array(lengths));
+            let _ = writeln!(text, "    {} {member};", array("T", lengths));
         }
         text + "};\n\n"
     }
@@ -142,7 +162,7 @@ impl Function<'_> {
         let scalar = format!("    using T = detail::scalar<{scalars}>;\n");
         let mut locals = String::new();
         let value = if let [(name, _, lengths)] = &*self.results {
-            let _ = writeln!(locals, "    {} {name};", array(lengths));
+            let _ = writeln!(locals, "    {} {name};", array("T", lengths));
             name.clone()
         } else {
             let result = format!("{}<T> result", self.structure_name());

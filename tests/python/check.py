@@ -97,7 +97,8 @@ class Package:
         rates = {name: random.uniform(-2, 2, (count, robot.NV)) for name in ("qd", "qdd", "tau", "weights")}
         links = sum(len(text.split(",")) for text in following(self.options, "--external"))
         actions = random.uniform(-2, 2, (count, links, 6))
-        states = {"q": q, **rates, "actions": actions}
+        wrench = random.uniform(-2, 2, (count, 6))
+        states = {"q": q, **rates, "wrench": wrench, "actions": actions}
         return {name: values.astype(self.dtype) for name, values in states.items()}
 
     def eval(self, function, frame, states):
@@ -122,7 +123,7 @@ STEPS = ("integrate", "difference", "normalize")
 SIX = {"velocity", "momentum", "centroidal_momentum", "centroidal_momentum_bias"}
 COLUMNS = {"spatial_jacobian", "body_jacobian", "geometric_jacobian"}
 COLUMNS |= {f"{name}_rate" for name in COLUMNS}
-COLUMNS |= {"center_of_mass_jacobian", "centroidal_momentum_matrix"}
+COLUMNS |= {"jacobian_derivative", "center_of_mass_jacobian", "centroidal_momentum_matrix"}
 
 
 def as_array(function, values, dtype):

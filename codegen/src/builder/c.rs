@@ -8,11 +8,11 @@ use super::file::write;
 use super::output::only_for_c;
 use crate::error::{Errors, Place};
 use crate::module::Module;
+use crate::print::arrays::Order;
 use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
 use crate::real::Real;
 use crate::request::ForC;
-use crate::space::Order;
 
 impl Builder {
     /// The functions in C99: a source, and a header that it includes by this name.

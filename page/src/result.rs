@@ -10,7 +10,10 @@ pub fn values(result: Outcome, spaces: &Spaces, numbers: &[f64]) -> Value {
     let parts = result.parts().zip(result.split(spaces, numbers));
     let values = parts.map(
         |((_, part), numbers)| match (rows(&part, spaces, numbers), numbers) {
-            (Some(rows), _) => json!(rows),
+            (Some(rows), _) => match (part.over, part.entity.dimensions()) {
+                ([_, _], &[each]) => json!(rows.chunks(each).collect::<Vec<_>>()),
+                _ => json!(rows),
+            },
             (None, [number]) if part.over.is_empty() => json!(number),
             (None, numbers) => json!(numbers),
         },
@@ -63,7 +66,7 @@ pub fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     lengths
 }
 
-/// The rows of a complete matrix; `None` for a vector.
+/// The rows of a complete matrix, or of several, one after the other; `None` for a vector.
 #[must_use]
 pub fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
     let under = |last: [f64; 4]| {
@@ -81,12 +84,13 @@ pub fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec
             vec![x, y, z, 0.0],
         ]
     };
-    if let (&[_], &[each]) = (quantity.over, quantity.entity.dimensions()) {
-        let row = |row: usize| numbers.iter().skip(row).step_by(each).copied().collect();
-        return Some((0..each).map(row).collect());
-    }
-    if quantity.over.len() > 1 && quantity.entity != Entity::Number {
-        return None;
+    if let (&[.., last], &[each]) = (quantity.over, quantity.entity.dimensions()) {
+        let matrices = numbers.chunks((each * spaces.len(last)).max(1));
+        let rows = matrices.flat_map(|matrix| {
+            let row = |row: usize| matrix.iter().skip(row).step_by(each).copied().collect();
+            (0..each).map(row).collect::<Vec<_>>()
+        });
+        return Some(rows.collect());
     }
     Some(match quantity.entity {
         Entity::Number => {

@@ -68,7 +68,7 @@ def functions(of):
 def states(of, names, count, dtype, seed=0):
     """Arguments of these names."""
     rng = np.random.default_rng(seed)
-    shapes = {"q": of.NQ, "actions": 6 * of._recipe.facts()["external"]}
+    shapes = {"q": of.NQ, "wrench": 6, "actions": 6 * of._recipe.facts()["external"]}
     made = {name: rng.uniform(-1.5, 1.5, (count, shapes.get(name, of.NV))) for name in names}
     if "q" in made:
         made["q"] = of.random(rng, count)

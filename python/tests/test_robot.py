@@ -12,7 +12,7 @@ import sys
 
 import numpy as np
 import pytest
-from conftest import REPOSITORY, ROBOTS, functions, robot, same
+from conftest import REPOSITORY, ROBOTS, functions, robot, same, states
 
 import homogen
 
@@ -174,7 +174,7 @@ def test_names_of_a_hostile_file_become_no_code():
     assert of.name == "None" and of.coordinate_names[0] == "class"
     q = of.random(0, 20)
     for name, function in functions(of):
-        arguments = [q[:, : of.NV] for _ in function.parameters()[0]]
+        arguments = states(of, function.parameters()[0], 20, float)
         found = function(*arguments)
         assert np.isfinite(found[0] if isinstance(found, tuple) else found).all(), name
     for frame in of.frames:

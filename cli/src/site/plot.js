@@ -69,8 +69,11 @@ function plotSection(data, compute, trajectory) {
     return Array.from({ length: count }, (_, k) => String(k + 1));
   };
   const numbered = (count, isRow) => names(count, isRow).map((name, k) => [String(k), name]);
-  // A part of a result: a number, a vector, or rows.
-  const parted = (result) => (result !== null && typeof result === "object" && !Array.isArray(result) ? result[part.value] : result);
+  // A part of a result: a number, a vector, or rows, of several matrices one after the other.
+  const parted = (result) => {
+    const own = result !== null && typeof result === "object" && !Array.isArray(result) ? result[part.value] : result;
+    return Array.isArray(own?.[0]?.[0]) ? own.flat() : own;
+  };
   // Offers the entries of the sample.
   function offer() {
     const parts = sample !== null && typeof sample === "object" && !Array.isArray(sample) ? Object.keys(sample) : [];

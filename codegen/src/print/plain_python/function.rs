@@ -78,6 +78,7 @@ pub(super) fn of_state(
                     );
                 }
             }
+            Variable::Wrench => load(&mut writer, argument.name(), &ordered(entries, order)),
             _ => load(&mut writer, argument.name(), entries),
         }
     }

@@ -336,7 +336,8 @@ impl Dense {
             let (w, _) = &motions[link];
             half * w.times(inertia).times(&w.transposed()).trace()
         });
-        for rate in self.configuration.rates_of_parameters(&rates) {
+        for one in self.configuration.identified() {
+            let rate = one.factor * rates.first[one.velocity];
             let zero = Approximate::exact(0.0);
             energies.extend([half * rate * rate, zero, zero]);
         }
@@ -345,12 +346,11 @@ impl Dense {
 
     /// The row y of U = y π.
     pub(crate) fn potential_energy_regressor(&self) -> Vec<Approximate> {
-        let rates = self.rates(Motion::Rest);
         let gravity = self.gravity();
         let mut energies = self
             .configuration
             .of_each_parameter(|_, inertia| -gravity.times(inertia).trace());
-        for _ in self.configuration.rates_of_parameters(&rates) {
+        for _ in self.configuration.identified() {
             energies.extend([Approximate::exact(0.0); 3]);
         }
         energies

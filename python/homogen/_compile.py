@@ -37,8 +37,8 @@ _VECTOR = 64 if _FEATURES.get("avx512f") else 32 if _FEATURES.get("avx2") else 1
 _loaded = weakref.WeakValueDictionary()
 
 
-# Functions that are being compiled, by recipe and kind of call; guarded by the lock of `_idle`, which is told when there are
-# none.
+# Functions that are being compiled, by recipe and kind of call; guarded by the lock of `_idle`, which is notified when
+# there are none.
 _pending = {}
 _idle = threading.Condition(threading.Lock())
 

@@ -262,8 +262,7 @@ impl Configuration {
                 continue;
             }
             let (h, pose) = (motions[link].1.plus(&minus_gravity), &self.poses[link]);
-            for unit in units() {
-                let inertia = pose.times(&unit).times(&pose.transposed());
+            for inertia in unit_inertias(pose) {
                 let action = h.times(&inertia).skew();
                 let mut column = self.nothing();
                 let mut at = Some(link);
@@ -287,8 +286,7 @@ impl Configuration {
     ) -> Vec<Scalar> {
         let links = self.robot.links.iter();
         let numbers = links.flat_map(|&link| {
-            let pose = &self.poses[link];
-            let inertias = units().map(|unit| pose.times(&unit).times(&pose.transposed()));
+            let inertias = unit_inertias(&self.poses[link]);
             inertias
                 .map(|inertia| of(link, &inertia))
                 .collect::<Vec<_>>()
@@ -296,23 +294,16 @@ impl Configuration {
         numbers.collect()
     }
 
-    /// Armature, damping and friction that are parameters, each degree of freedom with its rate.
-    pub(super) fn rates_of_parameters(&self, rates: &Rates) -> Vec<Scalar> {
+    /// The degrees of freedom whose armature, damping and friction are parameters.
+    pub(super) fn identified(&self) -> impl Iterator<Item = &DegreeOfFreedom> {
         let identified = self.robot.identified.iter().flatten();
-        let degrees_of_freedom =
-            identified.flat_map(|&body| &self.robot.bodies[body].degrees_of_freedom);
-        degrees_of_freedom
-            .map(|one| one.factor * rates.first[one.velocity])
-            .collect()
+        identified.flat_map(|&body| &self.robot.bodies[body].degrees_of_freedom)
     }
 
     /// The columns of armature, damping and friction.
     fn regressor_of_actuators(&self, rates: &Rates) -> Vec<List<VelocityId, Scalar>> {
         let mut columns = Vec::new();
-        let identified = self.robot.identified.iter().flatten();
-        for degree_of_freedom in
-            identified.flat_map(|&body| &self.robot.bodies[body].degrees_of_freedom)
-        {
+        for degree_of_freedom in self.identified() {
             let DegreeOfFreedom {
                 velocity, factor, ..
             } = degree_of_freedom;
@@ -404,15 +395,16 @@ fn along(screw: &Matrix<Scalar>, action: &Matrix<Scalar>) -> Scalar {
     along.fold(Scalar::exact(0.0), |sum, term| sum + term)
 }
 
-/// J with one of m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz equal to 1.
-fn units() -> impl Iterator<Item = Matrix<Scalar>> {
+/// J in frame 0 of a link with this pose, M J Mᵗ, with one of m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz equal
+/// to 1.
+fn unit_inertias(pose: &Matrix<Scalar>) -> impl Iterator<Item = Matrix<Scalar>> {
     let first = [(3, 3), (0, 3), (1, 3), (2, 3)];
     let second = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
-    first.into_iter().chain(second).map(|(row, column)| {
+    first.into_iter().chain(second).map(move |(row, column)| {
         let mut unit = Matrix::zero();
         unit.0[row][column] = Scalar::exact(1.0);
         unit.0[column][row] = Scalar::exact(1.0);
-        unit
+        pose.times(&unit).times(&pose.transposed())
     })
 }
 

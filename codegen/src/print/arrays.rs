@@ -4,7 +4,8 @@
 //! stand in the order of those shapes. It prints nothing.
 //!
 //! The last axes of an array are those of one state. A 4×4 matrix is whole; what each joint has is a column, so that a
-//! Jacobian is (6, n), and its derivatives are (n, 6, n), one after the other; six numbers that turn and move stand in one of two orders, in arguments as in results.
+//! Jacobian is (6, n), and its derivatives are (n, 6, n), one after the other; six numbers that turn and move stand in
+//! one of two orders, in arguments as in results.
 
 use super::documentation;
 use super::steps::Step;
@@ -81,8 +82,8 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
 #[must_use]
 pub fn has_order(function: Function, arguments: &[Variable]) -> bool {
     let mut parts = function.result().parts();
-    let has_wrenches = |of: &Variable| matches!(of, Variable::Wrench | Variable::Actions);
-    arguments.iter().any(has_wrenches) || parts.any(|(_, part)| part.entity.halves().is_some())
+    arguments.iter().any(|of| of.has_wrenches())
+        || parts.any(|(_, part)| part.entity.halves().is_some())
 }
 
 /// The signatures of the functions of configurations: integration, difference and normalisation.
@@ -140,7 +141,7 @@ pub fn arrange_results(generated: &mut GeneratedFunction, spaces: &Spaces, order
 /// Reads wrenches with the force first.
 fn read_linear_first(program: &mut Program) {
     let read = |operand: Operand| match operand {
-        Operand::Input(Input::Variable(of @ (Variable::Wrench | Variable::Actions), entry)) => {
+        Operand::Input(Input::Variable(of, entry)) if of.has_wrenches() => {
             let entry = Order::LinearFirst.place(usize::from(entry));
             let entry = u16::try_from(entry).expect("of the same wrench");
             Operand::Input(Input::Variable(of, entry))

@@ -95,6 +95,12 @@ impl Variable {
         }
     }
 
+    /// True if its entries are those of wrenches: a couple, then a force.
+    #[must_use]
+    pub const fn has_wrenches(self) -> bool {
+        matches!(self, Self::Wrench | Self::Actions)
+    }
+
     /// True if descriptions may limit it: q and q̇.
     #[must_use]
     pub const fn has_limits(self) -> bool {

@@ -242,9 +242,10 @@ impl<'w> Writer<'w> {
             let read = entries.iter().enumerate();
             for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
                 let lengths = argument_lengths(*argument, &module.spaces);
-                let k = match argument {
-                    Variable::Wrench | Variable::Actions => self.writing.order.place(k),
-                    _ => k,
+                let k = if argument.has_wrenches() {
+                    self.writing.order.place(k)
+                } else {
+                    k
                 };
                 let value = self.loaded(place(argument.name(), k, &lengths));
                 self.constant(name, &value);

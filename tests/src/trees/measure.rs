@@ -92,30 +92,6 @@ impl Measure {
         let compared = |size: &dyn Fn(usize) -> f64| largest(found, &expected(function), size);
         let count = arguments[Variable::Qd].len();
         match function {
-            Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
-            Function::TipVelocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.arm }),
-            Function::TipAcceleration => {
-                let rates = self.gain * sum(&arguments[Variable::Qdd]) + rates * rates;
-                compared(&|k| self.acceleration(k, rates))
-            }
-            Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
-                compared(&|k| self.gain * if k % 6 < 3 { 1.0 } else { self.arm })
-            }
-            Function::SpatialJacobianRate
-            | Function::BodyJacobianRate
-            | Function::GeometricJacobianRate => {
-                compared(&|k| rates * if k % 6 < 3 { 1.0 } else { self.arm })
-            }
-            Function::JacobianDerivative => {
-                let gain = self.gain * self.gain;
-                compared(&|k| gain * if k % 6 < 3 { 1.0 } else { self.arm })
-            }
-            Function::ForwardKinematicsHessian => {
-                let (couple, force) = arguments[Variable::Wrench].split_at(3);
-                let size = self.gain * self.gain * (sum(couple) + self.arm * sum(force));
-                compared(&|_| size)
-            }
-            Function::AccelerationBias => compared(&|k| self.acceleration(k, rates * rates)),
             Function::InverseDynamics | Function::Bias | Function::Gravity => {
                 let mut at = arguments.clone();
                 if function != Function::InverseDynamics {
@@ -188,6 +164,40 @@ impl Measure {
                 let size = self.change(arguments, Change::Rate);
                 compared(&|_| size)
             }
+            other => self.kinematic_error(other, found, arguments),
+        }
+    }
+
+    /// The same of functions of poses and of motions.
+    fn kinematic_error(&self, function: Function, found: &[f64], arguments: &Arguments) -> f64 {
+        let rates = self.gain * sum(&arguments[Variable::Qd]);
+        let expected = || frame_0::evaluate(&self.robot, function, 0, arguments);
+        let compared = |size: &dyn Fn(usize) -> f64| largest(found, &expected(), size);
+        match function {
+            Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
+            Function::TipVelocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.arm }),
+            Function::TipAcceleration => {
+                let rates = self.gain * sum(&arguments[Variable::Qdd]) + rates * rates;
+                compared(&|k| self.acceleration(k, rates))
+            }
+            Function::SpatialJacobian | Function::BodyJacobian | Function::GeometricJacobian => {
+                compared(&|k| self.gain * if k % 6 < 3 { 1.0 } else { self.arm })
+            }
+            Function::SpatialJacobianRate
+            | Function::BodyJacobianRate
+            | Function::GeometricJacobianRate => {
+                compared(&|k| rates * if k % 6 < 3 { 1.0 } else { self.arm })
+            }
+            Function::JacobianDerivative => {
+                let gain = self.gain * self.gain;
+                compared(&|k| gain * if k % 6 < 3 { 1.0 } else { self.arm })
+            }
+            Function::ForwardKinematicsHessian => {
+                let (couple, force) = arguments[Variable::Wrench].split_at(3);
+                let size = self.gain * self.gain * (sum(couple) + self.arm * sum(force));
+                compared(&|_| size)
+            }
+            Function::AccelerationBias => compared(&|k| self.acceleration(k, rates * rates)),
             other => self.weighted_error(other, found, arguments),
         }
     }

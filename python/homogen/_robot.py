@@ -167,6 +167,13 @@ class Robot:
 
         return self._of(Numba)
 
+    @property
+    def cuda(self):
+        """The functions on a GPU of NVIDIA, of arrays there: of CuPy, PyTorch, JAX or Numba."""
+        from ._cuda import Cuda
+
+        return self._of(Cuda)
+
     def _of(self, library):
         """The functions for a library, made once."""
         own = self._libraries

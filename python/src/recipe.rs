@@ -24,7 +24,7 @@ use homogen_codegen::name::Name;
 use homogen_codegen::print::arrays::{self, Order, Signature};
 use homogen_codegen::print::c::own;
 use homogen_codegen::print::described;
-use homogen_codegen::print::llvm::{self, Steps, Writing};
+use homogen_codegen::print::llvm::{self, States, Steps, Writing};
 use homogen_codegen::print::plain_python;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
@@ -277,8 +277,8 @@ impl Recipe {
         Ok((names.map(str::to_owned).collect(), module.base_values))
     }
 
-    /// The LLVM IR of a function, the name of its entry in there, and about how many operations a state takes. `lanes` is how many states a vector holds; `fused`
-    /// is whether products fuse with sums.
+    /// The LLVM IR of a function, the name of its entry in there, and about how many operations a state takes. `lanes` is how
+    /// many states a vector holds, 0 for a kernel of a GPU; `fused` is whether products fuse with sums.
     #[expect(clippy::too_many_arguments, reason = "each decides which code it is")]
     fn code(
         &self,
@@ -401,14 +401,18 @@ impl Recipe {
             let chain = expand::understand(&self.description(&request)?, &request)?;
             (expand::without_functions(&chain), Steps::All)
         };
+        let (states, entry) = match lanes {
+            0 => (States::InThreads, "kernel"),
+            lanes => (States::InLanes(lanes), "arrays"),
+        };
         let writing = Writing {
             prefix: PREFIX,
             asked: None,
             steps,
-            lanes,
+            states,
             fused,
         };
-        let entry = own(PREFIX, &format!("{name}_arrays"));
+        let entry = own(PREFIX, &format!("{name}_{entry}"));
         let operations = match module.functions.first() {
             Some(generated) => {
                 let Program { steps, angles, .. } = &generated.program;

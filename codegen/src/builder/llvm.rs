@@ -6,7 +6,7 @@ use super::Builder;
 use super::command::Language;
 use crate::error::Errors;
 use crate::module::Module;
-use crate::print::llvm::{self, Steps, Writing};
+use crate::print::llvm::{self, States, Steps, Writing};
 
 impl Builder {
     /// The functions as LLVM IR, for LLVM 19 or later: `NAME` for one state, with the parameters of
@@ -33,7 +33,7 @@ impl Builder {
             prefix: &self.prefix(module),
             asked: Some(&self.asked(module, Language::Llvm(lanes))),
             steps: Steps::OfQuaternions,
-            lanes: lanes.get(),
+            states: States::InLanes(lanes.get()),
             fused: self.fuses(module),
         };
         llvm::print(module, &writing)

@@ -2,12 +2,14 @@
 //!
 //! In: a [`Module`], a prefix for names, and the number of lanes. Out: a module of LLVM 19 or later as text, without a
 //! target, which is chosen at compilation. `NAME` takes one state, as in the C file; `NAME_batch` takes any number of
-//! states with any stride; `NAME_arrays` takes the same behind a pointer, so that all functions have one signature. Results
-//! have the same bits as those of the C file: no operation has fast-math flags.
+//! states with any stride; `NAME_arrays` takes the same behind a pointer, so that all functions have one signature. For a
+//! GPU there is `NAME_kernel` instead, with a thread for each state. Results have the same bits as those of the C file: no
+//! operation has fast-math flags.
 
 mod batch;
 mod body;
 mod function;
+mod kernel;
 mod lanes;
 mod sines;
 #[cfg(test)]
@@ -34,10 +36,19 @@ pub struct Writing<'a> {
     pub asked: Option<&'a str>,
     /// The functions of configurations that are written.
     pub steps: Steps,
-    /// Number of lanes of a vector of states.
-    pub lanes: usize,
+    /// Functions of many states.
+    pub states: States,
     /// True if products fuse with sums, by `llvm.fma`.
     pub fused: bool,
+}
+
+/// Functions of many states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum States {
+    /// `NAME_batch` and `NAME_arrays`: loops over states, which stand in so many lanes of vectors.
+    InLanes(usize),
+    /// `NAME_kernel`, for GPUs of NVIDIA: a thread for each state.
+    InThreads,
 }
 
 /// Choice among the functions `neutral`, `integrate`, `difference` and `normalize`.
@@ -58,12 +69,13 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         Real::F32 => Real::F32,
         Real::F64 | Real::Generic => Real::F64,
     };
-    let [one, several] = [1, writing.lanes].map(|count| Lanes { real, count });
-    let widths = if writing.lanes > 1 {
-        vec![one, several]
-    } else {
-        vec![one]
+    let widths = match writing.states {
+        States::InLanes(several) if several > 1 => vec![1, several],
+        States::InLanes(_) | States::InThreads => vec![1],
     };
+    let widths: Vec<Lanes> = (widths.into_iter())
+        .map(|count| Lanes { real, count })
+        .collect();
     let symbols = symbols(module, writing.prefix);
     let mut text = String::new();
     if let Some(asked) = writing.asked {
@@ -79,7 +91,7 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         text.push_str(&sines::define(lanes, writing.fused));
     }
     for &lanes in &widths {
-        text.push_str(&moves(lanes));
+        text.push_str(&moves(lanes, writing.states));
     }
     let angles = match module.sines {
         Sines::Own => Angles::own(real),
@@ -113,11 +125,19 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         for &lanes in &widths {
             text.push_str(&define(&function, lanes));
         }
-        text.push_str(&batch(&function, &widths));
-        text.push_str(&arrays(&function));
+        match writing.states {
+            States::InLanes(_) => {
+                text.push_str(&batch(&function, &widths));
+                text.push_str(&arrays(&function));
+            }
+            States::InThreads => text.push_str(&kernel::kernel(&function, widths[0])),
+        }
     }
     for lanes in widths {
         text.push_str(&lanes.declarations());
+    }
+    if writing.states == States::InThreads {
+        text.push_str(&kernel::declarations());
     }
     text
 }

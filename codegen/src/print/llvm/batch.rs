@@ -8,44 +8,43 @@
 
 use std::fmt::Write;
 
+use super::States;
 use super::body::local;
 use super::function::{Function, Pointer, ROBOT};
 use super::lanes::Lanes;
 
 /// Definition.
 pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
-    let (arguments, results) = (function.arguments(), function.results());
-    let fields = function
-        .has_fields()
-        .then(|| format!("ptr {}", local(ROBOT)));
-    let strided = arguments.iter().chain(&results).map(|pointer| {
-        let [state, entry] = ["state", "entry"].map(|of| pointer.part(of));
-        format!("ptr {}, i64 {state}, i64 {entry}", local(&pointer.name))
-    });
-    let count = "i64 %count.of".to_owned();
-    let parameters = [count].into_iter().chain(fields).chain(strided);
-    let parameters: Vec<String> = parameters.collect();
     let mut lines = Lines::default();
     for lanes in widths {
-        for pointer in arguments.iter().chain(&results) {
-            let block = pointer.block(*lanes);
-            let (len, kind, size) = (pointer.len, lanes.value(), lanes.size());
-            lines.push(&format!("{block} = alloca [{len} x {kind}], align {size}"));
-        }
+        lines.blocks(function, *lanes);
     }
     lines.push("%state.at = alloca i64, align 8");
     lines.push("store i64 0, ptr %state.at, align 8");
     // The widest first; scalars take the rest.
     for lanes in widths.iter().rev() {
-        one_loop(&mut lines, function, *lanes, (&arguments, &results));
+        one_loop(&mut lines, function, *lanes);
     }
     lines.push("ret void");
     format!(
         "define void @{}_batch({}) nounwind {{\n{}}}\n\n",
         function.symbol,
-        parameters.join(", "),
+        parameters(function, &format!("ptr {}", local(ROBOT))),
         lines.0
     )
+}
+
+/// Parameters of a function of many states, with those fields if there are any.
+pub(super) fn parameters(function: &Function<'_>, fields: &str) -> String {
+    let fields = function.has_fields().then(|| fields.to_owned());
+    let pointers = function.arguments().into_iter().chain(function.results());
+    let strided = pointers.map(|pointer| {
+        let [state, entry] = ["state", "entry"].map(|of| pointer.part(of));
+        format!("ptr {}, i64 {state}, i64 {entry}", local(&pointer.name))
+    });
+    let count = "i64 %count.of".to_owned();
+    let parameters = [count].into_iter().chain(fields).chain(strided);
+    parameters.collect::<Vec<_>>().join(", ")
 }
 
 /// Function with the same parameters behind a pointer.
@@ -82,12 +81,7 @@ pub(super) fn arrays(function: &Function<'_>) -> String {
 }
 
 /// Loop over states, as many at a time as there are lanes.
-fn one_loop(
-    lines: &mut Lines,
-    function: &Function<'_>,
-    lanes: Lanes,
-    (arguments, results): (&[Pointer], &[Pointer]),
-) {
+fn one_loop(lines: &mut Lines, function: &Function<'_>, lanes: Lanes) {
     let count = lanes.count;
     let own = |name: &str| format!("{name}.{count}");
     let [more, some, none] = ["more", "some", "none"].map(own);
@@ -99,20 +93,7 @@ fn one_loop(
     lines.push(&format!("%{holds} = icmp ule i64 %{end}, %count.of"));
     lines.push(&format!("br i1 %{holds}, label %{some}, label %{none}"));
     lines.label(&some);
-    for pointer in arguments {
-        lines.move_states("read", pointer, lanes, &first);
-    }
-    let fields = function
-        .has_fields()
-        .then(|| format!("ptr {}", local(ROBOT)));
-    let blocks = arguments.iter().chain(results);
-    let blocks = blocks.map(|pointer| format!("ptr {}", pointer.block(lanes)));
-    let all: Vec<String> = fields.into_iter().chain(blocks).collect();
-    let name = function.name(lanes);
-    lines.push(&format!("call void {name}({})", all.join(", ")));
-    for pointer in results {
-        lines.move_states("write", pointer, lanes, &first);
-    }
+    lines.compute(function, lanes, &first);
     lines.push(&format!("store i64 %{end}, ptr %state.at, align 8"));
     lines.push(&format!("br label %{more}"));
     lines.label(&none);
@@ -120,7 +101,7 @@ fn one_loop(
 
 impl Pointer {
     /// Name of a value that belongs to the parameter.
-    fn part(&self, of: &str) -> String {
+    pub(super) fn part(&self, of: &str) -> String {
         local(&format!("{}.{of}", self.name))
     }
 
@@ -131,12 +112,21 @@ impl Pointer {
 }
 
 /// Functions that move the entries of a vector of states between an array and a block of values.
-pub(super) fn moves(lanes: Lanes) -> String {
-    mover("read", lanes) + &mover("write", lanes)
+///
+/// In threads their loops are unrolled whatever their length, since registers of a GPU have no addresses.
+pub(super) fn moves(lanes: Lanes, states: States) -> String {
+    let (unrolled, how) = match states {
+        States::InLanes(_) => ("", ""),
+        States::InThreads => (
+            ", !llvm.loop !0",
+            "!0 = distinct !{!0, !1}\n!1 = !{!\"llvm.loop.unroll.full\"}\n\n",
+        ),
+    };
+    mover("read", lanes, unrolled) + &mover("write", lanes, unrolled) + how
 }
 
-/// Such a function: a loop over entries.
-fn mover(name: &str, lanes: Lanes) -> String {
+/// Such a function: a loop over entries, with a remark on the loop.
+fn mover(name: &str, lanes: Lanes, remark: &str) -> String {
     let (value, number, size, count) = (lanes.value(), lanes.number(), lanes.size(), lanes.count);
     let reads = name == "read";
     let mut lines = Lines::default();
@@ -200,7 +190,7 @@ fn mover(name: &str, lanes: Lanes) -> String {
     }
     lines.push("%k.next = add i64 %k, 1");
     lines.push("%more = icmp ult i64 %k.next, %len");
-    lines.push("br i1 %more, label %entries, label %done");
+    lines.push(&format!("br i1 %more, label %entries, label %done{remark}"));
     lines.label("done");
     lines.push("ret void");
     format!(
@@ -212,16 +202,44 @@ fn mover(name: &str, lanes: Lanes) -> String {
 
 /// Instructions and labels.
 #[derive(Default)]
-struct Lines(String);
+pub(super) struct Lines(pub(super) String);
 
 impl Lines {
-    fn push(&mut self, instruction: &str) {
+    pub(super) fn push(&mut self, instruction: &str) {
         // Writing to a string cannot fail.
         let _ = writeln!(self.0, "  {instruction}");
     }
 
-    fn label(&mut self, name: &str) {
+    pub(super) fn label(&mut self, name: &str) {
         let _ = writeln!(self.0, "{name}:");
+    }
+
+    /// Room for the entries of as many states as there are lanes.
+    pub(super) fn blocks(&mut self, function: &Function<'_>, lanes: Lanes) {
+        for pointer in function.arguments().into_iter().chain(function.results()) {
+            let (block, len) = (pointer.block(lanes), pointer.len);
+            let (kind, size) = (lanes.value(), lanes.size());
+            self.push(&format!("{block} = alloca [{len} x {kind}], align {size}"));
+        }
+    }
+
+    /// Reads the states from `first` on, computes and writes their results.
+    pub(super) fn compute(&mut self, function: &Function<'_>, lanes: Lanes, first: &str) {
+        let (arguments, results) = (function.arguments(), function.results());
+        for pointer in &arguments {
+            self.move_states("read", pointer, lanes, first);
+        }
+        let fields = function
+            .has_fields()
+            .then(|| format!("ptr {}", local(ROBOT)));
+        let blocks = arguments.iter().chain(&results);
+        let blocks = blocks.map(|pointer| format!("ptr {}", pointer.block(lanes)));
+        let all: Vec<String> = fields.into_iter().chain(blocks).collect();
+        let name = function.name(lanes);
+        self.push(&format!("call void {name}({})", all.join(", ")));
+        for pointer in &results {
+            self.move_states("write", pointer, lanes, first);
+        }
     }
 
     /// Moves the states from `first` on between an array and its block.

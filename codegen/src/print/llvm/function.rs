@@ -10,6 +10,7 @@ use super::body::{Writer, local};
 use super::lanes::Lanes;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
+use crate::print::arrays::below;
 use crate::print::c::results;
 use crate::print::large::columns;
 use crate::print::steps::Step;
@@ -42,6 +43,8 @@ pub(super) struct Pointer {
     pub name: String,
     /// Count of numbers of one state.
     pub len: usize,
+    /// Constant row below a matrix, which the function does not store.
+    pub below: Option<[f64; 4]>,
 }
 
 impl<'l> Function<'l> {
@@ -64,6 +67,7 @@ impl<'l> Function<'l> {
         let pointer = |name: &str, space| Pointer {
             name: name.to_owned(),
             len: spaces.len(space),
+            below: None,
         };
         match self.of {
             Of::State(generated) => (generated.arguments(spaces).iter())
@@ -82,6 +86,7 @@ impl<'l> Function<'l> {
                 return vec![Pointer {
                     name: step.name().to_owned(),
                     len: self.module.spaces.len(step.result()),
+                    below: None,
                 }];
             }
         };
@@ -92,6 +97,7 @@ impl<'l> Function<'l> {
             Pointer {
                 len: lengths.product(),
                 name,
+                below: below(quantity.entity),
             }
         });
         results.collect()
@@ -100,6 +106,12 @@ impl<'l> Function<'l> {
     /// Symbol of the function for these lanes.
     pub(super) fn name(&self, lanes: Lanes) -> String {
         format!("@{}{}", self.symbol, lanes.suffix())
+    }
+
+    /// Count of the numbers of all fields.
+    pub(super) fn fields(&self) -> usize {
+        let fields = Fields::Own(&self.module.parameters).entries();
+        fields.iter().map(Vec::len).sum()
     }
 
     fn routine(&self) -> Routine {

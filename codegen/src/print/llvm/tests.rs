@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Steps, Writing, print};
+use super::{States, Steps, Writing, print};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::rust::tests::{generated, literal, module, step, with_payload};
@@ -10,11 +10,15 @@ use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program};
 
 fn written(module: &Module, lanes: usize, fused: bool) -> String {
+    of_states(module, States::InLanes(lanes), fused)
+}
+
+fn of_states(module: &Module, states: States, fused: bool) -> String {
     let writing = Writing {
         prefix: "pendulum_",
         asked: Some("Made by hand."),
         steps: Steps::OfQuaternions,
-        lanes,
+        states,
         fused,
     };
     print(module, &writing)
@@ -134,11 +138,33 @@ fn without_a_head_nothing_is_said_and_configurations_are_by_choice() {
         prefix: "pendulum_",
         asked: None,
         steps,
-        lanes: 1,
+        states: States::InLanes(1),
         fused: false,
     };
     let [all, none] = [Steps::All, Steps::None].map(|steps| print(&module, &writing(steps)));
     assert!(!all.contains(';') && !none.contains(';'), "{all}");
     assert!(all.contains("@pendulum_integrate_arrays("));
     assert!(!none.contains("@pendulum_integrate"));
+}
+
+#[test]
+fn a_kernel_computes_the_state_of_its_thread() {
+    let text = of_states(&with_payload(module(Real::F32)), States::InThreads, true);
+    let kernel = function(&text, "@pendulum_gravity_kernel");
+    let head = "define ptx_kernel void @pendulum_gravity_kernel(i64 %count.of, ptr byval([1 x float]) align 4 %robot, \
+                ptr %q, i64 %q.state, i64 %q.entry, ptr %gravity, i64 %gravity.state, i64 %gravity.entry) nounwind {";
+    assert_eq!(kernel.lines().next(), Some(head));
+    for line in [
+        "  %is.state = icmp ult i64 %state.of, %count.of",
+        "  %q.offset.1.read = mul i64 %state.of, %q.state",
+        "  call void @pendulum_gravity(ptr %robot, ptr %q.block.1, ptr %gravity.block.1)",
+    ] {
+        assert!(kernel.contains(line), "{line} in {kernel}");
+    }
+    assert!(
+        !text.contains("_batch") && !text.contains("_arrays"),
+        "{text}"
+    );
+    // Loops that are not unrolled would keep entries in memory.
+    assert_eq!(text.matches("!llvm.loop !0").count(), 2);
 }

@@ -114,7 +114,7 @@ fn run() -> bool {
     off < 1e-3
 }
 
-/// Arithmetic of this firmware does not panic; if it does, the status says so.
+/// A mistake of this program ends it with a status.
 #[panic_handler]
 fn panic(_: &PanicInfo<'_>) -> ! {
     debug::exit(EXIT_FAILURE);

@@ -1,6 +1,6 @@
 //! Shared code of the examples.
 //!
-//! Controllers, a filter and an optimiser for any robot; random states, functions called by name, times with the machine
+//! Controllers, a filter, an optimiser and the design of exciting motions for any robot; random states, functions called by name, times with the machine
 //! of the measurement. Users of `homogen` do not need this crate. Its documentation tests compile and run the blocks of
 //! Rust in the README and the guide.
 
@@ -9,6 +9,7 @@ pub mod bound;
 pub mod control;
 pub mod drawing;
 pub mod entries;
+pub mod excitation;
 pub mod filter;
 pub mod listing;
 pub mod machine;

@@ -31,6 +31,7 @@ const SCRIPT: &str = view!(
     include_str!("site/jacobian.js"),
     include_str!("site/trajectory.js"),
     include_str!("site/plot.js"),
+    include_str!("site/mesh.js"),
     include_str!("site/shapes.js"),
     include_str!("site/zip.js"),
     include_str!("site/measured.js"),

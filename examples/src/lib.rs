@@ -40,6 +40,8 @@ mod guide {
     struct Glossary;
     #[doc = include_str!("../../guide/src/fields.md")]
     struct Fields;
+    #[doc = include_str!("../../guide/src/page.md")]
+    struct Page;
     #[doc = include_str!("../../guide/src/command-line.md")]
     struct CommandLine;
     #[doc = include_str!("../../guide/src/build-script.md")]

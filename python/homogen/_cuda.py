@@ -5,7 +5,6 @@ nor another compiler is needed. What is loaded stays in the GPU until the proces
 """
 
 import ctypes
-import hashlib
 import math
 import os
 import re
@@ -14,7 +13,8 @@ import threading
 import llvmlite.binding as llvm
 import numpy
 
-from . import _cache, results
+from . import results
+from ._compile import key_of, kept, optimise, parsed
 from ._engine import VERSION
 from ._library import Library, counted, imported, leading
 from ._progress import working
@@ -202,26 +202,21 @@ def ptx(entry, ir, capability):
     """The code of a kernel for GPUs of a compute capability, from the cache on disk or compiled."""
     processor = "sm_{}{}".format(*min(capability, _LATEST))
     about = (VERSION, *llvm.llvm_version_info, _TRIPLE, processor, _EFFORT, entry, ir)
-    key = hashlib.sha256("\0".join(map(str, about)).encode()).hexdigest()
-    kept = _cache.read(key)
-    if kept is not None:
-        return kept
+    return kept(key_of(about), lambda: _compile(entry, ir, processor))
+
+
+def _compile(entry, ir, processor):
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     machine = llvm.Target.from_triple(_TRIPLE).create_target_machine(cpu=processor, opt=_EFFORT)
-    module = llvm.parse_assembly(ir)
-    module.triple, module.data_layout = _TRIPLE, str(machine.target_data)
-    for function in module.functions:
-        if not function.is_declaration and function.name != entry:
-            function.linkage = "internal"
-            if b"noinline" not in b"".join(function.attributes):
-                function.add_function_attribute("alwaysinline")
-    passes = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=_EFFORT))
-    passes.getModulePassManager().run(module, passes)
+    module, inner = parsed(entry, ir, _TRIPLE)
+    module.data_layout = str(machine.target_data)
+    for function in inner:
+        if b"noinline" not in b"".join(function.attributes):
+            function.add_function_attribute("alwaysinline")
+    optimise(module, machine, _EFFORT)
     # The driver reads it up to a zero.
-    made = machine.emit_assembly(module).encode() + b"\0"
-    _cache.write(key, made)
-    return made
+    return machine.emit_assembly(module).encode() + b"\0"
 
 
 _driver = None

@@ -129,6 +129,8 @@ def judge(program, file, name):
         verdict.failures.append(str(failed))
     except Exception as reason:
         verdict.failures.append(f"not compared: {type(reason).__name__}: {reason}")
+    # The report is the same wherever the files are.
+    verdict.reason = verdict.reason.replace(f"{file.parent}/", "")
     return verdict
 
 

@@ -17,8 +17,8 @@ What `homogen check` and `homogen eval` make of every MJCF file of four packages
 `tests/zoo/mjcf.sh`, on {machine}). Each of the {functions} functions is evaluated at {states} random states as written
 (`--exact`), inverse and forward dynamics, gravity, bias and mass matrix also with `--rotors`, and compared with MuJoCo's
 compiled model without contacts and constraints. Poses are compared for the first and last bodies and sites, and keyframes
-with names as configurations. Errors are relative, as for URDF; more than {limit:.0e} is a failure, and more than {sums:.0e} of random files that add up geoms,
-whose principal axes MuJoCo computes to that.
+with names as configurations. Errors are relative, as for URDF; more than {limit:.0e} is a failure, and more than {sums:.0e}
+of random files that add up geoms, whose principal axes MuJoCo computes to that.
 
 {summary}
 """

@@ -57,6 +57,8 @@ pub struct Chain {
     spaces: Spaces,
     /// The joints that close loops, in the order of the description.
     pub loops: Vec<Loop>,
+    /// The residuals of all loops in the order in which they are eliminated, independent ones first.
+    pub elimination: Vec<usize>,
     /// The velocities with an actuator; loops move the others.
     pub actuated: List<VelocityId, bool>,
     /// The requested frames: the tip first, if there is one.
@@ -295,10 +297,11 @@ impl Chain {
         self
     }
 
-    /// Changes the residuals of its loops, and updates the list of residuals.
+    /// Changes the residuals of its loops, and updates the list of residuals. They are eliminated in that order.
     pub fn close(&mut self, change: impl FnOnce(&mut [Loop])) {
         change(&mut self.loops);
         self.spaces.constraints = closure::entries(&self.loops);
+        self.elimination = (0..self.spaces.constraints.len()).collect();
     }
 
     /// The first of `joints` with a velocity, which is no mimic joint.

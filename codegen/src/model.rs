@@ -367,6 +367,7 @@ impl<'g> Scene<'_, 'g> {
             jacobian: loops::jacobian(self),
             bias: loops::bias(self),
             alike: loops::alike(self.bodies),
+            order: self.bodies.elimination.clone(),
             zero_pivot: self.algorithm.scalar.zero_pivot(),
         };
         constrained::accelerations(&self.mass_matrix(), &self.parents(), &forces, &loops)
@@ -378,6 +379,7 @@ impl<'g> Scene<'_, 'g> {
             jacobian: loops::jacobian(self),
             bias: Vec::new(),
             alike: loops::alike(self.bodies),
+            order: self.bodies.elimination.clone(),
             zero_pivot: self.algorithm.scalar.zero_pivot(),
         };
         let needed = self.torques(&self.qdd());

@@ -68,7 +68,7 @@ pub fn check_merged(mut chain: Chain, request: &Request) -> Result<Chain, Errors
         actuated.any(|name| name.text == *joint(velocity))
     };
     chain.actuated = velocities.clone().map(is_actuated).collect();
-    chain.spaces.constraints = entries(&chain.loops);
+    chain.close(|_| {});
     let warnings = unasked(&chain, request);
     chain.report.warnings.extend(warnings);
     errors.into_result(chain)

@@ -102,6 +102,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         joints,
         spaces,
         loops,
+        elimination: Vec::new(),
         actuated: List::new(),
         frames,
         external,

@@ -93,6 +93,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         base_columns: Vec::new(),
         identified: Vec::new(),
         loops: Vec::new(),
+        elimination: Vec::new(),
         actuated: Vec::new(),
         external: (external, data.external.1),
     }

@@ -1,14 +1,17 @@
 //! Residuals that depend on others in closed configurations.
 //!
-//! In: a description and its chain. Out: the residuals that the others imply in closed configurations, as in every
-//! over-constrained linkage that moves; and warnings if rounding of the description decides it, or if the loops leave
-//! no motion.
+//! In: a description and its chain. Out: the order in which residuals are eliminated; those that the others imply in
+//! closed configurations, as in every over-constrained linkage that moves; and warnings if rounding of the description
+//! decides it, or if the loops leave no motion or do not close.
+
+mod order;
 
 use super::{robot, states};
 use crate::chain::Chain;
 use crate::dense::{Dense, State};
 use crate::error::Diagnostic;
-use crate::space::Space;
+use crate::real::Real;
+use crate::space::{Kind, Space};
 use crate::wording::{list, quoted};
 
 /// Least number of closed configurations with motion in which residuals are compared.
@@ -18,11 +21,9 @@ const STATES: usize = 2;
 /// configuration.
 const ATTEMPTS: usize = 5;
 
-/// The residual [m, 1] of a configuration that did not close.
-const OPEN: f64 = 1e-2;
-
-/// Ratio of a pivot to ε, the threshold of zero pivots, above which it is clearly not zero.
-const CLEAR: f64 = 100.0;
+/// Ratio of a pivot to ε, the threshold of zero pivots, above which it is clearly not zero: its reciprocal is then right
+/// to 2e-10.
+const CLEAR: f64 = 16.0;
 
 /// Ratio to ε of a residual that depends on others to all digits of `f64`.
 const EXACT: f64 = 1e-12;
@@ -31,33 +32,44 @@ const EXACT: f64 = 1e-12;
 const CERTAIN: f64 = 1e-3;
 
 /// The residuals that depend on others.
-#[derive(Default)]
 pub struct Redundancy {
-    /// Their names.
+    /// All residuals in the order in which they are eliminated.
+    pub elimination: Vec<usize>,
+    /// The names of those that depend on others.
     pub dependent: Vec<String>,
-    /// Warnings about uncertain dependences.
+    /// Warnings about loops that do not close or do not move, and about uncertain dependences.
     pub warnings: Vec<Diagnostic>,
 }
 
 /// Compares the residuals of all loops in closed configurations.
 #[must_use]
 pub fn redundancy(chain: &Chain) -> Redundancy {
+    let mut found = Redundancy {
+        elimination: chain.elimination.clone(),
+        dependent: Vec::new(),
+        warnings: Vec::new(),
+    };
     let at = |state: &State| {
         let robot = robot::robot(chain, &state.fields)?;
         Ok(Dense::of(robot, state.clone()))
     };
-    let scalar = chain.request.scalar;
-    let (zero_pivot, roundoff) = (scalar.zero_pivot(), scalar.roundoff());
+    let mut configurations: Vec<Dense> = Vec::new();
     let mut samples: Vec<Sample> = Vec::new();
     for number in 0..ATTEMPTS {
         // A robot that contradicts its chain is refused by the check.
         let Ok(Some(state)) = states::closed(chain, number, at) else {
-            return Redundancy::default();
+            return found;
         };
         let Ok(dense) = at(&state) else {
-            return Redundancy::default();
+            return found;
         };
-        samples.push(Sample::of(dense, zero_pivot, roundoff));
+        configurations.push(dense);
+        found.elimination = elimination(&configurations, chain);
+        let ordered = configurations.iter_mut().map(|dense| {
+            dense.eliminate_in(found.elimination.clone());
+            Sample::of(dense, chain.request.scalar)
+        });
+        samples = ordered.collect();
         let useful: Vec<&Sample> = samples.iter().filter(|sample| sample.is_useful()).collect();
         // Near a singular configuration residuals nearly depend that are independent elsewhere.
         let is_settled = useful.iter().any(|sample| sample.is_certain)
@@ -68,29 +80,52 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
     }
     if samples.iter().any(Sample::is_useful) {
         samples.retain(Sample::is_useful);
+    } else if samples.iter().any(|sample| sample.is_closed) {
+        samples.retain(|sample| sample.is_closed);
     }
-    let moves = samples.iter().any(|sample| sample.moves);
-    let is_certain = samples.iter().any(|sample| sample.is_certain);
     let most = largest(&samples.iter().collect::<Vec<_>>());
-    let named = |is: &dyn Fn(f64) -> bool| -> Vec<String> {
-        let names = chain.spaces().names(Space::Constraints).zip(&most);
-        let names = names.filter(|(_, pivot)| is(**pivot));
-        names.map(|(name, _)| name.to_owned()).collect()
-    };
-    let dependent = named(&|pivot| pivot < 1.0);
-    let uncertain = named(&|pivot| (EXACT..CLEAR).contains(&pivot));
-    let borderline = named(&is_borderline);
-    let mut warnings = Vec::new();
-    if !moves {
+    found.dependent = named(chain, &most, |pivot| pivot < 1.0);
+    found.warnings.extend(warning(chain, &samples, &most));
+    found
+}
+
+/// The order of elimination, by the configurations that are closed, or by all if none is.
+fn elimination(configurations: &[Dense], chain: &Chain) -> Vec<usize> {
+    let zero_pivot = chain.request.scalar.zero_pivot();
+    let is_closed = |dense: &&Dense| is_closed(&dense.relative_residuals(), zero_pivot);
+    let mut of: Vec<&Dense> = configurations.iter().filter(is_closed).collect();
+    if of.is_empty() {
+        of = configurations.iter().collect();
+    }
+    let scaled = of.iter().map(|dense| dense.scaled_schur_complement());
+    let loops = chain.loops.iter().map(|closed| closed.rows.len());
+    order::order(scaled.collect(), loops, CLEAR * zero_pivot)
+}
+
+/// The warning about loops that do not close, do not move, or whose dependences are uncertain.
+fn warning(chain: &Chain, samples: &[Sample], most: &[f64]) -> Option<Diagnostic> {
+    if !samples.iter().any(|sample| sample.is_closed) {
+        let nearest = samples
+            .iter()
+            .min_by(|a, b| a.opening().total_cmp(&b.opening()));
+        return nearest.map(|nearest| open(chain, nearest));
+    }
+    if !samples.iter().any(|sample| sample.moves) {
         let held = samples.iter().map(|sample| sample.held).max().unwrap_or(0);
-        warnings.push(no_motion(chain, held));
-    } else if !(uncertain.is_empty() || is_certain && borderline.is_empty()) {
-        warnings.push(nearly_dependent(chain, &uncertain));
+        return Some(no_motion(chain, held));
     }
-    Redundancy {
-        dependent,
-        warnings,
-    }
+    let is_certain = samples.iter().any(|sample| sample.is_certain);
+    let uncertain = named(chain, most, |pivot| (EXACT..CLEAR).contains(&pivot));
+    let has_borderline = most.iter().any(|pivot| is_borderline(*pivot));
+    (!uncertain.is_empty() && (!is_certain || has_borderline))
+        .then(|| nearly_dependent(chain, &uncertain))
+}
+
+/// The names of the residuals with such pivots.
+fn named(chain: &Chain, pivots: &[f64], is_such: impl Fn(f64) -> bool) -> Vec<String> {
+    let names = chain.spaces().names(Space::Constraints).zip(pivots);
+    let names = names.filter(|(_, pivot)| is_such(**pivot));
+    names.map(|(name, _)| name.to_owned()).collect()
 }
 
 /// The largest pivot of each residual.
@@ -110,6 +145,8 @@ fn is_borderline(pivot: f64) -> bool {
 
 /// The residuals in one configuration.
 struct Sample {
+    /// Each, and as a share of what joints change it by.
+    residuals: Vec<(f64, f64)>,
     is_closed: bool,
     /// For each residual its independent part, after those before it, divided by ε.
     pivots: Vec<f64>,
@@ -122,11 +159,11 @@ struct Sample {
 }
 
 impl Sample {
-    fn of(mut dense: Dense, zero_pivot: f64, roundoff: f64) -> Self {
+    fn of(dense: &mut Dense, scalar: Real) -> Self {
+        let zero_pivot = scalar.zero_pivot();
         let pivots = dense.independence(zero_pivot).into_iter();
         let pivots: Vec<f64> = pivots.map(|pivot| pivot / zero_pivot).collect();
-        let residuals = dense.residuals();
-        let open = residuals.iter().map(|residual| residual.size());
+        let shares = dense.relative_residuals();
         let held = dense.held();
         let accelerations = |dense: &Dense, zero_pivot| {
             let mut solution = dense.constrained(zero_pivot);
@@ -134,16 +171,61 @@ impl Sample {
             solution
         };
         Self {
-            is_closed: open.fold(0.0, f64::max) < OPEN,
+            is_closed: is_closed(&shares, zero_pivot),
+            residuals: (dense.residuals().iter().map(|residual| residual.to_f64()))
+                .zip(shares)
+                .collect(),
             held,
             moves: pivots.iter().filter(|pivot| **pivot >= CLEAR).count() < held,
             pivots,
-            is_certain: dense.sensitivity(accelerations, (zero_pivot, roundoff)) <= CERTAIN,
+            is_certain: dense.sensitivity(accelerations, (zero_pivot, scalar.roundoff()))
+                <= CERTAIN,
         }
     }
 
     const fn is_useful(&self) -> bool {
         self.is_closed && self.moves
+    }
+
+    /// The largest share by which it is open.
+    fn opening(&self) -> f64 {
+        self.residuals
+            .iter()
+            .fold(0.0, |most, (_, share)| most.max(*share))
+    }
+}
+
+/// True if loops are closed as far as a pivot of ε can tell: pivots are squares of shares. Where a search ends with
+/// loops more open than that, the residual that is left depends on the others there, and not where it closes.
+fn is_closed(shares: &[f64], zero_pivot: f64) -> bool {
+    shares.iter().all(|share| share * share <= zero_pivot)
+}
+
+/// The warning that loops do not close.
+fn open(chain: &Chain, nearest: &Sample) -> Diagnostic {
+    let entries = chain.spaces().constraints.iter();
+    let pairs = entries.zip(&nearest.residuals);
+    let (entry, (residual, _)) = pairs
+        .max_by(|(_, (_, a)), (_, (_, b))| a.total_cmp(b))
+        .expect("a loop has residuals");
+    let unit = if entry.kind == Kind::Translation {
+        " m"
+    } else {
+        ""
+    };
+    let (loops, close) = if let [_] = &*chain.loops {
+        ("loop", "closes")
+    } else {
+        ("loops", "close")
+    };
+    Diagnostic {
+        place: chain.loops[0].place,
+        message: format!(
+            "no configuration was found in which {loops} {} {close}: in the nearest, {} is {residual:.1e}{unit}",
+            loop_names(chain),
+            quoted(&entry.name)
+        ),
+        hint: Some(DIGITS.to_owned()),
     }
 }
 
@@ -167,12 +249,7 @@ fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Diagnostic {
 
 /// The warning that loops hold every joint among those that change their residuals.
 fn no_motion(chain: &Chain, held: usize) -> Diagnostic {
-    let names: Vec<String> = chain
-        .loops
-        .iter()
-        .map(|closed| quoted(&closed.name))
-        .collect();
-    let (loops, hold, its) = if let [_] = &*names {
+    let (loops, hold, its) = if let [_] = &*chain.loops {
         ("loop", "holds", "its")
     } else {
         ("loops", "hold", "their")
@@ -186,10 +263,17 @@ fn no_motion(chain: &Chain, held: usize) -> Diagnostic {
         place: chain.loops[0].place,
         message: format!(
             "{loops} {} {hold} where closed every joint{which}",
-            list(names.iter().map(String::as_str))
+            loop_names(chain)
         ),
         hint: Some(DIGITS.to_owned()),
     }
+}
+
+/// The names of all loops, quoted.
+fn loop_names(chain: &Chain) -> String {
+    let names = chain.loops.iter().map(|closed| quoted(&closed.name));
+    let names: Vec<String> = names.collect();
+    list(names.iter().map(String::as_str))
 }
 
 const DIGITS: &str = "if the loops should move, write axes, angles and offsets with more digits, or give a loop a type \

@@ -120,6 +120,7 @@ pub(super) fn robot(
         gravity: reader.gravity(),
         frames,
         loops,
+        elimination: chain.elimination.clone(),
         actuated,
         base_columns: (chain.base_parameters.iter())
             .flat_map(BaseParameters::columns)

@@ -93,6 +93,16 @@ impl Configuration {
         &self.robot.loops
     }
 
+    /// The residuals of all loops in the order in which they are eliminated.
+    pub(super) fn elimination(&self) -> &[usize] {
+        &self.robot.elimination
+    }
+
+    /// Changes the order in which residuals are eliminated.
+    pub(super) fn eliminate_in(&mut self, order: Vec<usize>) {
+        self.robot.elimination = order;
+    }
+
     /// The velocities with an actuator.
     pub(super) fn actuated(&self) -> &[VelocityId] {
         &self.robot.actuated

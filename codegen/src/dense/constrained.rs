@@ -2,9 +2,9 @@
 //! constrained motion.
 //!
 //! In: a [`Dense`]. Out: residuals, their derivatives by velocities, their accelerations, the forces of actuated
-//! joints, and q̈ and λ of M q̈ + h = τ + Jᵗ λ, J q̈ + γ = 0 by elimination, one row of the loops after the other,
-//! without the parts that depend on rows before them: for a pivot d relative to the whole a, the reciprocal is 1/d
-//! less its part of 1/(1 + (d/εa)²)⁴, and 0 if roundings of the description leave no digit of a.
+//! joints, and q̈ and λ of M q̈ + h = τ + Jᵗ λ, J q̈ + γ = 0 by elimination of one row of the loops after the other,
+//! without the parts that depend on rows before them: for a pivot d relative to the whole a, the reciprocal is 1/d if
+//! d is far above ε a, and negligible if d is far below it or if roundings of the description leave no digit of a.
 
 use super::{Approximate, Dense, Matrix, Motion};
 use crate::closure::ResidualKind;
@@ -39,6 +39,30 @@ impl Dense {
             })
         });
         rows.collect()
+    }
+
+    /// Each residual's size relative to the largest change by a velocity of 1 of a residual of its loop with its unit.
+    pub(crate) fn relative_residuals(&self) -> Vec<f64> {
+        let rates = self.residual_rates().into_iter();
+        let rates: Vec<f64> = rates
+            .map(|row| {
+                row.iter()
+                    .fold(0.0, |most: f64, rate| most.max(rate.to_f64().abs()))
+            })
+            .collect();
+        let residuals = self.residuals();
+        let mut shares = Vec::with_capacity(residuals.len());
+        for closed in self.loops() {
+            let first = shares.len();
+            for row in &closed.rows {
+                let alike = closed.rows.iter().zip(&rates[first..]);
+                let alike = alike.filter(|(other, _)| other.kind() == row.kind());
+                let most = alike.fold(0.0, |most: f64, (_, rate)| most.max(*rate));
+                let size = residuals[shares.len()].to_f64().abs();
+                shares.push(if size > 0.0 { size / most } else { 0.0 });
+            }
+        }
+        shares
     }
 
     /// The derivative of each residual by each velocity, by rows.
@@ -188,6 +212,35 @@ impl Dense {
         self.eliminate(matrix, &mut nothing, zero_pivot)
     }
 
+    /// J M⁻¹ Jᵗ, with each row and column divided by the square root of its whole; zeros where roundings of the
+    /// description leave no digit of the whole.
+    pub(crate) fn scaled_schur_complement(&self) -> Vec<Vec<f64>> {
+        let Equations { matrix, .. } = self.by_mass_matrix(&self.residual_rates());
+        let wholes = self.wholes(&matrix).into_iter();
+        let scales: Vec<f64> = wholes
+            .map(|whole| {
+                if is_known(whole) {
+                    whole.to_f64().sqrt().recip()
+                } else {
+                    0.0
+                }
+            })
+            .collect();
+        let rows = matrix.iter().zip(&scales);
+        rows.map(|(row, by_row)| {
+            let entries = row.iter().zip(&scales);
+            entries
+                .map(|(entry, by_column)| entry.to_f64() * by_row * by_column)
+                .collect()
+        })
+        .collect()
+    }
+
+    /// Changes the order in which residuals are eliminated.
+    pub(crate) fn eliminate_in(&mut self, order: Vec<usize>) {
+        self.configuration.eliminate_in(order);
+    }
+
     /// The relative change of a solution, to its largest entry, if ε is halved or doubled, or if rounding changes
     /// each pivot by a part of the whole.
     pub(crate) fn sensitivity(
@@ -219,41 +272,35 @@ impl Dense {
         velocities.filter(changes).count()
     }
 
-    /// Solves S λ = y in place of y, row after row; returns the pivots relative to the wholes.
+    /// Solves S λ = y in place of y, row after row in the order of elimination; returns the pivots relative to the
+    /// wholes.
     fn eliminate(
         &self,
         mut matrix: Vec<Vec<Scalar>>,
         y: &mut [Scalar],
         zero_pivot: f64,
     ) -> Vec<f64> {
-        let wholes = self.wholes(&matrix);
-        let (mut reciprocals, mut shares) = (Vec::new(), Vec::new());
-        for k in 0..y.len() {
+        let (wholes, order) = (self.wholes(&matrix), self.configuration.elimination());
+        let mut reciprocals = vec![Scalar::exact(0.0); y.len()];
+        let mut shares = vec![0.0; y.len()];
+        for (place, &k) in order.iter().enumerate() {
             let whole = wholes[k];
             let pivot = matrix[k][k] + whole * Scalar::exact(self.disturbance);
-            let is_known = whole.size() > whole.error || whole.error.is_infinite();
-            let reciprocal = if is_known {
-                reciprocal(pivot, whole * Scalar::exact(zero_pivot))
-            } else {
-                Scalar::exact(0.0)
-            };
-            reciprocals.push(reciprocal);
-            shares.push(if is_known {
-                pivot.size() / whole.size()
-            } else {
-                0.0
-            });
-            for i in k + 1..y.len() {
-                let factor = matrix[i][k] * reciprocal;
-                let (above, below) = matrix.split_at_mut(i);
-                for (entry, of_pivot) in below[0].iter_mut().zip(&above[k]).skip(k + 1) {
-                    *entry = *entry - factor * *of_pivot;
+            if is_known(whole) {
+                reciprocals[k] = reciprocal(pivot, whole * Scalar::exact(zero_pivot));
+                shares[k] = pivot.size() / whole.size();
+            }
+            let later = &order[place + 1..];
+            for &i in later {
+                let factor = matrix[i][k] * reciprocals[k];
+                for &j in later {
+                    matrix[i][j] = matrix[i][j] - factor * matrix[k][j];
                 }
                 y[i] = y[i] - factor * y[k];
             }
         }
-        for k in (0..y.len()).rev() {
-            let later = (k + 1..y.len()).map(|j| matrix[k][j] * y[j]);
+        for (place, &k) in order.iter().enumerate().rev() {
+            let later = order[place + 1..].iter().map(|&j| matrix[k][j] * y[j]);
             let left = later.fold(y[k], |sum, term| sum - term);
             y[k] = left * reciprocals[k];
         }
@@ -275,6 +322,11 @@ impl Dense {
         }
         wholes
     }
+}
+
+/// True if roundings of the description leave a digit.
+fn is_known(whole: Scalar) -> bool {
+    whole.size() > whole.error || whole.error.is_infinite()
 }
 
 /// (1 − p⁴)/d, where p = t²/(d² + t²) is the share of t, `small`: 1/d, or 0 if d is negligible relative to t. It

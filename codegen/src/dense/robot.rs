@@ -85,6 +85,8 @@ pub(crate) struct Robot {
     pub(crate) identified: Vec<Vec<BodyId>>,
     /// The loops.
     pub(crate) loops: Vec<Closed>,
+    /// The residuals of all loops in the order in which they are eliminated.
+    pub(crate) elimination: Vec<usize>,
     /// The velocities with an actuator, if loops move the others.
     pub(crate) actuated: Vec<VelocityId>,
     /// The bodies with an external wrench; true if the wrenches are in frame 0 instead of the body's frame.

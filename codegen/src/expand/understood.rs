@@ -33,9 +33,11 @@ pub fn understand(description: &Description, request: &Request) -> Result<Chain,
     let mut warnings = plan::warnings(&chain, request);
     if solves_loops(&chain, request) {
         let Redundancy {
+            elimination,
             dependent,
             warnings: of_loops,
         } = check::redundancy(&chain);
+        chain.elimination = elimination;
         chain.report.dependent = dependent;
         warnings.extend(of_loops);
     }

@@ -28,6 +28,8 @@ pub struct Bodies<'g> {
     pub frames: List<FrameId, (Option<BodyId>, Pose<Term<'g>>)>,
     /// The loops.
     pub loops: Vec<Closed<'g>>,
+    /// The residuals of all loops in the order in which they are eliminated.
+    pub elimination: Vec<usize>,
     /// The velocities with an actuator, if loops move the others.
     pub actuated: List<VelocityId, bool>,
     /// The links with an external wrench, in the same form.
@@ -171,6 +173,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
     Bodies {
         bodies,
         loops: loops.collect(),
+        elimination: chain.elimination.clone(),
         actuated: chain.actuated.clone(),
         base: Inertia::zero(graph),
         base_columns: (chain.base_parameters.iter())

@@ -2,8 +2,8 @@
 //!
 //! In: the mass matrix, the tree, the forces τ − bias, and the Jacobian and bias of the loops; or the torques of a
 //! motion, and which joints are actuated. Out: q̈ and λ of M q̈ = f + Jᵗ λ and J q̈ + γ = 0, by the Schur complement
-//! S = J M⁻¹ Jᵗ; or the torques of those joints. A row that depends on those before it is left out: its λ is zero, and
-//! no division by a vanishing pivot occurs.
+//! S = J M⁻¹ Jᵗ; or the torques of those joints. Rows are eliminated in a given order. A row that depends on those before
+//! it is left out: its λ is zero, and no division by a vanishing pivot occurs.
 
 use std::ops::Deref;
 
@@ -20,6 +20,8 @@ pub struct Loops<'g> {
     pub bias: Vec<Term<'g>>,
     /// For each row, the first row of its loop with the same unit.
     pub alike: Vec<usize>,
+    /// The rows in the order in which they are eliminated.
+    pub order: Vec<usize>,
     /// Ratio to the whole below which a diagonal entry of S counts as zero.
     pub zero_pivot: f64,
 }
@@ -86,14 +88,15 @@ pub fn actuated<'g>(
         .collect()
 }
 
-/// λ of S λ = y, where S is the product of the halves of its rows: S = L D Lᵗ, row after row.
+/// λ of S λ = y, where S is the product of the halves of its rows: S = L D Lᵗ, row after row in the order of
+/// elimination.
 fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
     halves: &[R],
     by_pivots: &[R],
     wanted: &[Term<'g>],
     loops: &Loops<'g>,
 ) -> Vec<Term<'g>> {
-    let count = halves.len();
+    let (count, order) = (halves.len(), &*loops.order);
     let diagonal: Vec<Term<'g>> = (0..count).map(|k| dot(&halves[k], &by_pivots[k])).collect();
     let whole = |k: usize| {
         let same = (0..count).filter(|&other| loops.alike[other] == loops.alike[k]);
@@ -102,7 +105,7 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
             .reduce(|sum, entry| sum + entry);
         sum.expect("a row is measured with itself")
     };
-    // L and L D, each below the diagonal, by columns.
+    // L and L D, each below the diagonal, by columns; places are those of the order.
     let mut l: Vec<Vec<Term<'g>>> = Vec::with_capacity(count);
     let mut ld: Vec<Vec<Term<'g>>> = Vec::with_capacity(count);
     let mut inverse = Vec::with_capacity(count);
@@ -113,16 +116,16 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
                 entry - ld[i - k - 1] * l[j - k - 1]
             })
         };
-        let pivot = entry(j, diagonal[j]);
-        inverse.push(guarded(pivot, whole(j), loops.zero_pivot));
+        let pivot = entry(j, diagonal[order[j]]);
+        inverse.push(guarded(pivot, whole(order[j]), loops.zero_pivot));
         let below: Vec<Term<'g>> = (j + 1..count)
-            .map(|i| entry(i, dot(&halves[i], &by_pivots[j])))
+            .map(|i| entry(i, dot(&halves[order[i]], &by_pivots[order[j]])))
             .collect();
         let own = below.iter().map(|&entry| entry * inverse[j]).collect();
         ld.push(below);
         l.push(own);
     }
-    let mut x = wanted.to_vec();
+    let mut x: Vec<Term<'g>> = order.iter().map(|&row| wanted[row]).collect();
     for k in 0..count {
         for i in k + 1..count {
             x[i] = x[i] - l[k][i - k - 1] * x[k];
@@ -134,7 +137,11 @@ fn multipliers<'g, R: Deref<Target = [Term<'g>]>>(
             x[k] = x[k] - l[k][i - k - 1] * x[i];
         }
     }
-    x
+    let mut multipliers = x.clone();
+    for (&row, multiplier) in order.iter().zip(x) {
+        multipliers[row] = multiplier;
+    }
+    multipliers
 }
 
 /// Added to a square so that it is not zero; below the rounding of any other square.

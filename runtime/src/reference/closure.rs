@@ -189,14 +189,16 @@ pub fn actuated_inverse_dynamics<
     from_fn(|k| if actuated[k] { torques[k] } else { T::zero() })
 }
 
-/// λ of S λ = y by elimination. Rows with a negligible pivot are left out: negligible relative to the sum of the
-/// diagonal entries of the same loop and the same unit.
+/// λ of S λ = y by elimination, loop by loop. Rows with a negligible pivot are left out: negligible relative to the sum
+/// of the diagonal entries of the same loop and the same unit. A row comes after those of its loop that are described
+/// after it if their pivots are far larger, relative to that sum.
 fn eliminated<T: RealField + Copy, const C: usize>(
     residuals: &[Residual; C],
     mut s: SMatrix<T, C, C>,
     mut y: SVector<T, C>,
 ) -> SVector<T, C> {
     let negligible = T::default_epsilon().sqrt() * number(0.1);
+    let far_more: T = number(64.0);
     let alike = |i: usize, k: usize| {
         let [one, other] = [residuals[i], residuals[k]];
         one.frames == other.frames && one.row.is_length() == other.row.is_length()
@@ -206,22 +208,32 @@ fn eliminated<T: RealField + Copy, const C: usize>(
         same.fold(T::zero(), |sum, i| sum + s[(i, i)])
     });
     let mut kept = [false; C];
-    for k in 0..C {
+    let mut order: [usize; C] = from_fn(|k| k);
+    for place in 0..C {
+        let share = |k: usize| s[(k, k)] / scales[k];
+        let first = order[place];
+        let is_open = |&(_, k): &(usize, usize)| residuals[k].frames == residuals[first].frames;
+        let open = || (place..C).map(|p| (p, order[p])).filter(is_open);
+        let most = open().fold(T::zero(), |most, (_, k)| most.max(share(k)));
+        let next = open().find(|&(_, k)| share(k) * far_more >= most);
+        let (taken, k) = next.unwrap_or((place, first));
+        order[place..=taken].rotate_right(1);
         kept[k] = s[(k, k)] > negligible * scales[k];
         if !kept[k] {
             continue;
         }
-        for i in k + 1..C {
+        for &i in &order[place + 1..] {
             let factor = s[(i, k)] / s[(k, k)];
-            for j in k..C {
+            for &j in &order[place..] {
                 s[(i, j)] = s[(i, j)] - factor * s[(k, j)];
             }
             y[i] = y[i] - factor * y[k];
         }
     }
     let mut found = SVector::zeros();
-    for k in (0..C).rev().filter(|&k| kept[k]) {
-        let known = (k + 1..C).fold(y[k], |left, j| left - s[(k, j)] * found[j]);
+    for (place, &k) in order.iter().enumerate().rev().filter(|(_, k)| kept[**k]) {
+        let later = order[place + 1..].iter();
+        let known = later.fold(y[k], |left, &j| left - s[(k, j)] * found[j]);
         found[k] = known / s[(k, k)];
     }
     found

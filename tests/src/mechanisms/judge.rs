@@ -14,7 +14,7 @@ use homogen_codegen::{Function, Real, chain};
 use super::draw::{Kind, Mechanism};
 use super::programs::Programs;
 use super::text::{Mounting, read, text};
-use super::truth::{Equations, Pivots, dot};
+use super::truth::{Accelerations, Equations, Pivots, dot};
 use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::oracle::robot::Robot;
@@ -28,6 +28,9 @@ const ALL: usize = 15;
 
 /// Relative pivot of a residual below which a state is singular.
 const SINGULAR: f64 = 1e-5;
+
+/// The number of roundings of the largest term that q̈ may differ by, divided by the least relative pivot.
+const ROUNDINGS: f64 = 1e3;
 
 /// The largest errors, by the compared quantity.
 pub type Worst = BTreeMap<&'static str, f64>;
@@ -60,9 +63,13 @@ pub fn judge(
         Err(errors) => return refused(&errors.to_string(), mounting),
     };
     let warned = programs.chain.report.warnings.iter().any(|warning| {
-        ["nearly depend", "nothing can move"]
-            .iter()
-            .any(|words| warning.message.contains(words))
+        [
+            "nearly depend",
+            "nothing can move",
+            "no configuration was found",
+        ]
+        .iter()
+        .any(|words| warning.message.contains(words))
     });
     if warned && mounting.digits >= ALL {
         return Err(format!("warned: {:?}", programs.chain.report.warnings));
@@ -248,7 +255,8 @@ impl Judge<'_> {
         let held = all.of(&self.rows.kept);
         let residual = held.torque_residual(qdd, multipliers, &state[Variable::Tau]);
         self.note("M q̈ + h − τ − Jᵗ λ", residual, self.allowed(1e-10, 1e-3))?;
-        let (expected, pivots) = held.accelerations(&state[Variable::Tau]);
+        let expected = held.accelerations(&state[Variable::Tau]);
+        let pivots = expected.pivots;
         if self.is_reported || !self.is_regular(pivots) {
             return Ok(false);
         }
@@ -261,10 +269,10 @@ impl Judge<'_> {
         } else {
             "q̈ of the text"
         };
-        let most = self.allowed(1e-13 * loss + 1e-10, 1e-4 * loss);
+        let most = ROUNDINGS * self.scalar.roundoff() * loss;
         self.note(name, error, most + in_part)?;
-        let (expected, pivots) = ideal.accelerations(&state[Variable::Tau]);
-        if self.digits > FEW && self.is_regular(pivots) {
+        let expected = ideal.accelerations(&state[Variable::Tau]);
+        if self.digits > FEW && self.is_regular(expected.pivots) {
             let (name, rounding) = match self.digits {
                 ALL.. => ("q̈ as drawn, with all digits", self.allowed(1e-12, 1e-5)),
                 _ => ("q̈ as drawn, with few digits", 1e-4),
@@ -277,7 +285,11 @@ impl Judge<'_> {
 
     /// Compares the accelerations that actuator torques cause with those that they were computed for.
     fn actuated(&mut self, held: &Equations, state: &Arguments) -> Result<(), String> {
-        let (qdd, of_motion) = held.accelerations(&state[Variable::Tau]);
+        let Accelerations {
+            qdd,
+            pivots: of_motion,
+            ..
+        } = held.accelerations(&state[Variable::Tau]);
         let chain = &self.programs.chain;
         let velocities = chain.actuated.numbered();
         let passive: Vec<usize> = velocities
@@ -296,7 +308,7 @@ impl Judge<'_> {
             _ => qdd.clone(),
         };
         let tau = self.programs.run(Function::ActuatedInverseDynamics, &state);
-        let (again, _) = held.accelerations(&tau);
+        let again = held.accelerations(&tau);
         let loss = (pivots.least * of_motion.least).recip();
         let most = self.allowed(1e-11 * loss + 1e-9, 1e-3 * loss);
         let in_part = self.in_part(held, of_motion) * loss;
@@ -360,13 +372,11 @@ impl Equations {
     }
 }
 
-/// The largest difference, relative to the largest entry.
-fn share(found: &[f64], expected: &[Big]) -> f64 {
-    let expected: Vec<f64> = expected.iter().map(Big::to_f64).collect();
-    let largest = expected
-        .iter()
-        .fold(0.0, |most: f64, entry| most.max(entry.abs()));
-    difference(found, &expected) / largest
+/// The largest difference of accelerations, relative to the largest term that they are summed from: where constraint
+/// forces cancel the others, rounding of the terms remains.
+fn share(found: &[f64], expected: &Accelerations) -> f64 {
+    let qdd: Vec<f64> = expected.qdd.iter().map(Big::to_f64).collect();
+    difference(found, &qdd) / expected.largest_term
 }
 
 fn difference(found: &[f64], expected: &[f64]) -> f64 {

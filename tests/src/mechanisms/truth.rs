@@ -31,6 +31,16 @@ pub struct Equations {
     pub jacobian_bias: Vec<Big>,
 }
 
+/// Accelerations at some torques.
+pub struct Accelerations {
+    /// q̈.
+    pub qdd: Vec<Big>,
+    /// The largest of the terms that its entries are sums of: M⁻¹ (τ − h) and M⁻¹ Jᵗ λ.
+    pub largest_term: f64,
+    /// The pivots of J M⁻¹ Jᵗ.
+    pub pivots: Pivots,
+}
+
 /// Pivots of the residuals, relative to their diagonal entries.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivots {
@@ -58,9 +68,9 @@ impl Equations {
         }
     }
 
-    /// q̈ at these torques, and the pivots of J M⁻¹ Jᵗ.
+    /// The accelerations at these torques.
     #[must_use]
-    pub fn accelerations(&self, tau: &[f64]) -> (Vec<Big>, Pivots) {
+    pub fn accelerations(&self, tau: &[f64]) -> Accelerations {
         let forces = tau
             .iter()
             .zip(&self.bias)
@@ -72,13 +82,22 @@ impl Equations {
             .map(|(row, bias)| -(dot(row, &free) + bias))
             .collect();
         let (multipliers, pivots) = eliminated(products(&self.jacobian, &moved), wanted);
-        let mut found = free;
+        let mut largest_term = free
+            .iter()
+            .fold(0.0, |most: f64, term| most.max(size(term)));
+        let mut qdd = free;
         for (moved, multiplier) in moved.iter().zip(&multipliers) {
-            for (entry, moved) in found.iter_mut().zip(moved) {
-                *entry = &*entry + moved * multiplier;
+            for (entry, moved) in qdd.iter_mut().zip(moved) {
+                let term = moved * multiplier;
+                largest_term = largest_term.max(size(&term));
+                *entry = &*entry + term;
             }
         }
-        (found, pivots)
+        Accelerations {
+            qdd,
+            largest_term,
+            pivots,
+        }
     }
 
     /// The pivots of J Jᵗ, with the columns of these velocities alone.
@@ -156,6 +175,10 @@ fn eliminated(mut s: Vec<Vec<Big>>, mut y: Vec<Big>) -> (Vec<Big>, Pivots) {
         found[k] = rest / &s[k][k];
     }
     (found, pivots)
+}
+
+fn size(number: &Big) -> f64 {
+    number.to_f64().abs()
 }
 
 /// a · b.

@@ -64,3 +64,33 @@ fn a_linkage_is_judged_away_from_its_singular_configurations() {
     let outcome = examine(bennett);
     assert!(matches!(outcome, Ok(Outcome::Right(_))), "{outcome:?}");
 }
+
+/// Linkages with a ball in an inclined plane, where the first two of the ball's three residuals nearly depend on each
+/// other: the third is eliminated before one of them.
+#[test]
+fn residuals_are_eliminated_in_an_order_that_keeps_digits() {
+    for index in [1, 571, 1331] {
+        let linkage = Trial::numbered(7, index);
+        assert_eq!(linkage.kind, Kind::FourBarWithBall);
+        let outcome = examine(linkage);
+        assert!(
+            matches!(outcome, Ok(Outcome::Right(_))),
+            "{index}: {outcome:?}"
+        );
+    }
+}
+
+/// The same linkage with three digits. A search for a closed configuration ends where the ball is a millimetre off and
+/// seems to be free to move across the plane.
+#[test]
+fn a_linkage_that_closes_in_single_configurations_alone_is_reported() {
+    for index in [151, 1111] {
+        let linkage = Trial::numbered(7, index);
+        assert_eq!((linkage.kind, linkage.digits), (Kind::FourBarWithBall, 3));
+        let outcome = examine(linkage);
+        assert!(
+            matches!(outcome, Ok(Outcome::Singular)),
+            "{index}: {outcome:?}"
+        );
+    }
+}

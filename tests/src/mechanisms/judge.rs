@@ -29,7 +29,8 @@ const ALL: usize = 15;
 /// Relative pivot of a residual below which a state is singular.
 const SINGULAR: f64 = 1e-5;
 
-/// The number of roundings of the largest term that q̈ may differ by, divided by the least relative pivot.
+/// The number of roundings of the largest term that results may differ by; that of accelerations is divided by the least
+/// relative pivot.
 const ROUNDINGS: f64 = 1e3;
 
 /// The largest errors, by the compared quantity.
@@ -183,13 +184,9 @@ struct Judge<'p> {
 }
 
 impl Judge<'_> {
-    /// The limit of an error, in double and in single precision.
-    fn allowed(&self, double: f64, single: f64) -> f64 {
-        if self.scalar == Real::F32 {
-            single
-        } else {
-            double
-        }
+    /// The limit of an error relative to the largest term.
+    const fn rounding(&self) -> f64 {
+        ROUNDINGS * self.scalar.roundoff()
     }
 
     fn note(&mut self, what: &'static str, error: f64, most: f64) -> Result<(), String> {
@@ -214,7 +211,7 @@ impl Judge<'_> {
         let speed = state[Variable::Qd]
             .iter()
             .fold(1.0, |most: f64, rate| most.max(rate.abs()));
-        let most = self.allowed(1e-12, 1e-4);
+        let most = self.rounding();
         for (function, expected, size) in [
             (Function::Constraint, residuals, 1.0),
             (Function::ConstraintJacobian, jacobian, 1.0),
@@ -254,7 +251,7 @@ impl Judge<'_> {
         let (qdd, multipliers) = found.split_at(n);
         let held = all.of(&self.rows.kept);
         let residual = held.torque_residual(qdd, multipliers, &state[Variable::Tau]);
-        self.note("M q̈ + h − τ − Jᵗ λ", residual, self.allowed(1e-10, 1e-3))?;
+        self.note("M q̈ + h − τ − Jᵗ λ", residual, self.rounding())?;
         let expected = held.accelerations(&state[Variable::Tau]);
         let pivots = expected.pivots;
         if self.is_reported || !self.is_regular(pivots) {
@@ -269,12 +266,17 @@ impl Judge<'_> {
         } else {
             "q̈ of the text"
         };
-        let most = ROUNDINGS * self.scalar.roundoff() * loss;
+        let most = self.rounding() * loss;
         self.note(name, error, most + in_part)?;
         let expected = ideal.accelerations(&state[Variable::Tau]);
         if self.digits > FEW && self.is_regular(expected.pivots) {
+            let of_all_digits = if self.scalar == Real::F32 {
+                1e-5
+            } else {
+                1e-12
+            };
             let (name, rounding) = match self.digits {
-                ALL.. => ("q̈ as drawn, with all digits", self.allowed(1e-12, 1e-5)),
+                ALL.. => ("q̈ as drawn, with all digits", of_all_digits),
                 _ => ("q̈ as drawn, with few digits", 1e-4),
             };
             self.note(name, share(qdd, &expected), 10.0 * rounding * loss)?;
@@ -310,7 +312,7 @@ impl Judge<'_> {
         let tau = self.programs.run(Function::ActuatedInverseDynamics, &state);
         let again = held.accelerations(&tau);
         let loss = (pivots.least * of_motion.least).recip();
-        let most = self.allowed(1e-11 * loss + 1e-9, 1e-3 * loss);
+        let most = self.rounding() * loss;
         let in_part = self.in_part(held, of_motion) * loss;
         self.note("q̈ of actuated τ", share(&qdd, &again), most + in_part)
     }

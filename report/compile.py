@@ -14,10 +14,10 @@ memory of the largest process (`ru_maxrss` of cargo and all that it runs). Needs
 |---|---|
 | first build | `cargo build` in an empty target folder: runtime, engine and a derive of inverse dynamics |
 | check | `cargo check` after a change of `main.rs`, a derive of all functions; median of three changes |
-| release | `cargo build --release` of a derive of ten functions |
+| release | `cargo build --release` of a derive of ten functions, each called |
 | batch | the same of five functions with `batch` |
 | package | `cargo build --release` of the Python package of these five functions |
-| C, generated | `homogen generate --language c` of all functions, size of the file |
+| C, generated | `homogen generate --language c` of all functions, by a development build of the command line; size of the file |
 | C, compiled | `gcc -O2 -c` of it |
 """
 
@@ -34,6 +34,14 @@ from command import ROOT, homogen, origin, said
 from limits import FUNCTIONS as TEN
 
 FIVE = ["forward_kinematics", "geometric_jacobian", "inverse_dynamics", "mass_matrix", "forward_dynamics"]
+# Number of arguments, if not one.
+ARGUMENTS = {
+    "inverse_dynamics": 3,
+    "forward_dynamics": 3,
+    "inverse_dynamics_derivatives": 3,
+    "forward_dynamics_derivatives": 3,
+    "coriolis_matrix": 2,
+}
 # Title, file, end effector, floating: without PEERS.
 SHIPPED = [
     ("Panda class", ROOT / "robots/panda_class.urdf", "link8", False),
@@ -67,20 +75,23 @@ edition = "2024"
 homogen = {{ path = "{runtime}", features = ["batch"] }}
 """
 MAIN = """\
+use std::hint::black_box;
+
 #[derive(homogen::Robot)]
 #[robot(urdf = "{urdf}", tip = "{tip}", quiet, generate({functions}){keys})]
 struct Robot;
 
-fn main() {{
-    println!("{{:?}}", std::hint::black_box(&Robot));
+fn numbers<const N: usize>() -> [f64; N] {{
+    black_box([0.1; N])
 }}
 
-impl std::fmt::Debug for Robot {{
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {{
-        f.write_str("a robot")
-    }}
+fn main() {{
+{calls}
 }}
 """
+# Generated functions are generic over the scalar: only what is called is compiled.
+CALL = "    black_box(Robot.{function}({arguments}));"
+BATCH = "    let mut all = vec![Robot.{function}({arguments}); 64];\n    Robot.{function}_batch({slices}, &mut all).unwrap();"
 
 
 def main():
@@ -113,12 +124,12 @@ def costs(folder, robot, command):
     run(["cargo", "fetch", "--quiet"], crate)
     yield "first build", *run(["cargo", "build", "--quiet"], crate)
     yield "check", *checked(crate, robot)
+    release = ["cargo", "build", "--quiet", "--release"]
+    # Compiles the dependencies.
+    run(release, crate)
     for cost, functions, keys in (("release", TEN, ""), ("batch", FIVE, ", batch")):
-        # Compiles the dependencies.
-        write_main(crate, robot, ["forward_kinematics"])
-        run(["cargo", "build", "--quiet", "--release"], crate)
         write_main(crate, robot, functions, keys)
-        yield cost, *run(["cargo", "build", "--quiet", "--release"], crate)
+        yield cost, *run(release, crate)
     yield "package", *package(folder, robot, command)
     yield from in_c(folder, robot, command)
 
@@ -132,19 +143,27 @@ def write_crate(crate, robot, functions):
 
 
 def write_main(crate, robot, functions, keys=""):
-    """The derive of some functions; with further keys."""
+    """The derive of some functions, with further keys, and a call of each."""
     _, urdf, tip, floating = robot
+    calls = []
+    for function in functions:
+        count = ARGUMENTS.get(function, 1)
+        arguments = ", ".join(["&numbers()"] * count)
+        slices = ", ".join(["&[numbers(); 64]"] * count)
+        call = BATCH if "batch" in keys else CALL
+        calls.append(call.format(function=function, arguments=arguments, slices=slices))
     keys += ", floating" if floating else ", path_only"
-    text = MAIN.format(urdf=urdf, tip=tip, functions=", ".join(functions), keys=keys)
-    (crate / "src/main.rs").write_text(text)
+    main = MAIN.format(urdf=urdf, tip=tip, functions=", ".join(functions), keys=keys, calls="\n".join(calls))
+    (crate / "src/main.rs").write_text(main)
 
 
 def checked(crate, robot):
-    """Median of three checks, each after a change, and the most memory."""
-    write_main(crate, robot, ["all"])
+    """Median of three checks, each after a change, and the largest peak of memory."""
+    write_main(crate, robot, ["inverse_dynamics"])
+    source = crate / "src/main.rs"
+    source.write_text(source.read_text().replace("generate(inverse_dynamics)", "generate(all)"))
     check = ["cargo", "check", "--quiet"]
     run(check, crate)
-    source = crate / "src/main.rs"
     found = []
     for change in range(3):
         source.write_text(source.read_text() + f"\npub fn change_{change}() {{}}\n")

@@ -110,9 +110,9 @@ def main():
 
 def peers(folder):
     """The compared robots of a folder of `setup.sh`."""
-    told = lambda robot, file: (folder / robot / file).read_text().strip()
+    read = lambda robot, file: (folder / robot / file).read_text().strip()
     return [
-        (told(robot, "title"), (folder / robot / "robot.urdf").resolve(), told(robot, "frame"), told(robot, "base") == "floating")
+        (read(robot, "title"), (folder / robot / "robot.urdf").resolve(), read(robot, "frame"), read(robot, "base") == "floating")
         for robot in PEERS
     ]
 

@@ -1,23 +1,23 @@
 #!/usr/bin/env python3
 """Times and bits of every function of the robots that ship, without flags and compiled for this processor.
 
-    report/flags.py [ROUNDS]
+    report/flags.py [ROUNDS] > report/FLAGS.md
 
 Compiles `report/flags` in three ways and runs the programs in turns, ROUNDS times (3):
 
-- `target`: for the baseline of the architecture alone, without a choice at run time (no feature `std`),
-- `chosen`: the same with the choice, as a crate without flags is compiled,
+- `target`: for the baseline of the architecture, without a choice at run time (no feature `std`),
+- `chosen`: without flags, instructions are chosen at run time, as in `cargo build --release` of a user,
 - `native`: with `-C target-cpu=native`.
 
-Prints the least time of each in nanoseconds a call. Fails if a result of `chosen` differs from `native` in a bit, or if
-one of a `reproducible` robot differs between any two, or from `target` without the key. Needs cargo.
+Prints the least time of each in nanoseconds a call, as Markdown. Fails if a result of `chosen` differs from `native` in
+a bit, or if a result of a `reproducible` robot differs between any two, or from `target` without the key. Needs cargo.
 """
 
 import os
 import subprocess
 import sys
 
-from command import ROOT, said
+from command import ROOT, origin, said
 
 WAYS = {
     "target": (["--no-default-features", "--features", "libm"], ""),
@@ -25,6 +25,8 @@ WAYS = {
     "native": ([], "-C target-cpu=native"),
 }
 REPRODUCIBLE = "_reproducible"
+# The largest accepted ratio chosen/native, of functions that take more nanoseconds than LONG.
+BAR, LONG = 1.15, 40
 
 
 def main():
@@ -38,17 +40,37 @@ def main():
                 row = times.setdefault((robot, function), {})
                 row[way] = min(float(time), row.get(way, float("inf")))
                 bits[robot, function, way] = digest
-    print(f"{'':<54} {'target':>8} {'chosen':>8} {'native':>8} {'chosen/native':>14}")
-    for (robot, function), row in times.items():
-        of = " ".join(f"{row[way]:8.1f}" for way in WAYS)
-        print(f"{robot + ' ' + function:<54} {of} {row['chosen'] / row['native']:14.2f}")
-    slow = [row["chosen"] / row["native"] for row in times.values() if row["native"] > 40]
-    print(f"\nLargest ratio of functions above 40 ns: {max(slow):.2f}")
+    print(written(times, rounds))
     sys.exit(differences(times, bits))
 
 
+def written(times, rounds):
+    """The times as Markdown."""
+    ratios = {key: row["chosen"] / row["native"] for key, row in times.items()}
+    long = [ratio for key, ratio in ratios.items() if times[key]["native"] > LONG]
+    slow = sum(ratio > BAR for ratio in long)
+    met = f"exceeded by {slow}" if slow else "met by all"
+    lines = [
+        "# Every function without flags",
+        "",
+        f"Measured by `report/flags.py {rounds}` on {origin()}.",
+        "",
+        "`f64`, one thread, ns a call, least of all rounds. `target`: baseline of the architecture, no choice at run time;",
+        "`chosen`: without flags, instructions are chosen at run time; `native`: `-C target-cpu=native`.",
+        "",
+        f"Chosen / native: at most {max(long):.2f} among the {len(long)} functions above {LONG} ns; the bar is {BAR}, {met}.",
+        "",
+        "| robot | function | target | chosen | native | chosen / native |",
+        "|---|---|---:|---:|---:|---:|",
+    ]
+    for (robot, function), row in times.items():
+        of = " | ".join(f"{row[way]:.1f}" for way in WAYS)
+        lines.append(f"| {robot} | `{function}` | {of} | {ratios[robot, function]:.2f} |")
+    return "\n".join(lines)
+
+
 def differences(rows, bits):
-    """The functions whose bits differ where they must not, as a message; none if there are none."""
+    """A message with the functions whose bits differ where they must not; `None` if there are none."""
     found = []
     for robot, function in rows:
         of = [bits[robot, function, way] for way in WAYS]

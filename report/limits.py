@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""What holds each function of a robot up on a processor: says a model of its core, of the machine code.
+"""Bottlenecks of each function of a robot on a processor, by a model of its core.
 
     report/limits.py ROBOT.urdf [OPTION…]      [HOMOGEN=PATH: the command, where it is built already]
 
-Compiles functions as the derive writes them, with optimisation for the processor at hand, and hands what each does
-until it returns to LLVM's model of that core (`llvm-mca`, of the package `llvm`). OPTION is one of `homogen generate`,
-as `--floating`. Prints a table; needs cargo, llvm-mca and nm (`binutils`).
+Compiles functions as the derive writes them, optimised for this processor, and passes the machine code of each to
+LLVM's model of the core (`llvm-mca`, of the package `llvm`). OPTION is one of `homogen generate`, such as `--floating`.
+Prints a table; needs cargo, llvm-mca and nm (`binutils`).
 
-Columns: operations, vectors or not, that compute with numbers, that load, and that store; the bytes of machine code;
-the clock cycles that the ports of the core need (`ports`), that one call needs alone (`alone`), and that a call needs
-among a hundred independent ones (`each`); what the model says that these wait for. Where `each` is near to `ports`,
-only fewer operations help; where it is well above, a core looks too few operations ahead to overlap calls.
+Columns: arithmetic instructions, those among them on vectors, loads, stores; bytes of machine code; clock cycles that
+the ports of the core need (`ports`), of a single call (`alone`), of a call among a hundred independent ones (`each`);
+the bottlenecks that the model reports. Where `each` is near `ports`, only fewer operations help; where it is well above,
+the window of the core is too short to overlap calls.
 
-The model takes machine code for being at hand. A loop over more of it than the core holds (`bytes` in bold) fetches all
-of it anew each time round, and takes longer than the model says.
+The model assumes that instructions are in the cache. A loop over more bytes than the cache holds (in bold) fetches all
+of them in each iteration, and takes longer than the model predicts.
 """
 
 import os
@@ -24,7 +24,7 @@ import subprocess
 import sys
 import tempfile
 
-from command import ROOT, homogen, said
+from command import ROOT, homogen, processor, said
 
 FUNCTIONS = [
     "forward_kinematics",
@@ -133,12 +133,6 @@ def modelled(body, calls):
     reasons = {"ports": "Resource Pressure", "registers": "- Register Dependencies", "memory": "- Memory Dependencies"}
     parts = [f"{number(name):.0f} % {reason}" for reason, name in reasons.items() if re.search(name, answer)]
     return {"cycles": int(number("Total Cycles")), "ports": number("Block RThroughput"), "waits": ", ".join(parts)}
-
-
-def processor():
-    """What it calls itself."""
-    words = pathlib.Path("/proc/cpuinfo").read_text()
-    return re.search(r"model name\s*: (.*)", words).group(1)
 
 
 def version():

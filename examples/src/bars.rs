@@ -1,11 +1,15 @@
-//! The picture of the README: bars of time for functions of an arm, of homogen and others, each with its error.
+//! The picture of the README and of the report's first page: times of functions of an arm as bars, of homogen and other
+//! programs, each with its error.
 //!
-//! In: the tables of the committed report. Out: an SVG.
+//! In: the details of the report. Out: an SVG.
 
 use std::fmt::Write;
 
 /// The heading of the table that is drawn.
-const PART: &str = "### Panda with hand beside others\n";
+const PART: &str = "### Panda with hand: other programs\n";
+
+/// The title of the picture.
+pub const TITLE: &str = "Time and error of functions of a Panda: homogen, CasADi and Pinocchio";
 
 /// The functions that are drawn: the name in the report, the name in the picture, and true if the refined one is
 /// drawn as well.
@@ -128,18 +132,19 @@ fn head(height: f64) -> String {
     let (width, inner) = (WIDTH - 1.0, height - 1.0);
     let mut svg = format!(
         r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}" font-family="Helvetica, Arial, sans-serif" font-size="13" fill="#1f2328">
-<title>Time and error of functions of a Panda: homogen beside CasADi and Pinocchio</title>
+<title>{TITLE}</title>
 <rect x="0.5" y="0.5" width="{width}" height="{inner}" rx="8" fill="#ffffff" stroke="#c8ccd0"/>
 "##
     );
-    let title = "A Panda with its hand: one call, in f64, on one thread";
+    let title =
+        "A Panda with its hand: one call, in f64, on one thread, all compiled for this processor";
     text(
         &mut svg,
         (24.0, 32.0),
         title,
         "font-size=\"16\" font-weight=\"bold\"",
     );
-    let about = "Shorter is better. Errors are the worst over random states, in units of rounding (u = 1.1e-16).";
+    let about = "Shorter is better. Errors are the worst over random states, in units of roundoff (u = 1.1e-16).";
     text(&mut svg, (24.0, 54.0), about, "fill=\"#59636e\"");
     svg
 }

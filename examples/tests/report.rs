@@ -1,6 +1,6 @@
 //! Every operation count of the committed report, computed again.
 //!
-//! In: `report/REPORT.md`, and the tables of scenes of the report. A failed test prints the expected row. Times and
+//! In: `report/DETAILS.md`, and the tables of scenes of the report. A failed test prints the expected row. Times and
 //! errors are not checked; they belong to the machine that the report names. `homogen report` writes a new report.
 
 #[path = "../../report/program/src/chain.rs"]
@@ -24,7 +24,7 @@ use homogen_codegen::request::Request;
 use homogen_codegen::schedule::OperationCount;
 use scene::{Scene, Variant};
 
-const REPORT: &str = include_str!("../../report/REPORT.md");
+const REPORT: &str = include_str!("../../report/DETAILS.md");
 
 #[test]
 fn counts_of_the_robots_are_current() {
@@ -77,7 +77,7 @@ fn ratios_of_the_readme_are_those_of_the_report() {
         include_str!("../../README.md"),
         include_str!("../../guide/src/accuracy.md"),
     ];
-    let part = part("### Panda with hand beside others");
+    let part = part("### Panda with hand: other programs");
     let ratio = |start: &str| {
         let row = part.lines().find(|row| row.starts_with(start));
         let cells = row.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>());
@@ -136,7 +136,7 @@ fn merged_angles_are_shown_where_they_change_a_program() {
 
 #[test]
 fn counts_of_simpler_models_are_current() {
-    let part = part("## What a scene needs");
+    let part = part("## Simpler models");
     let scenes = scene::models(root()).expect("the robots of the repository are valid");
     for scene in scenes {
         for variant in &scene.variants {
@@ -156,7 +156,7 @@ fn counts_of_simpler_models_are_current() {
 /// Longer chains take too long without optimisation.
 #[test]
 fn counts_of_chains_are_current() {
-    let part = part("## Growth");
+    let part = part("## Long chains");
     for joints in [1, 2, 4, 8] {
         let chain = chain::chain(joints).expect("it is valid");
         for function in [

@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
-# Sets up what stands beside homogen in its report: Pinocchio, and the C that CasADi makes of it.
+# Sets up the other programs of the report: Pinocchio, and the C that CasADi generates from it.
 #
-#   setup.sh FOLDER     makes in FOLDER what is missing there, or older than what it is made from
+#   setup.sh FOLDER     makes in FOLDER what is missing or older than its sources
 #
 # Fetches Pinocchio, CasADi, MuJoCo, frax and vendors' robots from PyPI, and compiles for minutes for
-# the processor at hand. What it leaves: with what it was made (versions.txt, versions.many.txt) and
-# for which processor; in a folder a robot its description (robot.urdf), title, frame, base (fixed or
-# floating), joints (model.joints), the functions that are compared where these are not all
-# (functions), and a shared library for each maker and type of number (MAKER.TYPE.so); and Python with
-# frax (tools/frax). The rest is intermediate.
+# this processor. Results: versions (versions.txt, versions.many.txt) and the name of the processor;
+# a folder for each robot with its description (robot.urdf), title, frame, base (fixed or floating),
+# joints (model.joints), the compared functions if not all (functions), and a shared library for each
+# maker and type of number (MAKER.TYPE.so); Python with frax (tools/frax). The rest is intermediate.
 set -euo pipefail
 
 say() { printf '%s\n' "$*" >&2; }
@@ -27,11 +26,11 @@ folder="$(cd "$1" && pwd)"
 cd "$(dirname "${BASH_SOURCE[0]}")"
 . ./tools.sh
 
-# The arms that ship; and two, a quadruped and a humanoid with free bases, as their vendors describe them.
+# The arms that ship; two arms, a quadruped and a humanoid on floating bases as their vendors describe them.
 robots=(ur5_class panda_class ur5 panda solo12 g1)
 declare -A title=([ur5_class]='UR5 class' [panda_class]='Panda class'
-    [ur5]='UR5' [panda]='Panda with hand' [solo12]='Quadruped with a free base'
-    [g1]='Humanoid with a free base')
+    [ur5]='UR5' [panda]='Panda with hand' [solo12]='Quadruped with a floating base'
+    [g1]='Humanoid with a floating base')
 declare -A frame=([ur5_class]=tool0 [panda_class]=link8 [ur5]=tool0 [panda]=panda_hand_tcp
     [solo12]=HR_FOOT [g1]=torso_link)
 declare -A base=([solo12]=floating [g1]=floating)

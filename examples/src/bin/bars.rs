@@ -8,8 +8,8 @@ use homogen_examples::bars;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let report = Path::new(env!("CARGO_MANIFEST_DIR")).join("../report");
-    let text = fs::read_to_string(report.join("REPORT.md"))?;
-    let picture = bars::draw(&text).ok_or("the report lacks the rows that are drawn")?;
+    let text = fs::read_to_string(report.join("DETAILS.md"))?;
+    let picture = bars::draw(&text).ok_or("the report lacks the rows of the picture")?;
     fs::write(report.join("bars.svg"), picture)?;
     Ok(())
 }

@@ -1,10 +1,12 @@
 //! The report as Markdown.
 //!
-//! In: the measurements. Out: tables, with the figures between them. Operation counts are exact, and a test compares
-//! the committed copy with them; times belong to the machine that the first paragraph names.
+//! In: the measurements. Out: a page, and the details: tables, with the figures between them. Operation counts are exact,
+//! and a test compares the committed copy with them; times belong to the machine that the first lines name.
 
 mod cells;
+mod comparison;
 pub mod many;
+pub mod page;
 
 use std::fmt::Write;
 
@@ -14,11 +16,13 @@ use homogen_examples::{machine, timing};
 use homogen_plot::heat::Map;
 
 use cells::{fastest, find, in_units, operation_count, spread, time, units};
+use comparison::Comparison;
 
 use crate::growth::{self, Grown};
 use crate::hard::functions::TYPES;
 use crate::many::Many;
 use crate::measure::{Effort, Point};
+use crate::origin::Origin;
 use crate::peers::MAKERS;
 use crate::program::Flags;
 use crate::scene::{Scalar, Scene, Variant};
@@ -51,11 +55,12 @@ pub struct Measured<'a> {
     pub every: &'a [Map; 2],
 }
 
-/// The text of the report.
-pub fn write(measured: &Measured<'_>) -> String {
-    let mut text = String::from("# Speed against error\n\n");
-    text.push_str(&method(measured));
+/// The text of the details.
+pub fn details(measured: &Measured<'_>, origin: &Origin) -> String {
+    let mut text = String::from("# Speed and error: details\n\n");
+    text.push_str(&method(measured, origin));
     text.push_str(&robots(measured));
+    text.push_str(&without_flags(measured));
     text.push_str(&formulations(measured));
     if !measured.versions.is_empty() {
         text.push_str(&peers(measured));
@@ -67,21 +72,25 @@ pub fn write(measured: &Measured<'_>) -> String {
     text
 }
 
-fn method(measured: &Measured<'_>) -> String {
+fn method(measured: &Measured<'_>, origin: &Origin) -> String {
     let Effort { rounds, batches } = measured.effort;
     format!(
-        "Measured with `homogen report` on {processor}; {rustc}, opt-level 3, once for every \
-         processor of the architecture (baseline) and once with `-C target-cpu=native`.\n\
-         One thread. A time is the median of {rounds} rounds, in each of which all programs of a \
-         function take turns {batches} times, and each turn goes through {STATES} random states, once \
-         before the clock starts, where that takes less than {slow} ms, and then by the clock; \
-         only ratios carry over to another machine.\n\
-         An error is the worst over all entries of a result at all states, against the same \
-         function in 106 bits, in relation to the sum of the magnitudes of the terms that the \
-         entry was summed from; where a mass matrix is inverted, in relation to the largest entry \
-         of the result. u is the unit roundoff, 2⁻⁵³ for `f64` and 2⁻²⁴ for `f32`.\n\
-         Generated code is what the derive writes, for any scalar; the recursions at run time are \
-         those of `homogen::generic`.\n\n",
+        "The [first page](REPORT.md) has the results that most users need.\n\n\
+         - Measured with `homogen report` on {processor}; {date} (UTC), commit {commit}.\n\
+         - {rustc}, opt-level 3, built twice: without flags, where instructions are chosen at run \
+         time, and native, with `-C target-cpu=native`.\n\
+         - One thread. A time is the median of {rounds} rounds. In each round all programs of a \
+         function take {batches} turns. A turn calls the function in {STATES} random states: once \
+         before the clock starts if that takes less than {slow} ms, then with the clock. Only \
+         ratios carry over to another machine.\n\
+         - An error is the worst over all entries of a result and all states, against the same \
+         function in 106 bits. It is relative to the sum of the magnitudes of the terms of the \
+         entry; where a mass matrix is inverted, to the largest entry of the result. u is the \
+         unit roundoff, 2⁻⁵³ for `f64` and 2⁻²⁴ for `f32`.\n\
+         - The generic recursion is that of `homogen::generic` in the runtime crate. It reads the \
+         robot when it runs; the derive writes straight-line code.\n\n",
+        date = origin.date,
+        commit = origin.commit,
         processor = machine::processor(),
         rustc = machine::COMPILER,
         slow = timing::SLOW.as_millis(),
@@ -90,15 +99,15 @@ fn method(measured: &Measured<'_>) -> String {
 
 fn robots(measured: &Measured<'_>) -> String {
     let mut text = String::from(
-        "## Every function of the robots that ship\n\n\
-         Times in ns; counts are those of the doc comments. Errors of native programs: the median \
-         over the states, what 99 in 100 states do not exceed, and the worst.\n\n",
+        "## Robots that ship\n\n\
+         Times in ns; counts are those of the doc comments. Errors of native programs: median over \
+         the states, 99th percentile, worst.\n\n",
     );
     for scene in measured.robots {
         let _ = writeln!(
             text,
             "### {}\n\n![{0}: time per call against worst error]({}.svg)\n\n\
-             | function | mul | add | div | sin, cos | f64 | native | f32 | native | at run time, native | error f64 | f32 | at run time |\n\
+             | function | mul | add | div | sin, cos | f64, without flags | native | f32, without flags | native | generic recursion, native | error f64 | f32 | generic recursion |\n\
              |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
             scene.title, scene.name
         );
@@ -116,9 +125,9 @@ fn robots(measured: &Measured<'_>) -> String {
                 operation_count.add,
                 operation_count.div,
                 operation_count.sin + operation_count.cos,
-                time(default(Scalar::F64, Flags::Baseline)),
+                time(default(Scalar::F64, Flags::Without)),
                 time(default(Scalar::F64, Flags::Native)),
-                time(default(Scalar::F32, Flags::Baseline)),
+                time(default(Scalar::F32, Flags::Without)),
                 time(default(Scalar::F32, Flags::Native)),
                 time(generic),
                 spread(default(Scalar::F64, Flags::Native)),
@@ -131,13 +140,44 @@ fn robots(measured: &Measured<'_>) -> String {
     text
 }
 
+/// All functions of all robots, one state a call, and many states.
+fn comparisons<'a>(measured: &Measured<'a>) -> Vec<Comparison<'a>> {
+    let scenes = measured.robots.iter().chain(measured.beside);
+    let one = scenes.flat_map(|scene| {
+        let functions = scene.functions.iter();
+        functions.map(|&function| Comparison::of(measured, scene, function))
+    });
+    let many = measured.many;
+    let of_many = many
+        .scenes
+        .iter()
+        .map(|scene| Comparison::of_many(many, scene));
+    one.chain(of_many).collect()
+}
+
+fn without_flags(measured: &Measured<'_>) -> String {
+    let comparisons = comparisons(measured);
+    let mut text = format!(
+        "## Without flags\n\n\
+         Functions above {} ns, `f64`, one thread, times in ns; of `_batch` per state. Errors in u.\n\n{}\n",
+        comparison::LONG,
+        comparison::in_short(&comparisons)
+    );
+    text.push_str(comparison::HEAD);
+    for comparison in comparisons.iter().filter(|one| one.is_long()) {
+        text.push_str(&comparison.row());
+    }
+    text.push('\n');
+    text
+}
+
 fn formulations(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## Formulations\n\n\
-         The same functions by other ways, `f64`; times in ns. Merged angles have no room for all \
-         digits after many turns, which these states do not show.\n\n\
+         The same functions in other formulations, `f64`; times in ns. Merged angles lose digits \
+         after many turns; these states have at most 4 rad.\n\n\
          ![Formulations: time per call against worst error](formulations.svg)\n\n\
-         | robot | function | formulation | mul | add | div | baseline | native | error, baseline | native |\n\
+         | robot | function | formulation | mul | add | div | without flags | native | error, without flags | native |\n\
          |---|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
     );
     for scene in measured.robots {
@@ -154,9 +194,9 @@ fn formulations(measured: &Measured<'_>) -> String {
                     operation_count.mul,
                     operation_count.add,
                     operation_count.div,
-                    time(at(Flags::Baseline)),
+                    time(at(Flags::Without)),
                     time(at(Flags::Native)),
-                    units(at(Flags::Baseline)),
+                    units(at(Flags::Without)),
                     units(at(Flags::Native)),
                 );
             }
@@ -168,20 +208,20 @@ fn formulations(measured: &Measured<'_>) -> String {
 
 fn peers(measured: &Measured<'_>) -> String {
     let mut text = format!(
-        "## Beside others\n\n\
-         {}. One program, one run, the same description, the same states, one thread, everything \
-         for this processor. Pinocchio's templates, and the C that CasADi wrote from the same \
-         algorithms, are loaded into the program that runs ours, and take turns with it; \
-         `report/peer` sets them up. CasADi's C is as generated; with right angles made exact and \
-         common parts merged, `snapped`; and with its checks of pointers replaced by `restrict` \
-         besides. \
-         Mass matrices and accelerations are computed in both of Pinocchio's conventions, and the \
-         faster one counts. It leaves results where its users read them, and of symmetric matrices \
-         the upper triangle; ours and CasADi's are returned whole. \
-         Random states leave the branches in the platform's sines to chance, for all that call \
-         them; along a smooth motion a processor foresees most of them. \
-         Pinocchio and CasADi's plain C take the digits of a right angle literally; where a \
-         description has few of them, that is most of their error.\n\n",
+        "## Other programs\n\n\
+         {}, on the same description, states and thread, all compiled for this processor. \
+         `report/peer` sets them up. Pinocchio's templates, and the C that CasADi generates from \
+         Pinocchio's algorithms, are loaded into the program that runs ours and take turns with \
+         it.\n\n\
+         - CasADi's C: as generated; `snapped`, with exact right angles and merged common \
+         subexpressions; `restrict`, the same with `restrict` pointers in place of null checks.\n\
+         - Mass matrix and forward dynamics: the faster of Pinocchio's two conventions counts.\n\
+         - Results: Pinocchio leaves them in its data, of symmetric matrices the upper triangle; \
+         ours and CasADi's are returned whole.\n\
+         - Sines: random states make the branches of the platform's sines unpredictable, for all \
+         that call them; along a smooth motion most are predicted.\n\
+         - Right angles: Pinocchio and CasADi's plain C take the digits of the file literally. \
+         Where a file has few digits, that is most of their error.\n\n",
         measured.versions
     );
     let with_peers = |scene: &&Scene| {
@@ -190,7 +230,7 @@ fn peers(measured: &Measured<'_>) -> String {
     };
     let scenes = measured.robots.iter().chain(measured.beside);
     for scene in scenes.filter(with_peers) {
-        let _ = writeln!(text, "### {} beside others\n", scene.title);
+        let _ = writeln!(text, "### {}: other programs\n", scene.title);
         // The figures of the robots of the repository are above.
         if !measured.robots.iter().any(|robot| robot.name == scene.name) {
             let _ = writeln!(
@@ -201,7 +241,7 @@ fn peers(measured: &Measured<'_>) -> String {
         }
         let _ = writeln!(
             text,
-            "| function | type | ours | with platform sines | Pinocchio | CasADi | snapped | restrict | ours / best | with platform sines | error of ours | Pinocchio | CasADi | restrict |\n\
+            "| function | type | ours | with platform sines | Pinocchio | CasADi | snapped | restrict | ours / fastest other | with platform sines | error of ours | Pinocchio | CasADi | restrict |\n\
              |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
         );
         for scalar in [Scalar::F64, Scalar::F32] {
@@ -268,18 +308,18 @@ fn row_of_peers(
 fn hard(measured: &Measured<'_>) -> String {
     let mut text = String::from(
         "## Hard cases\n\n\
-         Worst error over 200 states, in units of rounding of the type, of programs that are run \
-         as they stand; a dash where a formulation makes no difference or is refused. Errors of \
-         forward dynamics are in relation to the largest acceleration. The tests hold these \
-         robots, and more states of them, to limits against 256 bits.\n\n\
+         Worst error over 200 states, in units of roundoff of the type, without fused operations; \
+         a dash where a formulation makes no difference or is rejected. Errors of forward dynamics \
+         are relative to the largest acceleration. The tests compare these robots, in more states, \
+         with 256 bits.\n\n\
          ![Hard cases by formulation](hard.svg)\n\n",
     );
     table(&mut text, "case", measured.hard);
     text.push_str(
-        "Every function, as the engine chooses it, over 40 states of each robot. What solves with \
-         the mass matrix is in relation to the largest entry, all else entry by entry to the sum \
-         of the sizes of its terms; a dash where a function is refused by name, for rounding \
-         would leave too few of its digits.\n\n",
+        "Every function in the engine's choice of formulation, over 40 states of each robot. \
+         Errors of functions that solve with the mass matrix are relative to the largest entry, \
+         others to the sum of the magnitudes of the terms; a dash where a function is rejected \
+         because rounding would leave too few digits.\n\n",
     );
     for (scalar, map) in TYPES.iter().zip(measured.every) {
         let _ = writeln!(text, "![{}](hard_{scalar}.svg)\n", map.title);
@@ -310,13 +350,13 @@ fn table(text: &mut String, corner: &str, map: &Map) {
 
 fn models(measured: &Measured<'_>) -> String {
     let mut text = String::from(
-        "## What a scene needs\n\n\
-         Simpler models of the Panda-class arm, inverse dynamics, against the full model in 106 \
-         bits; native, times in ns. Terms dropped are coordinates of a centre of mass and entries \
-         of an inertia tensor, small beside the largest of the same link; a symmetric link has its \
-         centre of mass on an axis and equal moments about it. `1.5708 taken literally` is a file \
-         that writes right angles with four decimals, read with `exact`: by default they are right \
-         angles again.\n\n\
+        "## Simpler models\n\n\
+         Inverse dynamics of simpler models of the Panda-class arm, against the full model in 106 \
+         bits; native, times in ns. Dropped terms are coordinates of a centre of mass and entries \
+         of an inertia tensor that are small beside the largest of the same link. A symmetric link \
+         has its centre of mass on an axis and equal moments about it. `1.5708 taken literally` is \
+         a file with right angles of four decimals, read with `exact`; by default they are read \
+         as right angles.\n\n\
          ![Simpler models: time per call against worst error](models.svg)\n\n\
          | scene | model | type | mul | add | time | median error | worst error |\n\
          |---|---|---|---:|---:|---:|---:|---:|\n",
@@ -354,9 +394,9 @@ fn models(measured: &Measured<'_>) -> String {
 
 fn grown(grown: &[Grown]) -> String {
     let mut text = String::from(
-        "## Growth\n\n\
-         Chains of like links with full inertia tensors and skew axes, `f64`; each function alone \
-         in a file that needs `core` and brings its own sines, compiled with `-C opt-level=3`. \
+        "## Long chains\n\n\
+         Chains of equal links with full inertia tensors and skew axes, `f64`. Each function is \
+         alone in a file that needs `core` and has its own sines, compiled with `-C opt-level=3`. \
          Expansion is the time from the description to tokens, in a generator built with opt-level \
          1.\n\n\
          ![Counts and times of chains of 1 to 64 joints](growth.svg)\n\n\

@@ -1,7 +1,7 @@
 //! The figures.
 //!
 //! In: the measurements. Out: plots for `homogen_plot`. Colours are programs, symbols are types of numbers; full symbols
-//! are compiled for this processor, open ones for the baseline.
+//! are compiled for this processor, hollow ones without flags.
 
 mod many;
 
@@ -90,8 +90,7 @@ pub fn models(scenes: &[Scene], points: &[Point]) -> Grid {
         )
     };
     Grid {
-        title: "What a simpler model of the Panda-class arm costs and gains: inverse dynamics"
-            .into(),
+        title: "Simpler models of the Panda-class arm: inverse dynamics".into(),
         legend: Vec::new(),
         columns: 1,
         panels: scenes.iter().map(panel).collect(),
@@ -99,7 +98,7 @@ pub fn models(scenes: &[Scene], points: &[Point]) -> Grid {
 }
 
 const LINEAR_TIME: Axis = Axis {
-    label: "time per call, this processor [ns]",
+    label: "time per call, native [ns]",
     scale: Scale::Linear,
 };
 
@@ -131,7 +130,7 @@ pub fn formulations(panels: &[(&Scene, Function)], points: &[Point]) -> Grid {
         (title, panel(EITHER_TIME, ERROR, curves.collect(), 236.0))
     };
     Grid {
-        title: "Formulations in f64; hollow: baseline processor".into(),
+        title: "Formulations in f64; hollow: without flags".into(),
         legend: Vec::new(),
         columns: 1,
         panels: panels.iter().map(draw).collect(),
@@ -174,7 +173,7 @@ pub fn growth(grown: &[Grown]) -> Grid {
         )
     };
     Grid {
-        title: "How functions of a chain grow with its joints".into(),
+        title: "Chains of 1 to 64 joints".into(),
         legend: curves(|_| None),
         columns: 2,
         panels: vec![
@@ -267,7 +266,11 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
         .map(|variant| sample(variant.title, color(scene, variant.name), full(true)))
         .collect();
     if scene.generic {
-        legend.push(sample("recursions at run time", Color::Grey, full(true)));
+        legend.push(sample(
+            "generic recursion of the runtime crate",
+            Color::Grey,
+            full(true),
+        ));
     }
     let mut of_scene = points.iter().filter(|point| point.scene == scene.name);
     let with_peers = of_scene.any(|point| point.key.is_of_a_peer());
@@ -275,7 +278,7 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
         let square = Style::Points(Shape::Square { filled: true });
         legend.push(sample("Pinocchio", Color::Wine, square));
         legend.push(sample("CasADi C", Color::Black, square));
-        legend.push(sample("the same, tuned", Color::Green, square));
+        legend.push(sample("CasADi C, tuned", Color::Green, square));
     }
     legend.push(sample("f64", Color::Black, full(true)));
     legend.push(sample(
@@ -285,14 +288,10 @@ fn legend(scene: &Scene, points: &[Point]) -> Vec<Curve> {
     ));
     if with_peers {
         let diamond = Style::Points(Shape::Diamond { filled: true });
-        legend.push(sample("f32 of others", Color::Black, diamond));
+        legend.push(sample("f32 of other programs", Color::Black, diamond));
     }
-    legend.push(sample(
-        "hollow: baseline processor",
-        Color::Black,
-        full(false),
-    ));
-    legend.push(sample("front", Color::Grey, Style::Dashed));
+    legend.push(sample("hollow: without flags", Color::Black, full(false)));
+    legend.push(sample("Pareto front of ours", Color::Grey, Style::Dashed));
     legend
 }
 

@@ -1,9 +1,10 @@
 //! Measures speed against error on this machine, and writes tables and plots.
 //!
-//! In: the robots of this repository. Out: `report/REPORT.md` with its figures.
+//! In: the robots of this repository. Out: a page, `report/REPORT.md`, the details, `report/DETAILS.md`, and their
+//! figures.
 //!
-//! 1. The scenes and their variants are expanded into one program, which is compiled for the baseline and for this
-//!    processor.
+//! 1. The scenes and their variants are expanded into one program, which is compiled without flags and for
+//!    this processor.
 //! 2. Exact results are computed.
 //! 3. The programs run in turns.
 //! 4. Tables and figures are written.
@@ -15,6 +16,7 @@ mod growth;
 mod hard;
 mod many;
 mod measure;
+mod origin;
 mod output;
 mod peers;
 mod program;
@@ -33,6 +35,7 @@ use std::{env, fs};
 use clap::Parser;
 use document::Measured;
 use measure::{Effort, Run};
+use origin::Origin;
 use peers::{MAKERS, MAKERS_OF_MANY, Peers};
 use program::Flags;
 use progress::Progress;
@@ -76,6 +79,7 @@ const GROWTH_IN_SMOKE: (&[usize], usize) = (&[1, 2, 4], 1000);
 fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let root = here.join("../..");
+    let origin = Origin::of(&root);
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| here.join("target"), PathBuf::from);
     let work = target.join("work");
     fs::create_dir_all(&work)?;
@@ -163,6 +167,7 @@ fn run(options: Options) -> Result<PathBuf, Box<dyn Error>> {
             hard: &hard,
             every: &every,
         },
+        &origin,
     )?;
     Ok(folder)
 }

@@ -47,7 +47,7 @@ pub const ALONE: &str = "alone";
 /// Ours: one state a call, and batches in registers of each length.
 pub const OURS: [Implementation; 4] = [
     implementation(ALONE, "one state at a time", Color::Black),
-    implementation("target", "batch, vectors of the build", Color::Grey),
+    implementation("target", "batch, vectors of the target", Color::Grey),
     implementation("avx2", "batch, AVX2", Color::Blue),
     implementation("avx512", "batch, AVX-512", Color::Purple),
 ];
@@ -56,8 +56,8 @@ pub const OURS: [Implementation; 4] = [
 pub const OTHERS: [Implementation; 6] = [
     implementation("pinocchio", "Pinocchio", Color::Vermilion),
     implementation("plain", "CasADi's C", Color::Black),
-    implementation("snapped", "the same, snapped", Color::Black),
-    implementation("restrict", "the same, with `restrict`", Color::Black),
+    implementation("snapped", "CasADi's C, snapped", Color::Black),
+    implementation("restrict", "CasADi's C, with `restrict`", Color::Black),
     implementation("mujoco", "MuJoCo", Color::Orange),
     implementation("frax", "frax", Color::Wine),
 ];
@@ -202,5 +202,5 @@ pub fn measure<'a>(
 fn reason_of(other: &str, scene: &Scene, reason: &dyn Display) -> String {
     let reason = reason.to_string();
     let last = reason.trim().lines().last().unwrap_or_default();
-    format!("{other} beside {}: {last}", scene.title)
+    format!("{other} for {}: {last}", scene.title)
 }

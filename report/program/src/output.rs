@@ -1,24 +1,26 @@
 //! The files of the report.
 //!
-//! In: all measurements. Out: a folder with the Markdown file and its figures.
+//! In: all measurements. Out: a folder with a page, the details, and their figures.
 
 use std::path::Path;
 use std::{fs, io};
 
 use homogen_codegen::Function::{ForwardDynamics, InverseDynamics};
+use homogen_examples::bars;
 use homogen_plot::grid::{self, Grid};
 use homogen_plot::heat;
 
-use crate::document::{self, Measured};
+use crate::document::{self, Measured, page};
 use crate::figures;
 use crate::hard::functions::TYPES;
+use crate::origin::Origin;
 use crate::scene::Scene;
 
 /// Writes all files.
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
+pub fn write(folder: &Path, measured: &Measured<'_>, origin: &Origin) -> io::Result<()> {
     let Measured {
         robots,
         models,
@@ -56,5 +58,16 @@ pub fn write(folder: &Path, measured: &Measured<'_>) -> io::Result<()> {
         fs::write(path, heat::draw(map))?;
     }
     svg("growth", &figures::growth(measured.grown))?;
-    fs::write(folder.join("REPORT.md"), document::write(measured))
+    let details = document::details(measured, origin);
+    fs::write(folder.join("DETAILS.md"), &details)?;
+    let figure = match bars::draw(&details) {
+        Some(picture) => {
+            fs::write(folder.join("bars.svg"), picture)?;
+            ["bars", bars::TITLE]
+        }
+        // Without other programs.
+        None => [&*robots[0].name, &*robots[0].title],
+    };
+    let page = page::write(measured, origin, figure, folder);
+    fs::write(folder.join("REPORT.md"), page)
 }

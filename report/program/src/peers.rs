@@ -21,6 +21,17 @@ pub const MAKERS: [&str; 4] = ["pinocchio", "plain", "snapped", "restrict"];
 /// The same and MuJoCo, whose inverse dynamics is compared for many states.
 pub const MAKERS_OF_MANY: [&str; 5] = ["pinocchio", "plain", "snapped", "restrict", "mujoco"];
 
+/// The title of a maker on the first page.
+pub fn title(maker: &str) -> &str {
+    match maker {
+        "pinocchio" => "Pinocchio",
+        "plain" => "CasADi C",
+        "snapped" | "restrict" => "CasADi C, tuned",
+        "mujoco" => "MuJoCo",
+        other => other,
+    }
+}
+
 /// A folder with other programs.
 pub struct Peers {
     folder: PathBuf,
@@ -148,7 +159,9 @@ fn scene_of(name: &str, folder: &Path) -> Result<Scene, Box<dyn Error>> {
     let joints = read("model.joints")?;
     if !joints.lines().eq(&scene.joints) {
         let (theirs, ours) = (joints.replace('\n', " "), scene.joints.join(" "));
-        return Err(format!("peers count the joints of {name} as {theirs}, not as {ours}").into());
+        return Err(
+            format!("{name}: other programs have the joints {theirs}, homogen has {ours}").into(),
+        );
     }
     Ok(scene)
 }

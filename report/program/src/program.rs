@@ -1,36 +1,37 @@
-//! The measured programs, compiled for the baseline and for this processor.
+//! The measured programs, compiled without flags and for this processor.
 //!
-//! In: their sources. Out: executables for each set of flags.
+//! In: their sources. Out: executables for each set of flags. The runtime crate has its feature `std` in both: without
+//! flags, generated functions choose their instructions at run time, as in `cargo build --release` of a user.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
 
-/// The target of a compilation.
+/// The flags of a compilation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Flags {
-    /// The baseline: every processor of the architecture.
-    Baseline,
-    /// This processor.
+    /// None: for every processor of the architecture, with a choice at run time.
+    Without,
+    /// For this processor alone.
     Native,
 }
 
 impl Flags {
     /// Both.
-    pub const ALL: [Self; 2] = [Self::Baseline, Self::Native];
+    pub const ALL: [Self; 2] = [Self::Without, Self::Native];
 
     /// Its name in the report.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Baseline => "baseline",
+            Self::Without => "without flags",
             Self::Native => "native",
         }
     }
 
     const fn rustflags(self) -> &'static str {
         match self {
-            Self::Baseline => "",
+            Self::Without => "",
             Self::Native => "-Ctarget-cpu=native",
         }
     }
@@ -38,7 +39,7 @@ impl Flags {
 
 /// The executables of one compilation.
 pub struct Executables {
-    /// Their target.
+    /// The flags.
     pub flags: Flags,
     /// One state a call.
     pub measured: PathBuf,
@@ -65,7 +66,8 @@ pub fn compile(sources: &Path, target: &Path, flags: Flags) -> Result<Executable
     }
     let kept = |name: &str| {
         let file = |name: &str| format!("{name}{}", env::consts::EXE_SUFFIX);
-        let kept = target.join(file(&format!("{name}-{}", flags.name())));
+        let suffix = flags.name().replace(' ', "-");
+        let kept = target.join(file(&format!("{name}-{suffix}")));
         // The compilation with the other flags overwrites it.
         fs::copy(target.join("release").join(file(name)), &kept)?;
         Ok::<_, io::Error>(kept)

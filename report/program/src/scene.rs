@@ -339,7 +339,7 @@ pub fn free(root: &Path) -> Result<Scene, Errors> {
         ..to("fl_foot")
     };
     let path = root.join("robots/quadruped.urdf");
-    let mut scene = Scene::read("free", "Quadruped with a free base", &path, request)?;
+    let mut scene = Scene::read("free", "Quadruped with a floating base", &path, request)?;
     scene.states = states(&scene.spaces, Range::WIDE);
     scene.functions = FUNCTIONS.to_vec();
     scene.variants = vec![Variant::DEFAULT];

@@ -67,6 +67,14 @@ pub fn time(point: Option<&Point>) -> String {
     point.map_or_else(|| "–".to_owned(), |point| format!("{:.0}", point.time[1]))
 }
 
+/// The same with a digit more below 10 ns.
+pub fn precise_time(point: Option<&Point>) -> String {
+    match point {
+        Some(point) if point.time[1] < 9.95 => format!("{:.1}", point.time[1]),
+        other => time(other),
+    }
+}
+
 /// The worst error in units of the roundoff of its type.
 pub fn units(point: Option<&Point>) -> String {
     errors(point, |point| vec![point.worst])

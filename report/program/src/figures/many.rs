@@ -102,9 +102,12 @@ fn legend(many: &Many<'_>) -> Vec<Curve> {
     legend.push(black("f64", circle(true)));
     legend.push(black("f32", Shape::Triangle { filled: true }));
     if !colors.is_empty() {
-        legend.push(black("f32 of others", Shape::Diamond { filled: true }));
+        legend.push(black(
+            "f32 of other programs",
+            Shape::Diamond { filled: true },
+        ));
     }
-    legend.push(black("hollow: baseline processor", circle(false)));
+    legend.push(black("hollow: without flags", circle(false)));
     legend.push(sample(
         "limits, f64 right of f32",
         Color::Grey,

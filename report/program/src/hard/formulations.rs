@@ -89,7 +89,7 @@ pub fn map() -> Map {
     });
     Map {
         title: "Hard cases: worst error of dynamics by formulation".into(),
-        unit: "units of rounding".into(),
+        unit: "units of roundoff".into(),
         rows: rows.collect(),
         columns: formulations
             .iter()

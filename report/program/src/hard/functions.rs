@@ -16,7 +16,7 @@ const CASES: [Hard; 12] = [
     Hard::new("payload of 1 t", "payload/1e3"),
     Hard::new("angles to 10⁵ rad", "panda_class/0").at(MANY_TURNS),
     Hard::new("rates to 10⁴ rad/s", "panda_class/0").moving(FAST),
-    Hard::new("free, 1000 km away", "quadruped/0").floating(1e6),
+    Hard::new("floating, 1000 km away", "quadruped/0").floating(1e6),
     Hard::new("8 rods, straight", "planar/8").at(STRAIGHT),
     Hard::new("tip of 1 t", "heavy_tip/1e3"),
     Hard::new("shrinking rods", "shrinking/8"),
@@ -47,7 +47,7 @@ pub fn maps() -> [Map; 2] {
 fn empty(scalar: &str) -> Map {
     Map {
         title: format!("Hard cases: worst error of every function in {scalar}"),
-        unit: "units of rounding".into(),
+        unit: "units of roundoff".into(),
         columns: CASES.iter().map(|hard| hard.title.to_owned()).collect(),
         rows: Vec::new(),
         scale: [0.0, 8.0],

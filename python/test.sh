@@ -4,7 +4,8 @@
 #
 #   test.sh [--libraries] [arguments of pytest]
 #
-# The wheel is compiled as it is published with --libraries, and otherwise in half of the time.
+# The wheel is compiled as it is published with --libraries, and otherwise in half of the time. With HOMOGEN_LONG=1 all
+# functions of a floating quadruped are compared as well.
 #
 # Maturin, llvmlite, NumPy, pytest and mypy come from PyPI, crates from crates.io; with --libraries PyTorch, JAX, CasADi,
 # SymPy, Numba, Pinocchio, MuJoCo, robotics-toolbox, matplotlib and Jupyter's kernel as well, of gigabytes, and only the tests

@@ -54,9 +54,25 @@ def flags(options):
             yield from (f"{key}={one}" for one in ([value] if isinstance(value, str) else value))
 
 
+#: Functions that are compiled for 5 to 27 seconds each for the floating quadruped. Without HOMOGEN_LONG they are compared for
+#: the other robots alone.
+SLOW = {
+    "base_regressor",
+    "forward_dynamics_derivatives",
+    "forward_dynamics_hessian",
+    "forward_dynamics_parameter_derivatives",
+    "forward_dynamics_vjp",
+    "inverse_dynamics_hessian",
+    "regressor",
+}
+
+
 def functions(of):
-    """The functions that a robot has, by name, without those of configurations."""
+    """The functions that a robot has, by name, without those of configurations and, of many joints, the slow ones."""
+    is_short = of.NV > 10 and not os.environ.get("HOMOGEN_LONG")
     for name in dir(of):
+        if is_short and name in SLOW:
+            continue
         try:
             function = getattr(of, name)
         except (ImportError, ValueError):

@@ -57,7 +57,7 @@ pub struct Chain {
     spaces: Spaces,
     /// The joints that close loops, in the order of the description.
     pub loops: Vec<Loop>,
-    /// The residuals of all loops in the order in which they are eliminated, independent ones first.
+    /// The residuals of all loops in the order in which they are eliminated: loop by loop, independent ones first.
     pub elimination: Vec<usize>,
     /// The velocities with an actuator; loops move the others.
     pub actuated: List<VelocityId, bool>,

@@ -54,8 +54,8 @@ def flags(options):
             yield from (f"{key}={one}" for one in ([value] if isinstance(value, str) else value))
 
 
-#: Functions that are compiled for 5 to 27 seconds each for the floating quadruped. Without HOMOGEN_LONG they are compared for
-#: the other robots alone.
+#: Functions that take most of the time to compile for the floating quadruped. Without HOMOGEN_LONG they are compared for the
+#: other robots alone.
 SLOW = {
     "base_regressor",
     "forward_dynamics_derivatives",

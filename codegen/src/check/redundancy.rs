@@ -64,12 +64,15 @@ pub fn redundancy(chain: &Chain) -> Redundancy {
             return found;
         };
         configurations.push(dense);
-        found.elimination = elimination(&configurations, chain);
-        let ordered = configurations.iter_mut().map(|dense| {
+        let elimination = elimination(&configurations, chain);
+        if elimination != found.elimination {
+            found.elimination = elimination;
+            samples.clear();
+        }
+        for dense in &mut configurations[samples.len()..] {
             dense.eliminate_in(found.elimination.clone());
-            Sample::of(dense, chain.request.scalar)
-        });
-        samples = ordered.collect();
+            samples.push(Sample::of(dense, chain.request.scalar));
+        }
         let useful: Vec<&Sample> = samples.iter().filter(|sample| sample.is_useful()).collect();
         // Near a singular configuration residuals nearly depend that are independent elsewhere.
         let is_settled = useful.iter().any(|sample| sample.is_certain)

@@ -101,39 +101,25 @@ const LONGEST: usize = 60;
 
 /// Compares base parameters with ranks of regressors.
 fn rank(wanted: &Wanted) -> ExitCode {
-    let [
-        mut right,
-        mut beyond,
-        mut refused,
-        mut unknown,
-        mut failures,
-    ] = [0; 5];
+    let [mut right, mut refused, mut failures] = [0; 3];
     for seed in wanted.seeds() {
         match try_ranks(seed, LONGEST) {
             Ok(Ranked::Right(_)) => right += 1,
-            Ok(Ranked::RightTo106Bits(_)) => {
-                beyond += 1;
-                println!("rank larger in 256 bits than in 106: seed {seed}");
-            }
             Ok(Ranked::Refused) => {
                 refused += 1;
                 println!("refused by name: seed {seed}");
             }
-            Ok(Ranked::Unknown) => unknown += 1,
             Err(message) => {
                 failures += 1;
                 println!("{message}\n");
             }
         }
-        let count = right + beyond + refused + unknown + failures;
+        let count = right + refused + failures;
         if count % 100 == 0 {
             eprintln!("{count} robots, {failures} failures");
         }
     }
-    println!(
-        "{right} ranks of regressors, {beyond} to 106 bits, {refused} refused by name, {unknown} undecided in 256 bits, \
-         {failures} failures"
-    );
+    println!("{right} ranks of regressors, {refused} refused by name, {failures} failures");
     if failures == 0 {
         ExitCode::SUCCESS
     } else {

@@ -1,8 +1,7 @@
 //! Base parameters of random robots, compared with the rank of their regressors in 256 bits.
 //!
 //! In: a [`Robot`] and its unit of length. Out: the number of its base parameters, if it is the rank of the regressor
-//! (except for columns whose independence is below 106 bits) and if the base parameters reproduce all columns,
-//! Y_b K = Y; or a refusal by name. Regressors are those of the [oracle](crate::oracle) at random states; their
+//! and if the base parameters reproduce all columns, Y_b K = Y; or a refusal by name. Regressors are those of the [oracle](crate::oracle) at random states; their
 //! elimination shares nothing with the engine.
 
 mod elimination;
@@ -21,7 +20,7 @@ use crate::states::Random;
 use super::prepared::{Prepared, guarded};
 use super::robot::Robot;
 use super::text;
-use elimination::{Rank, rank};
+use elimination::rank;
 
 /// The limit of an error in Y_b K, relative to the column.
 const OFF: f64 = 1e-10;
@@ -37,12 +36,8 @@ const NOTHING: f64 = 1e-26;
 pub enum Ranked {
     /// Equal to the rank.
     Right(usize),
-    /// Smaller than the rank, by columns whose independence is below 106 bits.
-    RightTo106Bits(usize),
     /// Refused: the engine cannot decide.
     Refused,
-    /// The rank is undecided in 256 bits.
-    Unknown,
 }
 
 /// A regressor at a state, by columns, without units.
@@ -79,14 +74,11 @@ pub fn ranked(robot: &Robot, length: f64, seed: u64) -> Result<Ranked, String> {
     let rows: Vec<Columns> = (0..states.enough()).map(|state| states.at(state)).collect();
     let groups = found.groups.len();
     match rank(&rows, &states.order()) {
-        Rank::Unknown => Ok(Ranked::Unknown),
-        Rank::Of { all, .. } if all == groups => Ok(Ranked::Right(all)),
-        Rank::Of { all, visible } if (visible..all).contains(&groups) => {
-            Ok(Ranked::RightTo106Bits(groups))
-        }
-        Rank::Of { all, visible } => Err(format!(
-            "{groups} base parameters, and the rank of the regressor is {all}, {visible} of it by more than 1e-20"
+        Some(rank) if rank == groups => Ok(Ranked::Right(rank)),
+        Some(rank) => Err(format!(
+            "{groups} base parameters, and the rank of the regressor is {rank}"
         )),
+        None => Err("the rank of the regressor is undecided in 256 bits".to_owned()),
     }
 }
 

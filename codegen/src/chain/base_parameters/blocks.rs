@@ -4,8 +4,7 @@
 //! first. A part of some links' mass whose energies do not change with the coordinates between them and their parents
 //! acts on all other joints like mass of the parents. So the links of a block depend on each other and on their
 //! parents alone, if no other link is moved by their coordinates and all links that they carry belong to earlier
-//! blocks. A block is as small as that allows: one link, if no joint mimics another. as that allows: one link, where
-//! no joint mimics another.
+//! blocks. A block is as small as that allows: one link, if no joint mimics another.
 
 use crate::list::{List, id};
 use crate::space::VelocityId;

@@ -79,7 +79,7 @@ struct Rest {
     value: Double,
     /// The variance of its rounding error.
     variance: f64,
-    /// The sum of the magnitudes of its terms.
+    /// The size of its terms, and of those of the numbers that it was computed from.
     whole: f64,
 }
 
@@ -100,14 +100,15 @@ impl Rest {
     /// Minus a product.
     fn less(self, part: Self, entry: Self) -> Self {
         let term = part.value * entry.value;
-        let of_whole = part.value.to_f64() * entry.whole;
-        let [of_part, of_entry, of_term] = [part.value, entry.value, term].map(|x| {
-            let size = x.to_f64();
-            size * size
-        });
+        let square = |x: f64| x * x;
+        let [of_part, of_entry, of_term] =
+            [part.value, entry.value, term].map(|x| square(x.to_f64()));
         Self {
             value: self.value - term,
-            whole: (self.whole * self.whole + of_whole * of_whole).sqrt(),
+            whole: (square(self.whole)
+                + of_part * square(entry.whole)
+                + square(part.whole) * of_entry)
+                .sqrt(),
             variance: self.variance
                 + part.variance * of_entry
                 + entry.variance * of_part

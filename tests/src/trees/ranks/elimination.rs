@@ -9,21 +9,10 @@
 
 use crate::big::Big;
 
-/// The number of independent columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rank {
-    /// The rank, and the number of columns whose independent part is above 106 bits.
-    Of { all: usize, visible: usize },
-    /// Undecided in 256 bits.
-    Unknown,
-}
-
-/// Upper bound of the remainder of a dependent column, and lower bound of that of an independent one.
-const DEPENDENT: f64 = 1e-58;
-const INDEPENDENT: f64 = 1e-50;
-
-/// Lower bound of remainders that are above 106 bits: the square of a residue of `f64` is below.
-const VISIBLE: f64 = 1e-20;
+/// Upper bound of the remainder of a dependent column, and lower bound of that of an independent one. Rounding in 256
+/// bits leaves up to 1e-50 of a dependent column in long chains; the square of a residue of `f64` is above 1e-36.
+const DEPENDENT: f64 = 1e-46;
+const INDEPENDENT: f64 = 1e-38;
 
 /// Lower bound of a pivot, relative to the largest entry of its column.
 const MUCH: f64 = 1e-3;
@@ -46,9 +35,10 @@ struct Waiting {
     reduced: usize,
 }
 
-pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
+/// The number of independent columns; `None` if 256 bits do not decide it.
+pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Option<usize> {
     let Some(first) = states.first() else {
-        return Rank::Of { all: 0, visible: 0 };
+        return Some(0);
     };
     let columns = (0..first.len()).rev();
     let columns = columns.map(|k| Waiting {
@@ -57,7 +47,6 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
     });
     let mut waiting: Vec<Waiting> = columns.collect();
     let mut pivots: Vec<Pivot> = Vec::new();
-    let mut visible = 0;
     for floor in FLOORS {
         let mut later = Vec::new();
         for mut next in waiting {
@@ -71,7 +60,6 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
                 later.push(next);
                 continue;
             }
-            visible += usize::from(remainder >= VISIBLE);
             let mut rows = order.iter().copied();
             let row = rows
                 .find(|&row| sizes[row] >= MUCH * remainder)
@@ -87,14 +75,7 @@ pub(super) fn rank(states: &[Vec<Vec<Big>>], order: &[usize]) -> Rank {
         }
         most(&sizes(&next.column))
     });
-    if remainders.fold(0.0, f64::max) < DEPENDENT {
-        Rank::Of {
-            all: pivots.len(),
-            visible,
-        }
-    } else {
-        Rank::Unknown
-    }
+    (remainders.fold(0.0, f64::max) < DEPENDENT).then_some(pivots.len())
 }
 
 fn column(states: &[Vec<Vec<Big>>], k: usize) -> Column {

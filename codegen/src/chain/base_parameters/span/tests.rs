@@ -31,3 +31,22 @@ fn the_column_with_the_largest_residual_leads() {
     });
     assert_eq!(names, Some(vec![(plain, 2.0)]));
 }
+
+/// A column with entries of 1e-16 of their terms, of which a multiple of another column has been subtracted: in a row
+/// where its own terms are zero, the entry that is left has the size of that multiple alone.
+#[test]
+fn a_residue_is_told_in_rows_without_terms_of_its_own() {
+    let [plain, faint] = [0, 1].map(ParameterId::new);
+    let plain_entries = [(1.0, 1.0), (0.5, 1.0), (0.7, 1.0)];
+    let faint_entries = [(3e-16, 1.0), (2e-16, 1.0), (0.0, 0.0)];
+    let entries = |entries: [(f64, f64); 3]| {
+        entries
+            .into_iter()
+            .map(|(entry, size)| (Double::from(entry), size))
+    };
+    let mut span = Span::default();
+    assert!(span.take(Some(plain), entries(plain_entries)).is_none());
+    assert!(!span.left.is_uncertain());
+    assert!(span.take(Some(faint), entries(faint_entries)).is_none());
+    assert!(span.left.is_uncertain());
+}

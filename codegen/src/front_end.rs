@@ -3,6 +3,8 @@
 //! The tokens become the generated code. If there are errors, they become each error at the word that caused it, with
 //! stubs that keep the rest of the program compiling.
 
+mod kept;
+
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -17,23 +19,28 @@ use crate::module::About;
 use crate::print::rust::{self, Declaration, Library};
 use crate::space::Spaces;
 use crate::{chain, request};
+use kept::Expansion;
 
-/// Expands `#[derive(Robot)]`.
+pub use kept::Kept;
+
+/// Expands `#[derive(Robot)]`, unless the expansion has been kept.
 #[must_use]
-pub fn derive(tokens: TokenStream) -> TokenStream {
+pub fn derive(tokens: TokenStream, kept: Option<&Kept>) -> TokenStream {
     let mut errors = Errors::new();
+    let kept = kept.and_then(|kept| kept.for_tokens("derive", &tokens));
     match attributes::read(tokens, &folder(), &mut errors) {
-        Some(item) => open(&item, errors, |_| Declaration::Exists),
+        Some(item) => open(&item, errors, kept, |_| Declaration::Exists),
         None => errors.to_compile_errors(),
     }
 }
 
-/// Expands `chain!`.
+/// Expands `chain!`, unless the expansion has been kept.
 #[must_use]
-pub fn chain(tokens: TokenStream) -> TokenStream {
+pub fn chain(tokens: TokenStream, kept: Option<&Kept>) -> TokenStream {
     let mut errors = Errors::new();
+    let kept = kept.and_then(|kept| kept.for_tokens("chain", &tokens));
     match inline::read(tokens, &folder(), &mut errors) {
-        Some(item) => open(&item, errors, |item| {
+        Some(item) => open(&item, errors, kept, |item| {
             Declaration::Written(declaration(item))
         }),
         None => errors.to_compile_errors(),
@@ -47,7 +54,12 @@ fn folder() -> PathBuf {
         .unwrap_or_default()
 }
 
-fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> TokenStream {
+fn open(
+    item: &Item,
+    mut errors: Errors,
+    kept: Option<kept::ForTokens<'_>>,
+    declare: fn(&Item) -> Declaration,
+) -> TokenStream {
     let target = rust::Item {
         visibility: item.visibility.clone(),
         ident: item.ident.clone(),
@@ -64,15 +76,28 @@ fn open(item: &Item, mut errors: Errors, declare: fn(&Item) -> Declaration) -> T
             errors.append(mistakes);
         }
     } else if let Some(description) = read {
-        match expand(description, &item.request) {
-            Ok(module) => {
+        let kept = kept.map(|kept| kept.for_source(&description.source));
+        let expansion = match kept.as_ref().and_then(kept::ForSource::find) {
+            Some(found) => Ok(found),
+            None => expand(description, &item.request).map(|module| {
+                let library = Library::runtime(item.request.runtime.as_ref());
+                let expansion = Expansion {
+                    robot: rust::print(&module, &target, &library),
+                    warnings: texts(&module.about),
+                };
+                if let Some(kept) = kept {
+                    kept.keep(&expansion);
+                }
+                expansion
+            }),
+        };
+        match expansion {
+            Ok(Expansion { robot, warnings }) => {
                 let file = item.file.as_ref().map(|file| folder().join(file.value()));
                 let beside = description.source.beside.iter();
                 let watched = file.iter().chain(beside).map(|path| watch(path));
                 let watch: TokenStream = watched.collect();
-                let warnings = warnings(&module.about, item);
-                let library = Library::runtime(item.request.runtime.as_ref());
-                let robot = rust::print(&module, &target, &library);
+                let warnings = all_warnings(warnings, item);
                 return quote! { #robot #watch #warnings };
             }
             Err(mistakes) => errors.append(mistakes),
@@ -90,16 +115,24 @@ fn watch(path: &Path) -> TokenStream {
     quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); }
 }
 
-/// The warnings about a robot for the compiler, each with its hint and the key that silences it.
-fn warnings(about: &About, item: &Item) -> TokenStream {
-    if item.request.quiet {
-        return TokenStream::new();
-    }
+/// The warnings about a robot, each with its hint.
+fn texts(about: &About) -> Vec<String> {
     let warnings = about.located_warnings().into_iter().zip(&about.warnings);
     let warnings = warnings.map(|(text, warning)| {
         let hint = warning.hint.as_ref().map(|hint| format!(": {hint}"));
-        (text + &hint.unwrap_or_default(), item.ident.span())
+        text + &hint.unwrap_or_default()
     });
+    warnings.collect()
+}
+
+/// Warnings about a robot and its struct for the compiler, each with the key that silences it.
+fn all_warnings(about_robot: Vec<String>, item: &Item) -> TokenStream {
+    if item.request.quiet {
+        return TokenStream::new();
+    }
+    let warnings = about_robot
+        .into_iter()
+        .map(|text| (text, item.ident.span()));
     let forgotten = forgotten_fields(item).map(|field| {
         let text = format!(
             "field `{field}` has no attribute and changes nothing: write #[robot(mass_of = \"link\")] above it, or rename it"

@@ -146,11 +146,14 @@ fn a_missing_file_is_an_error() {
 
 #[test]
 fn the_derive_writes_the_same() {
-    let derived = crate::front_end::derive(quote::quote! {
-        #[robot(urdf = "../robots/two_link.urdf", tip = "tip")]
-        #[robot(generate(forward_kinematics, inverse_dynamics, all_of(mass_matrix, bias)))]
-        pub struct TwoLink;
-    });
+    let derived = crate::front_end::derive(
+        quote::quote! {
+            #[robot(urdf = "../robots/two_link.urdf", tip = "tip")]
+            #[robot(generate(forward_kinematics, inverse_dynamics, all_of(mass_matrix, bias)))]
+            pub struct TwoLink;
+        },
+        None,
+    );
     let built = Builder::from_urdf("../robots/two_link.urdf")
         .tip("tip")
         .generate([Function::ForwardKinematics, Function::InverseDynamics])

@@ -44,7 +44,7 @@ fn expand(robot: &str, tip: &str) -> Result<(Duration, String), Box<dyn Error>> 
     let tokens: TokenStream = item.parse()?;
     let once = || {
         let start = Instant::now();
-        let code = derive(tokens.clone());
+        let code = derive(tokens.clone(), None);
         (start.elapsed(), code)
     };
     let runs = [once(), once(), once()];

@@ -102,7 +102,7 @@ fn a_pendulum_with_a_field() {
             bob: f64,
         }
     };
-    let text = Source::new("", &front_end::derive(tokens)).to_string();
+    let text = Source::new("", &front_end::derive(tokens, None)).to_string();
     assert!(text.lines().count() <= READABLE, "{text}");
     insta::assert_snapshot!(text);
 }
@@ -238,18 +238,27 @@ fn front_ends(words: &str, formulation: Formulation) -> String {
     let words: proc_macro2::TokenStream = words.parse().expect("tokens");
     let source = |tokens| Source::new("", &tokens).to_string();
 
-    let derived = source(front_end::derive(quote! {
-        #[robot(urdf = "../robots/two_link.urdf", generate(#(#names),*), formulation(#words))]
-        pub struct TwoLink;
-    }));
-    let by_chain = source(front_end::chain(quote! {
-        pub struct TwoLink { generate(#(#names),*), formulation(#words) }
-        #inline
-    }));
-    let by_attribute = source(front_end::derive(quote! {
-        #[robot(generate(#(#names),*), formulation(#words); #inline)]
-        pub struct TwoLink;
-    }));
+    let derived = source(front_end::derive(
+        quote! {
+            #[robot(urdf = "../robots/two_link.urdf", generate(#(#names),*), formulation(#words))]
+            pub struct TwoLink;
+        },
+        None,
+    ));
+    let by_chain = source(front_end::chain(
+        quote! {
+            pub struct TwoLink { generate(#(#names),*), formulation(#words) }
+            #inline
+        },
+        None,
+    ));
+    let by_attribute = source(front_end::derive(
+        quote! {
+            #[robot(generate(#(#names),*), formulation(#words); #inline)]
+            pub struct TwoLink;
+        },
+        None,
+    ));
     let builder = Builder::from_urdf(path("two_link")).generate(functions);
     let builder = builder.formulation(formulation).runtime("::homogen");
     let built = source(builder.to_tokens().expect("no mistakes"));

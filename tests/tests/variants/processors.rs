@@ -86,7 +86,9 @@ fn products_are_fused_if_the_processor_can() {
             #[robot(urdf = #PANDA, tip = "link8", processor = #processor, generate(gravity))]
             struct Panda;
         };
-        front_end::derive(tokens).to_string().contains("mul_add (")
+        front_end::derive(tokens, None)
+            .to_string()
+            .contains("mul_add (")
     };
     assert!(fuses("portable") && fuses("x86-64-v3") && fuses("aarch64"));
     assert!(!fuses("x86-64") && !fuses("cortex-m4") && !fuses("cortex-m7"));
@@ -119,17 +121,23 @@ fn f64_on_a_processor_without_it_is_refused() {
 
 #[test]
 fn an_unknown_processor_is_reported_with_a_suggestion() {
-    let refusal = front_end::derive(quote! {
-        #[robot(urdf = #PANDA, processor = "cortexm4")]
-        struct Panda;
-    });
+    let refusal = front_end::derive(
+        quote! {
+            #[robot(urdf = #PANDA, processor = "cortexm4")]
+            struct Panda;
+        },
+        None,
+    );
     let text = refusal.to_string();
     assert!(text.contains("unknown processor"), "{text}");
     assert!(text.contains("did you mean"), "{text}");
-    let no_name = front_end::derive(quote! {
-        #[robot(urdf = #PANDA, processor = 4)]
-        struct Panda;
-    });
+    let no_name = front_end::derive(
+        quote! {
+            #[robot(urdf = #PANDA, processor = 4)]
+            struct Panda;
+        },
+        None,
+    );
     assert!(
         no_name
             .to_string()

@@ -1,0 +1,149 @@
+//! Expansions that are kept from one run of the compiler to the next.
+//!
+//! In: all that an expansion depends on. Out: the expansion, if a folder has it. The compiler expands every macro in
+//! each of its runs, even if nothing of it has changed: reading an expansion back takes a hundredth of the time. A file
+//! that is missing, of other tokens or engines, or cut short is as good as none, and so is a folder that cannot be
+//! written.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use quote::quote;
+use syn::LitStr;
+
+use crate::description::Source;
+use crate::description::fingerprint::fingerprint;
+
+/// The most files in the folder; an expansion of all functions has some megabytes.
+const MOST: usize = 64;
+
+/// A folder of expansions by one engine.
+pub struct Kept<'k> {
+    /// The folder, which need not exist.
+    pub folder: &'k Path,
+    /// What distinguishes the engine from all others.
+    pub engine: &'k str,
+    /// Parses tokens. The compiler's own parser is faster by far than [`FromStr`](std::str::FromStr) of
+    /// [`TokenStream`], which parses twice.
+    pub parse: Parse,
+}
+
+type Parse = fn(&str) -> Option<TokenStream>;
+
+/// The code of a robot, and the texts of its warnings.
+pub(super) struct Expansion {
+    pub(super) robot: TokenStream,
+    pub(super) warnings: Vec<String>,
+}
+
+/// The folder, and what is known of an expansion before its description is read.
+pub(super) struct ForTokens<'k> {
+    kept: &'k Kept<'k>,
+    depends_on: String,
+}
+
+/// The file of an expansion.
+pub(super) struct ForSource {
+    path: PathBuf,
+    /// All that the expansion depends on.
+    depends_on: String,
+    parse: Parse,
+}
+
+impl Kept<'_> {
+    /// Begins the search of an expansion by a macro; `None` for tokens that text does not hold.
+    pub(super) fn for_tokens(&self, of: &str, tokens: &TokenStream) -> Option<ForTokens<'_>> {
+        is_text(tokens).then(|| ForTokens {
+            kept: self,
+            depends_on: format!("{}\n{of}\n{tokens}\n", self.engine),
+        })
+    }
+}
+
+/// False if some tokens are grouped by no delimiter, as `macro_rules` does.
+fn is_text(tokens: &TokenStream) -> bool {
+    tokens.clone().into_iter().all(|token| match token {
+        TokenTree::Group(group) => group.delimiter() != Delimiter::None && is_text(&group.stream()),
+        _ => true,
+    })
+}
+
+impl ForTokens<'_> {
+    /// Adds the files of the description.
+    pub(super) fn for_source(self, source: &Source) -> ForSource {
+        let Self {
+            kept,
+            mut depends_on,
+        } = self;
+        let beside = source.beside.iter().map(|path| path.to_string_lossy());
+        for file in source.file.iter().map(Into::into).chain(beside) {
+            let _ = writeln!(depends_on, "{file}");
+        }
+        let _ = writeln!(depends_on, "{:016x}", source.hash);
+        ForSource {
+            path: kept
+                .folder
+                .join(format!("{:016x}", fingerprint(depends_on.as_bytes()))),
+            depends_on,
+            parse: kept.parse,
+        }
+    }
+}
+
+impl ForSource {
+    /// The expansion, if it has been kept.
+    pub(super) fn find(&self) -> Option<Expansion> {
+        let text = fs::read_to_string(&self.path).ok()?;
+        let text = text.strip_prefix(&self.depends_on)?;
+        let (length, code) = text.split_once('\n')?;
+        if length.parse() != Ok(code.len()) {
+            return None;
+        }
+        let mut tokens = (self.parse)(code)?.into_iter();
+        let (Some(TokenTree::Group(warnings)), Some(TokenTree::Group(robot))) =
+            (tokens.next(), tokens.next())
+        else {
+            return None;
+        };
+        let warnings = warnings.stream().into_iter().map(|warning| {
+            let warning: LitStr = syn::parse2(warning.into()).ok()?;
+            Some(warning.value())
+        });
+        Some(Expansion {
+            robot: robot.stream(),
+            warnings: warnings.collect::<Option<_>>()?,
+        })
+    }
+
+    /// Keeps an expansion, and removes the oldest ones beyond a number.
+    pub(super) fn keep(&self, Expansion { robot, warnings }: &Expansion) {
+        let code = quote! { { #(#warnings)* } { #robot } }.to_string();
+        let Some(folder) = self.path.parent() else {
+            return;
+        };
+        // Other runs of the compiler read and write at the same time: a file is complete when it gets its name.
+        let beside = self
+            .path
+            .with_extension(format!("{}.part", std::process::id()));
+        let text = format!("{}{}\n{code}", self.depends_on, code.len());
+        let written = fs::create_dir_all(folder)
+            .and_then(|()| fs::write(&beside, text))
+            .and_then(|()| fs::rename(&beside, &self.path));
+        if written.is_err() {
+            let _ = fs::remove_file(&beside);
+            return;
+        }
+        let files = fs::read_dir(folder).into_iter().flatten().flatten();
+        let files = files.filter_map(|file| Some((file.metadata().ok()?.modified().ok()?, file)));
+        let mut files: Vec<_> = files.collect();
+        files.sort_by_key(|(modified, _)| std::cmp::Reverse(*modified));
+        for (_, file) in files.iter().skip(MOST) {
+            let _ = fs::remove_file(file.path());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,7 @@
 //! Expansions that are kept from one run of the compiler to the next.
 //!
 //! In: all that an expansion depends on. Out: the expansion, if a folder has it. The compiler expands every macro in
-//! each of its runs, even if nothing of it has changed: reading an expansion back takes a hundredth of the time. A file
+//! each of its runs, even if nothing of it has changed, and an expansion takes far longer than reading it back. A file
 //! that is missing, of other tokens or engines, or cut short is as good as none, and so is a folder that cannot be
 //! written.
 

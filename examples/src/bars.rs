@@ -62,9 +62,9 @@ const OTHERS: [Bar; 3] = [
 ];
 
 const WIDTH: f64 = 800.0;
-/// The left end of the bars, and the units per nanosecond.
+/// The left end of the bars, and the length of the longest, which leaves room for its label.
 const LEFT: f64 = 182.0;
-const SCALE: f64 = 0.22;
+const LONGEST: f64 = 330.0;
 const HEIGHT_OF_BAR: f64 = 17.0;
 const GAP: f64 = 40.0;
 const TOP: f64 = 92.0;
@@ -78,6 +78,13 @@ pub fn draw(report: &str) -> Option<String> {
         let row = part.lines().find(|line| line.starts_with(&start))?;
         Some(row.split('|').map(str::trim).collect::<Vec<_>>())
     };
+    let mut longest: f64 = 0.0;
+    for (function, ..) in GROUPS {
+        for bar in [OURS].iter().chain(&OTHERS) {
+            longest = longest.max(bar.time(&row(function)?)?);
+        }
+    }
+    let scale = LONGEST / longest;
     let mut svg = String::new();
     let mut y = TOP;
     for (function, title, is_refined) in GROUPS {
@@ -96,7 +103,7 @@ pub fn draw(report: &str) -> Option<String> {
                 format!(" · {:.1} times as long", time / least)
             };
             let label = format!("{time} ns{ratio} · error {}", cells.get(bar.error)?);
-            bar.draw(&mut svg, y, (time * SCALE, &label));
+            bar.draw(&mut svg, y, (time * scale, &label));
             y += HEIGHT_OF_BAR;
         }
         y += GAP - 8.0;

@@ -19,7 +19,7 @@ use crate::module::About;
 use crate::print::rust::{self, Declaration, Library};
 use crate::space::Spaces;
 use crate::{chain, request};
-use kept::Expansion;
+use kept::{Entry, Expansion};
 
 pub use kept::Kept;
 
@@ -27,7 +27,7 @@ pub use kept::Kept;
 #[must_use]
 pub fn derive(tokens: TokenStream, kept: Option<&Kept>) -> TokenStream {
     let mut errors = Errors::new();
-    let kept = kept.and_then(|kept| kept.for_tokens("derive", &tokens));
+    let kept = kept.and_then(|kept| kept.entry("derive", &tokens));
     match attributes::read(tokens, &folder(), &mut errors) {
         Some(item) => open(&item, errors, kept, |_| Declaration::Exists),
         None => errors.to_compile_errors(),
@@ -38,7 +38,7 @@ pub fn derive(tokens: TokenStream, kept: Option<&Kept>) -> TokenStream {
 #[must_use]
 pub fn chain(tokens: TokenStream, kept: Option<&Kept>) -> TokenStream {
     let mut errors = Errors::new();
-    let kept = kept.and_then(|kept| kept.for_tokens("chain", &tokens));
+    let kept = kept.and_then(|kept| kept.entry("chain", &tokens));
     match inline::read(tokens, &folder(), &mut errors) {
         Some(item) => open(&item, errors, kept, |item| {
             Declaration::Written(declaration(item))
@@ -57,7 +57,7 @@ fn folder() -> PathBuf {
 fn open(
     item: &Item,
     mut errors: Errors,
-    kept: Option<kept::ForTokens<'_>>,
+    kept: Option<Entry<'_>>,
     declare: fn(&Item) -> Declaration,
 ) -> TokenStream {
     let target = rust::Item {
@@ -76,8 +76,8 @@ fn open(
             errors.append(mistakes);
         }
     } else if let Some(description) = read {
-        let kept = kept.map(|kept| kept.for_source(&description.source));
-        let expansion = match kept.as_ref().and_then(kept::ForSource::find) {
+        let kept = kept.map(|entry| entry.of(&description.source));
+        let expansion = match kept.as_ref().and_then(Entry::find) {
             Some(found) => Ok(found),
             None => expand(description, &item.request).map(|module| {
                 let library = Library::runtime(item.request.runtime.as_ref());
@@ -85,8 +85,8 @@ fn open(
                     robot: rust::print(&module, &target, &library),
                     warnings: texts(&module.about),
                 };
-                if let Some(kept) = kept {
-                    kept.keep(&expansion);
+                if let Some(entry) = kept {
+                    entry.keep(&expansion);
                 }
                 expansion
             }),

@@ -23,14 +23,12 @@ const MOST: usize = 64;
 pub struct Kept<'k> {
     /// The folder, which need not exist.
     pub folder: &'k Path,
-    /// What distinguishes the engine from all others.
+    /// The name of the engine, which no other engine has.
     pub engine: &'k str,
     /// Parses tokens. The compiler's own parser is faster by far than [`FromStr`](std::str::FromStr) of
     /// [`TokenStream`], which parses twice.
-    pub parse: Parse,
+    pub parse: fn(&str) -> Option<TokenStream>,
 }
-
-type Parse = fn(&str) -> Option<TokenStream>;
 
 /// The code of a robot, and the texts of its warnings.
 pub(super) struct Expansion {
@@ -38,24 +36,17 @@ pub(super) struct Expansion {
     pub(super) warnings: Vec<String>,
 }
 
-/// The folder, and what is known of an expansion before its description is read.
-pub(super) struct ForTokens<'k> {
+/// The place of an expansion in the folder.
+pub(super) struct Entry<'k> {
     kept: &'k Kept<'k>,
+    /// All that the expansion depends on: the engine, the macro, its tokens; then the files of the description.
     depends_on: String,
-}
-
-/// The file of an expansion.
-pub(super) struct ForSource {
-    path: PathBuf,
-    /// All that the expansion depends on.
-    depends_on: String,
-    parse: Parse,
 }
 
 impl Kept<'_> {
-    /// Begins the search of an expansion by a macro; `None` for tokens that text does not hold.
-    pub(super) fn for_tokens(&self, of: &str, tokens: &TokenStream) -> Option<ForTokens<'_>> {
-        is_text(tokens).then(|| ForTokens {
+    /// The place of an expansion by a macro; `None` for tokens that text does not hold.
+    pub(super) fn entry(&self, of: &str, tokens: &TokenStream) -> Option<Entry<'_>> {
+        is_text(tokens).then(|| Entry {
             kept: self,
             depends_on: format!("{}\n{of}\n{tokens}\n", self.engine),
         })
@@ -70,38 +61,31 @@ fn is_text(tokens: &TokenStream) -> bool {
     })
 }
 
-impl ForTokens<'_> {
-    /// Adds the files of the description.
-    pub(super) fn for_source(self, source: &Source) -> ForSource {
-        let Self {
-            kept,
-            mut depends_on,
-        } = self;
+impl Entry<'_> {
+    /// The same of a description.
+    pub(super) fn of(mut self, source: &Source) -> Self {
         let beside = source.beside.iter().map(|path| path.to_string_lossy());
         for file in source.file.iter().map(Into::into).chain(beside) {
-            let _ = writeln!(depends_on, "{file}");
+            let _ = writeln!(self.depends_on, "{file}");
         }
-        let _ = writeln!(depends_on, "{:016x}", source.hash);
-        ForSource {
-            path: kept
-                .folder
-                .join(format!("{:016x}", fingerprint(depends_on.as_bytes()))),
-            depends_on,
-            parse: kept.parse,
-        }
+        let _ = writeln!(self.depends_on, "{:016x}", source.hash);
+        self
     }
-}
 
-impl ForSource {
+    fn path(&self) -> PathBuf {
+        let name = fingerprint(self.depends_on.as_bytes());
+        self.kept.folder.join(format!("{name:016x}"))
+    }
+
     /// The expansion, if it has been kept.
     pub(super) fn find(&self) -> Option<Expansion> {
-        let text = fs::read_to_string(&self.path).ok()?;
+        let text = fs::read_to_string(self.path()).ok()?;
         let text = text.strip_prefix(&self.depends_on)?;
         let (length, code) = text.split_once('\n')?;
         if length.parse() != Ok(code.len()) {
             return None;
         }
-        let mut tokens = (self.parse)(code)?.into_iter();
+        let mut tokens = (self.kept.parse)(code)?.into_iter();
         let (Some(TokenTree::Group(warnings)), Some(TokenTree::Group(robot))) =
             (tokens.next(), tokens.next())
         else {
@@ -120,19 +104,15 @@ impl ForSource {
     /// Keeps an expansion, and removes the oldest ones beyond a number.
     pub(super) fn keep(&self, Expansion { robot, warnings }: &Expansion) {
         let code = quote! { { #(#warnings)* } { #robot } }.to_string();
-        let Some(folder) = self.path.parent() else {
-            return;
-        };
+        let (folder, path) = (self.kept.folder, self.path());
         // Other runs of the compiler read and write at the same time: a file is complete when it gets its name.
-        let beside = self
-            .path
-            .with_extension(format!("{}.part", std::process::id()));
+        let part = path.with_extension(format!("{}.part", std::process::id()));
         let text = format!("{}{}\n{code}", self.depends_on, code.len());
         let written = fs::create_dir_all(folder)
-            .and_then(|()| fs::write(&beside, text))
-            .and_then(|()| fs::rename(&beside, &self.path));
+            .and_then(|()| fs::write(&part, text))
+            .and_then(|()| fs::rename(&part, &path));
         if written.is_err() {
-            let _ = fs::remove_file(&beside);
+            let _ = fs::remove_file(&part);
             return;
         }
         let files = fs::read_dir(folder).into_iter().flatten().flatten();

@@ -1,8 +1,8 @@
 //! Base parameters of random robots, compared with the rank of their regressors in 256 bits.
 //!
 //! In: a [`Robot`] and its unit of length. Out: the number of its base parameters, if it is the rank of the regressor
-//! and if the base parameters reproduce all columns, Y_b K = Y; or a refusal by name. Regressors are those of the [oracle](crate::oracle) at random states; their
-//! elimination shares nothing with the engine.
+//! and if the base parameters reproduce all columns, Y_b K = Y; or a refusal by name. Regressors are those of the
+//! [oracle](crate::oracle) at random states; their elimination shares nothing with the engine.
 
 mod elimination;
 

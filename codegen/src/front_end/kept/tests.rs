@@ -128,6 +128,6 @@ fn tokens_in_groups_without_delimiters_are_not_kept() {
     };
     let name = proc_macro2::Group::new(proc_macro2::Delimiter::None, quote!(Rod));
     let inside = quote! { [#name] };
-    assert!(kept.for_tokens("derive", &quote!([Rod])).is_some());
-    assert!(kept.for_tokens("derive", &inside).is_none());
+    assert!(kept.entry("derive", &quote!([Rod])).is_some());
+    assert!(kept.entry("derive", &inside).is_none());
 }

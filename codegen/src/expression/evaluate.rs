@@ -4,7 +4,6 @@
 //! a constant is as exact as the arithmetic, not as the 106 bits that [`Graph::value`] keeps of it. Operations are
 //! evaluated as they are, without rounding, reordering or simplification of their own.
 
-use std::collections::BTreeMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
@@ -45,6 +44,8 @@ pub struct Evaluation<T> {
     varying: Vec<Node>,
     /// The place of each node of the graph among the values, if it is needed.
     places: Vec<usize>,
+    /// The place of each node of the graph among the angles, if its sine or cosine is needed.
+    angles: Vec<usize>,
     /// The values of the constants.
     known: Values<T>,
 }
@@ -54,8 +55,8 @@ pub struct Evaluation<T> {
 #[derive(Clone, Debug)]
 struct Values<T> {
     nodes: Vec<T>,
-    /// Sine and cosine of each node that is an angle: computed together, used one by one.
-    turns: BTreeMap<Expr, (T, T)>,
+    /// Sine and cosine of each angle, in the order of first use: computed together, used one by one.
+    turns: Vec<(T, T)>,
 }
 
 /// The values of expressions, for one input.
@@ -84,19 +85,32 @@ impl<T: Arithmetic> Evaluation<T> {
         for (place, expr) in constant.iter().chain(&varying).enumerate() {
             places[expr.index()] = place;
         }
+        let [constant, varying] =
+            [constant, varying].map(|exprs| exprs.into_iter().map(|expr| graph.node(expr)));
+        let (constant, varying): (Vec<Node>, Vec<Node>) = (constant.collect(), varying.collect());
+        let (mut angles, mut count) = (vec![usize::MAX; graph.len()], 0);
+        for node in constant.iter().chain(&varying) {
+            if let Node::Sin(angle) | Node::Cos(angle) = node
+                && angles[angle.index()] == usize::MAX
+            {
+                angles[angle.index()] = count;
+                count += 1;
+            }
+        }
         let mut known = Values {
             nodes: Vec::with_capacity(constant.len()),
-            turns: BTreeMap::new(),
+            turns: Vec::new(),
         };
-        for expr in constant {
-            known.find(graph.node(expr), &places, |_| {
+        for node in constant {
+            known.find(node, [&places, &angles], |_| {
                 unreachable!("no input enters a constant")
             });
         }
         Self {
             results: results.to_vec(),
-            varying: varying.into_iter().map(|expr| graph.node(expr)).collect(),
+            varying,
             places,
+            angles,
             known,
         }
     }
@@ -106,7 +120,7 @@ impl<T: Arithmetic> Evaluation<T> {
         let mut values = self.known.clone();
         values.nodes.reserve(self.varying.len());
         for &node in &self.varying {
-            values.find(node, &self.places, &input);
+            values.find(node, [&self.places, &self.angles], &input);
         }
         let results = self.results.iter();
         let places = results.map(|result| self.places[result.index()]);
@@ -116,8 +130,15 @@ impl<T: Arithmetic> Evaluation<T> {
 
 impl<T: Arithmetic> Values<T> {
     /// Adds the value of the next node.
-    fn find(&mut self, node: Node, places: &[usize], input: impl Fn(Input) -> T) {
+    fn find(&mut self, node: Node, [places, angles]: [&[usize]; 2], input: impl Fn(Input) -> T) {
+        if let Node::Sin(angle) | Node::Cos(angle) = node
+            && angles[angle.index()] == self.turns.len()
+        {
+            let angle = self.nodes[places[angle.index()]].clone();
+            self.turns.push(angle.sin_cos());
+        }
         let at = |expr: Expr| self.nodes[places[expr.index()]].clone();
+        let turn = |angle: Expr| &self.turns[angles[angle.index()]];
         let value = match node {
             Node::Literal(bits) => T::literal(f64::from_bits(bits)),
             Node::Input(of) => input(of),
@@ -128,18 +149,8 @@ impl<T: Arithmetic> Values<T> {
             Node::Div(a, b) => at(a) / at(b),
             Node::Sqrt(a) => at(a).sqrt(),
             Node::Sign(a) => at(a).sign(),
-            Node::Sin(a) => self
-                .turns
-                .entry(a)
-                .or_insert_with(|| at(a).sin_cos())
-                .0
-                .clone(),
-            Node::Cos(a) => self
-                .turns
-                .entry(a)
-                .or_insert_with(|| at(a).sin_cos())
-                .1
-                .clone(),
+            Node::Sin(a) => turn(a).0.clone(),
+            Node::Cos(a) => turn(a).1.clone(),
             Node::Taken(a, _) => at(a),
         };
         self.nodes.push(value);

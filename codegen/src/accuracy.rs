@@ -6,6 +6,7 @@
 
 mod articulated;
 mod error_bounds;
+mod free_fall;
 pub mod mobility;
 mod planned;
 mod solved;

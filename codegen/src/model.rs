@@ -15,6 +15,7 @@ mod direction;
 mod external;
 mod factor;
 pub(crate) mod forward_dynamics;
+mod free_fall;
 mod gradient;
 pub(crate) mod gravity;
 mod hessian;
@@ -39,6 +40,7 @@ pub(crate) use self::articulated::{
 
 pub use self::algorithm::{Algorithm, Angles, Carried, Congruence, Forward, Frame};
 pub use self::direction::coordinate_rates;
+pub(crate) use self::free_fall::FreeFall;
 pub(crate) use self::mass_center::MassCenter;
 pub(crate) use self::state::State;
 
@@ -50,12 +52,15 @@ use crate::matrix::{Action, Inertia, Pose, Screw, Vector};
 use crate::space::{FrameId, ParameterId, Variable, VelocityId};
 
 /// The data of a function: bodies with their frames, a state, and the algorithm.
+#[derive(Clone)]
 pub struct Scene<'s, 'g> {
     graph: &'g Graph,
     frame: FrameId,
     pub(crate) bodies: &'s Bodies<'g>,
     pub(crate) algorithm: Algorithm,
     pub(crate) state: State<'g>,
+    /// Acceleration of gravity in frame 0 \[m/s²\].
+    pub(crate) gravity: Vector<Term<'g>>,
 }
 
 impl<'s, 'g> Scene<'s, 'g> {
@@ -72,6 +77,7 @@ impl<'s, 'g> Scene<'s, 'g> {
             bodies,
             algorithm,
             state: State::of(graph, bodies),
+            gravity: bodies.gravity,
         }
     }
 
@@ -137,7 +143,7 @@ impl<'s, 'g> Scene<'s, 'g> {
     pub(crate) fn acceleration(&self, second: impl Fn(BodyId) -> Term<'g>) -> Vec<Term<'g>> {
         match (self.algorithm.frame, self.algorithm.pose) {
             (Frame::Link, Carried::Outwards) => {
-                let (path, gravity) = (self.link_path(), self.bodies.gravity);
+                let (path, gravity) = (self.link_path(), self.gravity);
                 twist::acceleration_with_dynamics(&path, gravity, &self.state, second)
             }
             _ => twist::acceleration(&self.path(), &self.state, second),
@@ -147,7 +153,7 @@ impl<'s, 'g> Scene<'s, 'g> {
     /// τ of a motion with the given q̈, one entry a velocity, less the torques of external wrenches: τ − Σ Jᵗ Φ.
     pub(crate) fn driving(&self, qdd: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
         let external = self.external(self.algorithm.frame);
-        self.against(self.bodies.gravity, &self.state, qdd, &external)
+        self.against(self.gravity, &self.state, qdd, &external)
     }
 
     /// The external wrenches on bodies, in the frames of the links or in frame 0.
@@ -161,7 +167,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// τ of a motion with the given q̈, one entry a velocity each.
     pub(crate) fn torques(&self, qdd: &List<VelocityId, Term<'g>>) -> List<VelocityId, Term<'g>> {
-        self.against(self.bodies.gravity, &self.state, qdd, &[])
+        self.against(self.gravity, &self.state, qdd, &[])
     }
 
     /// M q̈: τ at rest and without gravity.
@@ -207,28 +213,31 @@ impl<'s, 'g> Scene<'s, 'g> {
     /// Y of τ = Y π by its columns; in the frames of the links, for every algorithm.
     pub(crate) fn regressor(&self) -> List<ParameterId, List<VelocityId, Term<'g>>> {
         // q̈ is read only when it is needed, because older terms come first in a sum.
-        self.regressor_at(|k| self.state.qdd(k))
+        let second = |k| self.state.qdd(k);
+        let columns = self.regressor_of_links(second).into_iter();
+        columns.chain(self.regressor_of_actuators(second)).collect()
     }
 
-    /// The same at given q̈, one entry a velocity.
-    pub(crate) fn regressor_of(
-        &self,
-        qdd: &List<VelocityId, Term<'g>>,
-    ) -> List<ParameterId, List<VelocityId, Term<'g>>> {
-        let second = velocities::shared(&self.state, self.bodies, qdd);
-        self.regressor_at(|k| second[k])
-    }
-
-    fn regressor_at(
+    /// The columns of inertial parameters, where `second` is the joint acceleration of a body.
+    fn regressor_of_links(
         &self,
         second: impl Fn(BodyId) -> Term<'g>,
-    ) -> List<ParameterId, List<VelocityId, Term<'g>>> {
-        let (joints, links, state) = (self.plain_joints(), self.links(), &self.state);
-        let columns = regressor::regressor(&joints, &links, self.bodies.gravity, state, &second);
-        let actuators = self.bodies.identifies_actuators;
-        let actuators = actuators.then(|| regressor::of_actuators(&joints, state, &second));
-        let columns = columns.iter().chain(actuators.iter().flatten());
-        columns.map(|column| self.forces(column)).collect()
+    ) -> Vec<List<VelocityId, Term<'g>>> {
+        let (joints, links) = (self.plain_joints(), self.links());
+        let columns = regressor::regressor(&joints, &links, self.gravity, &self.state, &second);
+        columns.iter().map(|column| self.forces(column)).collect()
+    }
+
+    /// The columns of armature, damping and friction, if they are parameters.
+    fn regressor_of_actuators(
+        &self,
+        second: impl Fn(BodyId) -> Term<'g>,
+    ) -> Vec<List<VelocityId, Term<'g>>> {
+        if !self.bodies.identifies_actuators {
+            return Vec::new();
+        }
+        let columns = regressor::of_actuators(&self.plain_joints(), &self.state, &second);
+        columns.iter().map(|column| self.forces(column)).collect()
     }
 
     /// The kinetic energy of each inertial parameter at 1.
@@ -243,7 +252,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// The potential energy of each inertial parameter at 1.
     pub(crate) fn potential_energy_regressor(&self) -> Vec<Term<'g>> {
-        let (joints, gravity) = (self.plain_joints(), self.bodies.gravity);
+        let (joints, gravity) = (self.plain_joints(), self.gravity);
         let mut energies =
             regressor::potential_energy(&joints, &self.links(), gravity, &self.state);
         if self.bodies.identifies_actuators {
@@ -274,7 +283,7 @@ impl<'s, 'g> Scene<'s, 'g> {
         qdd: &List<VelocityId, Term<'g>>,
     ) -> [Square<VelocityId, Term<'g>>; 2] {
         let qdd = velocities::shared(&self.state, self.bodies, qdd);
-        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let (joints, gravity) = (self.joints(), self.gravity);
         let [constant, rotating] = self.external_wrenches();
         let [mut by_coordinate, by_rate] =
             derivatives::inverse_dynamics(&joints, gravity, &self.state, &qdd, &rotating);
@@ -295,7 +304,7 @@ impl<'s, 'g> Scene<'s, 'g> {
     ) -> [List<VelocityId, Term<'g>>; 3] {
         let arguments = [qdd, weights].map(|of| velocities::shared(&self.state, self.bodies, of));
         let arguments = arguments.each_ref();
-        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let (joints, gravity) = (self.joints(), self.gravity);
         let [constant, rotating] = self.external_wrenches();
         let mut found =
             gradient::inverse_dynamics(&joints, gravity, &self.state, arguments, &rotating);
@@ -311,7 +320,7 @@ impl<'s, 'g> Scene<'s, 'g> {
     ) -> [Square<VelocityId, Term<'g>>; 4] {
         let arguments = [qdd, weights].map(|of| velocities::shared(&self.state, self.bodies, of));
         let arguments = arguments.each_ref();
-        let (joints, gravity) = (self.joints(), self.bodies.gravity);
+        let (joints, gravity) = (self.joints(), self.gravity);
         let [constant, rotating] = self.external_wrenches();
         let mut found =
             hessian::inverse_dynamics(&joints, gravity, &self.state, arguments, &rotating);
@@ -332,7 +341,7 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// ∂τ/∂q at rest, by rows.
     pub(crate) fn gravity_derivative(&self) -> Square<VelocityId, Term<'g>> {
-        let gravity = self.bodies.gravity;
+        let gravity = self.gravity;
         self.by_velocities(gravity::derivative(&self.joints(), gravity, &self.state))
     }
 
@@ -403,20 +412,42 @@ pub fn articulated_pivots<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term
     pivots.flatten().collect()
 }
 
-/// The equation of accelerations: M, by rows, the torques at q̈ = 0 and, if a residual is computed, those of q̈.
+/// The equation of accelerations: M, by rows, the torques at q̈ = 0 and, if a residual is computed, those of q̈; of a free
+/// base relative to its fall.
 pub(crate) fn equation<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
     algorithm: Algorithm,
     has_residual: bool,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, FrameId::FIRST, algorithm);
+    let falling = FreeFall::of(&Scene::new(graph, bodies, FrameId::FIRST, algorithm));
+    let scene = falling.scene();
     let mut terms = Vec::from(scene.mass_matrix());
     terms.extend(scene.driving(&scene.coasting()));
     if has_residual {
         terms.extend(scene.driving(&scene.qdd()));
     }
     terms
+}
+
+/// The derivatives by q and q̇ of the torques of accelerations relative to the fall of a free base, by rows.
+pub(crate) fn torque_derivatives<'g>(
+    graph: &'g Graph,
+    bodies: &Bodies<'g>,
+    algorithm: Algorithm,
+) -> Vec<Term<'g>> {
+    let falling = FreeFall::of(&Scene::new(graph, bodies, FrameId::FIRST, algorithm));
+    let qdd = falling.scene().qdd();
+    falling.torque_derivatives(&qdd).map(Vec::from).concat()
+}
+
+/// The acceleration of the fall of a free base, and its derivatives by q and q̇, by rows; zeros if the base is fixed.
+pub(crate) fn free_fall<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
+    let scene = Scene::new(graph, bodies, FrameId::FIRST, Algorithm::PLAIN);
+    let falling = FreeFall::of(&scene);
+    let derivatives = falling.derivatives().map(Vec::from).concat();
+    let acceleration = Vec::from(falling.acceleration());
+    acceleration.into_iter().chain(derivatives).collect()
 }
 
 /// The equation for the refinement of M⁻¹: M, by rows, and M q̈ for q̈ = 0 and for any.
@@ -432,20 +463,16 @@ pub(crate) fn equation_at_rest<'g>(
     terms
 }
 
-/// The motion in the articulated-body recursion: see [`articulated::motion`].
+/// The motion in the articulated-body recursion, of a free base relative to its fall: see [`articulated::motion`].
 pub(crate) fn articulated_motion<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
     algorithm: Algorithm,
 ) -> Vec<Term<'g>> {
-    let scene = Scene::new(graph, bodies, FrameId::FIRST, algorithm);
+    let falling = FreeFall::of(&Scene::new(graph, bodies, FrameId::FIRST, algorithm));
+    let scene = falling.scene();
     let external = scene.external(Frame::Link);
-    articulated::motion(
-        &scene.link_joints(),
-        bodies.gravity,
-        &scene.state,
-        &external,
-    )
+    articulated::motion(&scene.link_joints(), scene.gravity, &scene.state, &external)
 }
 
 /// One step inwards of the articulated-body recursion from each joint: see [`articulated::step`].

@@ -20,6 +20,7 @@ use self::inertias::{FROBENIUS, Outboard, TRUST, errors};
 use self::recursion::{Steps, values};
 use self::sizes::Pair;
 use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed};
+use super::free_fall;
 use super::solved::{UNCERTAIN, caused, largest, stays, tried, underflow, widened};
 use crate::chain::BodyId;
 use crate::list::List;
@@ -36,7 +37,7 @@ impl Articulated<'_> {
     /// Bounds the backward error of accelerations, as torques and forces.
     #[must_use]
     pub fn accelerations(&self, rounding: RoundingModel) -> Accuracy {
-        let programs = [&self.programs.motion];
+        let programs: [&Program; 2] = [&self.programs.motion, &self.fall];
         backward(
             self.chain,
             Perturbed::Torques,
@@ -44,7 +45,12 @@ impl Articulated<'_> {
             rounding,
             |scalar| {
                 let steps = Steps::of(self, rounding, scalar)?;
-                tried(LEAST_MARGIN, |margin| steps.torques(margin))
+                tried(LEAST_MARGIN, |margin| {
+                    let mut errors = steps.torques(margin)?;
+                    let lost = steps.fall.lost(&widened(&steps.range, margin));
+                    steps.add_fallen(&mut errors, &lost);
+                    Ok(errors)
+                })
             },
         )
     }
@@ -53,19 +59,27 @@ impl Articulated<'_> {
     /// accelerations found, which a program computes. The error of the factor M⁻¹ comes on top.
     #[must_use]
     pub fn derivatives(&self, derivatives: &Program, rounding: RoundingModel) -> Accuracy {
-        let programs = [&self.programs.motion, derivatives];
+        let programs: [&Program; 3] = [&self.programs.motion, derivatives, &self.fall];
         let perturbed = Perturbed::TorqueDerivatives;
         backward(self.chain, perturbed, &programs, rounding, |scalar| {
             let steps = Steps::of(self, rounding, scalar)?;
             tried(LEAST_MARGIN, |margin| {
                 steps.torques(margin)?;
-                let wider = widened(&self.range, margin);
+                let wider = widened(&steps.range, margin);
                 let found = values(computed(derivatives, &wider, rounding, scalar))?;
                 // The underflow of an acceleration, times the inertias, is a torque.
                 let most = largest(found.iter().map(|value| value.reach() + value.error));
                 let size = most * steps.mobility() * steps.inertia() * steps.inertia();
                 let vanishes = underflow(size, self.links.len(), scalar)?;
-                Ok(found.iter().map(|value| value.error + vanishes).collect())
+                let roots = steps.roots_of_masses();
+                let sizes = steps.derivatives(&found);
+                let lost = steps.fall.lost_in_derivatives(&sizes);
+                let fallen =
+                    free_fall::torques(&lost, roots.len(), |row, of| roots[row] * roots[of]);
+                let errors = found.iter().zip(fallen);
+                Ok(errors
+                    .map(|(value, fallen)| value.error + vanishes + fallen)
+                    .collect())
             })
         })
     }
@@ -77,7 +91,7 @@ impl Steps<'_, '_> {
         let Articulated {
             links, mobility, ..
         } = self.bodies;
-        let wider = widened(&self.bodies.range, margin);
+        let wider = widened(&self.range, margin);
         let found = values(computed(
             &self.bodies.programs.motion,
             &wider,
@@ -90,11 +104,33 @@ impl Steps<'_, '_> {
         let underflows = underflow(self.size(&motions, &wider), links.len(), self.scalar);
         let errors = self.torque_errors(&motions, &wider, underflows.unwrap_or(0.0))?;
         let off = caused(&mobility.joints, &errors);
-        if stays(&self.bodies.range, margin, &off) {
+        if stays(&self.range, margin, &off) {
             underflows.map(|_| errors)
         } else {
             Err(UNCERTAIN)
         }
+    }
+
+    /// Adds the torques of the errors of a free fall.
+    fn add_fallen(&self, errors: &mut [f64], lost: &[f64]) {
+        let roots = self.roots_of_masses();
+        let all: f64 = roots.iter().zip(lost).map(|(root, lost)| root * lost).sum();
+        for (error, root) in errors.iter_mut().zip(roots) {
+            *error += root * all;
+        }
+    }
+
+    /// The largest magnitudes of each row of the derivatives of accelerations, for derivatives of torques by rows:
+    /// twice those of exact ones, as for [`solved`](super::solved).
+    fn derivatives(&self, found: &[Value]) -> Vec<f64> {
+        let mobility = &self.bodies.mobility.joints;
+        let count = mobility.len();
+        let mut most = vec![0.0_f64; count];
+        for (k, value) in found.iter().enumerate() {
+            let most = &mut most[k / count % count];
+            *most = most.max(value.reach() + value.error);
+        }
+        caused(mobility, &most).iter().map(|x| 2.0 * x).collect()
     }
 
     /// A bound of every intermediate product, from the sizes of its factors.

@@ -97,11 +97,11 @@ impl<'p> Solutions<'p> {
         } = self.plan;
         let rounding = self.rounding;
         let equation = || programs.equation(layout, algorithm, has_residual(algorithm.forward));
-        let torque_derivatives =
-            || programs.function(Function::InverseDynamicsDerivatives, layout, algorithm);
+        let torque_derivatives = || programs.torque_derivatives(layout, algorithm);
+        let fall = || programs.free_fall(layout);
         match (given, algorithm.forward) {
             (Given::Torques, Forward::MassMatrix { refinements }) => {
-                of_accelerations(chain, &equation(), refinements, rounding)
+                of_accelerations(chain, [&equation(), &fall()], refinements, rounding)
             }
             (Given::Torques, Forward::Articulated) => {
                 self.of_bodies(|bodies| bodies.accelerations(rounding))
@@ -120,9 +120,11 @@ impl<'p> Solutions<'p> {
                 let at_rest = programs.equation_at_rest(layout, algorithm);
                 of_refined_inverse(chain, &at_rest, refinements, rounding)
             }
-            (Given::TorqueDerivatives, Forward::UNREFINED) => {
-                of_derivatives(chain, &equation(), &torque_derivatives(), rounding)
-            }
+            (Given::TorqueDerivatives, Forward::UNREFINED) => of_derivatives(
+                chain,
+                [&equation(), &torque_derivatives(), &fall()],
+                rounding,
+            ),
             (Given::TorqueDerivatives, _) => {
                 Accuracy::Unknown("none is derived of an inverse that is refined")
             }

@@ -12,10 +12,14 @@
 //! * n − 1 of each of two substitutions, and 2 of x = y (1/D) between them;
 //! * 1 of b = τ − bias, since b is M q̈; and 1 for all products of these.
 //!
+//! The accelerations of a free base are solved for relative to its fall, and f is added: its error and the rounding of
+//! the sum, Δq̈, are torques M Δq̈.
+//!
 //! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
 //! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
 use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed, error};
+use super::free_fall::{self, FreeFall};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::chain::Chain;
 use crate::layout::Layout;
@@ -93,46 +97,57 @@ pub fn of_refined_inverse(
     of_solution(chain, Perturbed::UnitForces, &[program], rounding, worst)
 }
 
-/// Bounds accelerations by the factors of the mass matrix, after some refinements. The program computes the
-/// mass matrix, the bias and the inverse dynamics.
+/// Bounds accelerations by the factors of the mass matrix, after some refinements. The first program computes the mass
+/// matrix, the bias and the inverse dynamics, of accelerations relative to the fall of a free base; the second that fall.
 #[must_use]
 pub fn of_accelerations(
     chain: &Chain,
-    program: &Program,
+    programs @ [program, fall]: [&Program; 2],
     refinements: usize,
     rounding: RoundingModel,
 ) -> Accuracy {
     let worst = |range: &Range, joints: &[f64], scalar: Real| {
-        solved(program, range, joints, refinements, rounding, scalar)
+        let fall = FreeFall::of(fall, range, rounding, scalar)?;
+        let relative = fall.relative(range);
+        solved(
+            program,
+            &fall,
+            &relative,
+            joints,
+            refinements,
+            rounding,
+            scalar,
+        )
     };
-    of_solution(chain, Perturbed::Torques, &[program], rounding, worst)
+    of_solution(chain, Perturbed::Torques, &programs, rounding, worst)
 }
 
 /// Bounds the derivatives of accelerations by coordinates and velocities: the error of the derivatives of τ, at the
 /// accelerations found, for which each column is exact, with an M of its own as for a column of the inverse. The
 /// first program computes the mass matrix and the torques at q̈ = 0, the second the derivatives by q and q̇ of the
-/// torques that produce q̈.
+/// torques that produce q̈, both relative to the fall of a free base; the third that fall.
 #[must_use]
 pub fn of_derivatives(
     chain: &Chain,
-    equation: &Program,
-    derivatives: &Program,
+    programs @ [equation, derivatives, fall]: [&Program; 3],
     rounding: RoundingModel,
 ) -> Accuracy {
     let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
-        let narrow = Parts::of(equation, range, joints, rounding, scalar)?;
+        let fall = FreeFall::of(fall, range, rounding, scalar)?;
+        let range = fall.relative(range);
+        let narrow = Parts::of(equation, &range, joints, rounding, scalar)?;
         tried(0.0, |margin| {
-            let wider = widened(range, margin);
+            let wider = widened(&range, margin);
             let off = narrow.over(&wider).unrefined();
-            if !stays(range, margin, &caused(joints, &off)) {
+            if !stays(&range, margin, &caused(joints, &off)) {
                 return Err(UNCERTAIN);
             }
             let found = computed(derivatives, &wider, rounding, scalar).into_iter();
             let found = found.map(|found| error(found).map(|_| found.value));
-            narrow.differentiated(joints, &found.collect::<Result<Vec<Value>, _>>()?, scalar)
+            let needed = found.collect::<Result<Vec<Value>, _>>()?;
+            narrow.differentiated(joints, &needed, &fall, scalar)
         })
     };
-    let programs = [equation, derivatives];
     of_solution(
         chain,
         Perturbed::TorqueDerivatives,
@@ -187,6 +202,7 @@ fn with_accelerations(range: &Range, accelerations: impl Iterator<Item = [f64; 2
 /// The backward error after some refinements.
 fn solved(
     program: &Program,
+    fall: &FreeFall,
     range: &Range,
     mobility: &[f64],
     refinements: usize,
@@ -207,8 +223,12 @@ fn solved(
         for _ in 0..refinements {
             left = parts.refined(mobility, &caused(mobility, &left), margin)?;
         }
-        let stays = stays(range, margin, &caused(mobility, &left));
-        if stays { Ok(left) } else { Err(UNCERTAIN) }
+        if !stays(range, margin, &caused(mobility, &left)) {
+            return Err(UNCERTAIN);
+        }
+        let fallen = parts.torques(&fall.lost(&wider));
+        let both = left.into_iter().zip(fallen);
+        Ok(both.map(|(left, fallen)| left + fallen).collect())
     };
     tried(0.0, attempt)
 }
@@ -368,7 +388,13 @@ impl Parts {
 
     /// The error of b, where M x = −b is solved for each column b of two matrices, row by row. x is at most
     /// M⁻¹ (b + ΔM x), of which the second term is at most half of x ([`SPOILT`]).
-    fn differentiated(&self, mobility: &[f64], needed: &[Value], scalar: Real) -> Worst {
+    fn differentiated(
+        &self,
+        mobility: &[f64],
+        needed: &[Value],
+        fall: &FreeFall,
+        scalar: Real,
+    ) -> Worst {
         let count = self.most.len();
         let mut most = vec![0.0_f64; count];
         for (k, b) in needed.iter().enumerate() {
@@ -378,7 +404,12 @@ impl Parts {
         let x: Vec<f64> = caused(mobility, &most).iter().map(|x| 2.0 * x).collect();
         let size = self.factors * solution(&x, most.into_iter());
         let vanishes = underflow(size, count, scalar)?;
-        Ok(needed.iter().map(|b| b.error + vanishes).collect())
+        let mass = |row: usize, column: usize| self.mass[row * count + column].reach();
+        let fallen = free_fall::torques(&fall.lost_in_derivatives(&x), count, mass);
+        let errors = needed.iter().zip(fallen);
+        Ok(errors
+            .map(|(b, fallen)| b.error + vanishes + fallen)
+            .collect())
     }
 
     /// The backward error without refinement.
@@ -421,12 +452,19 @@ impl Parts {
 
     /// The torques of the rounding errors of accelerations, once a correction has been added.
     fn roundings_of_sums(&self) -> Vec<f64> {
-        let count = self.most.len();
-        let entries = |row: usize| &self.mass[row * count..][..count];
-        let torque = |row: usize| {
-            let terms = entries(row).iter().zip(&self.most);
-            self.roundoff * terms.map(|(entry, most)| entry.reach() * most).sum::<f64>()
+        let torques = self.torques(&self.most).into_iter();
+        torques
+            .map(|torque| self.roundoff * torque + self.vanishes)
+            .collect()
+    }
+
+    /// The torques of accelerations of at most some magnitudes.
+    fn torques(&self, most: &[f64]) -> Vec<f64> {
+        let rows = self.mass.chunks(most.len());
+        let torque = |row: &[Value]| {
+            let terms = row.iter().zip(most);
+            terms.map(|(entry, most)| entry.reach() * most).sum()
         };
-        (0..count).map(|row| torque(row) + self.vanishes).collect()
+        rows.map(torque).collect()
     }
 }

@@ -7,7 +7,7 @@ use crate::expression::Term;
 use crate::formulation::Forward;
 use crate::list::List;
 use crate::matrix::Vector;
-use crate::model::{Frame, Scene, articulated, forward_dynamics};
+use crate::model::{Frame, FreeFall, Scene, articulated, forward_dynamics};
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -34,7 +34,9 @@ pub(super) fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    accelerations(scene).into()
+    let falling = FreeFall::of(scene);
+    let relative = accelerations(falling.scene());
+    falling.accelerations(&relative).into()
 }
 
 /// q̈ by the mass matrix or by articulated bodies.
@@ -49,7 +51,7 @@ pub(super) fn accelerations<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<
         ),
         Forward::Articulated => {
             let (joints, external) = (scene.link_joints(), scene.external(Frame::Link));
-            let gravity = scene.bodies.gravity;
+            let gravity = scene.gravity;
             articulated::forward_dynamics(&joints, gravity, &scene.state, Variable::Tau, &external)
                 .renumbered()
         }

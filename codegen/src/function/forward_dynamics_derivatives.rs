@@ -5,8 +5,8 @@ use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_derivatives, mass_matrix_inverse, quantities};
 use crate::expression::Term;
-use crate::list::List;
-use crate::model::Scene;
+use crate::list::{Id, List};
+use crate::model::{FreeFall, Scene};
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -35,18 +35,23 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let falling = FreeFall::of(scene);
+    let scene = falling.scene();
     let accelerations = forward_dynamics::accelerations(scene);
     let inverse = mass_matrix_inverse::inverse(scene);
-    let changes = scene.torque_derivatives(&accelerations);
+    let changes = falling.torque_derivatives(&accelerations);
     let columns = changes.iter().flat_map(|change| {
         let columns = change.ids().map(|column| change.column(column));
         columns.map(|column| column.map(|&entry| -entry))
     });
     let columns: Vec<List<VelocityId, Term<'g>>> = columns.collect();
     let found = mass_matrix_inverse::times(scene, &columns);
-    let by_rows = found.chunks(inverse.ids().len()).flat_map(|columns| {
-        let row = |row: VelocityId| columns.iter().map(move |column| column[row]);
-        inverse.ids().flat_map(row).collect::<Vec<_>>()
+    let changes = found.chunks(inverse.ids().len()).zip(falling.derivatives());
+    let by_rows = changes.flat_map(|(columns, fall)| {
+        let places = inverse.places();
+        let entries =
+            places.map(|(row, column)| columns[column.index()][row] + fall[(row, column)]);
+        entries.collect::<Vec<_>>()
     });
     by_rows.chain(Vec::from(inverse.clone())).collect()
 }

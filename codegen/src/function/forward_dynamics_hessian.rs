@@ -15,7 +15,7 @@ use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_hessian, mass_matrix_inverse, quantities};
 use crate::expression::Term;
 use crate::list::Square;
-use crate::model::Scene;
+use crate::model::{FreeFall, Scene};
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -43,22 +43,25 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let falling = FreeFall::of(scene);
+    let scene = falling.scene();
     let accelerations = forward_dynamics::accelerations(scene);
     let moved = forward_dynamics::of_weights(scene);
-    let [q_q, q_qd, qd_qd, q_qdd] = scene.torque_hessian([&accelerations, &moved]);
-    let [by_q, by_qd] = scene.torque_derivatives(&accelerations);
+    let [q_q, q_qd, qd_qd, q_qdd] = falling.torque_hessian([&accelerations, &moved]);
+    let [by_q, by_qd] = falling.torque_derivatives(&accelerations);
     let rows = q_qdd.rows().map(|row| row.map(|&entry| -entry));
     // M⁻¹ is symmetric: its products with the rows are the rows of D.
     let rows = mass_matrix_inverse::times(scene, &rows.collect::<Vec<_>>());
     let by_tau = Square::of_rows(&rows.into_iter().flatten().collect::<Vec<_>>());
     let [turned, slowed] = [by_q, by_qd].map(|by| product(&by_tau, &by));
     let places: Vec<(VelocityId, VelocityId)> = q_q.places().collect();
+    let [by_orientation, by_motion] = falling.hessian(&scene.weights());
     let q_q = places.iter().map(|&(row, column)| {
         let both = turned[(row, column)] + turned[(column, row)];
-        -(q_q[(row, column)] + both)
+        by_orientation[(row, column)] - (q_q[(row, column)] + both)
     });
     let q_qd = places.iter().map(|&place| -(q_qd[place] + slowed[place]));
-    let qd_qd = places.iter().map(|&place| -qd_qd[place]);
+    let qd_qd = places.iter().map(|&place| by_motion[place] - qd_qd[place]);
     q_q.chain(q_qd)
         .chain(qd_qd)
         .chain(Vec::from(by_tau.clone()))

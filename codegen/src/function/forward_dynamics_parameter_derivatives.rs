@@ -5,7 +5,7 @@ use super::tally::{Size, Tally};
 use super::{forward_dynamics, mass_matrix_inverse, quantities, regressor};
 use crate::expression::Term;
 use crate::list::List;
-use crate::model::Scene;
+use crate::model::{FreeFall, Scene};
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -34,7 +34,9 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let columns = scene.regressor_of(&forward_dynamics::accelerations(scene));
+    let falling = FreeFall::of(scene);
+    let scene = falling.scene();
+    let columns = falling.regressor(&forward_dynamics::accelerations(scene));
     let columns = columns.iter().map(|column| column.map(|&entry| -entry));
     let columns: Vec<List<VelocityId, Term<'g>>> = columns.collect();
     let found = mass_matrix_inverse::times(scene, &columns);

@@ -5,7 +5,7 @@ use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_vjp, quantities};
 use crate::expression::Term;
-use crate::model::Scene;
+use crate::model::{FreeFall, Scene};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -33,13 +33,15 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
+    let falling = FreeFall::of(scene);
+    let scene = falling.scene();
     let accelerations = forward_dynamics::accelerations(scene);
     let moved = forward_dynamics::of_weights(scene);
-    let [q, qd, _] = scene.torque_gradient([&accelerations, &moved]);
-    let opposite = [q, qd].map(|part| Vec::from(part.map(|&entry| -entry)));
-    opposite
-        .into_iter()
-        .flatten()
-        .chain(Vec::from(moved))
-        .collect()
+    let parts = falling.torque_gradient([&accelerations, &moved]);
+    let gradients = parts.iter().zip(falling.gradient(&scene.weights()));
+    let sums = gradients.flat_map(|(part, fall)| {
+        let sums = part.iter().zip(&fall).map(|(&entry, &fall)| fall - entry);
+        sums.collect::<Vec<_>>()
+    });
+    sums.chain(Vec::from(moved)).collect()
 }

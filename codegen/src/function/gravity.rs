@@ -29,6 +29,6 @@ fn dense(size: Size) -> Tally {
 }
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let driving = gravity::gravity(&scene.joints(), scene.bodies.gravity, &scene.state);
+    let driving = gravity::gravity(&scene.joints(), scene.gravity, &scene.state);
     scene.forces(&driving).into()
 }

@@ -51,5 +51,5 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
             moment = moment + carried;
         }
     }
-    vec![-scene.bodies.gravity.dot(moment)]
+    vec![-scene.gravity.dot(moment)]
 }

@@ -8,14 +8,23 @@ use crate::matrix::{Action, Vector};
 use crate::space::{ACTION, CoordinateId, Variable, VelocityId};
 
 /// The arguments of the generated functions.
+#[derive(Clone)]
 pub(crate) struct State<'g> {
     pub(super) graph: &'g Graph,
-    /// True if all velocities are zero, whatever the arguments.
-    pub(super) rest: bool,
+    /// The velocities that are zero, whatever the arguments.
+    still: Still,
     /// For each body, the index of its velocity, and the factor of that velocity.
     rates: List<BodyId, (VelocityId, Option<Expr>)>,
     /// For each body, the coordinates that determine its displacement.
     positions: List<BodyId, Position>,
+}
+
+/// Velocities that are zero.
+#[derive(Clone)]
+enum Still {
+    None,
+    These([VelocityId; 3]),
+    All,
 }
 
 impl<'g> State<'g> {
@@ -23,7 +32,7 @@ impl<'g> State<'g> {
         let bodies = &bodies.bodies;
         Self {
             graph,
-            rest: false,
+            still: Still::None,
             rates: bodies.map(|body| (body.velocity, body.factor())),
             positions: bodies.map(|body| body.position),
         }
@@ -31,11 +40,18 @@ impl<'g> State<'g> {
 
     /// The same at rest.
     pub(crate) fn at_rest(&self) -> Self {
+        self.with(Still::All)
+    }
+
+    /// The same with three velocities of zero.
+    pub(super) fn without(&self, velocities: [VelocityId; 3]) -> Self {
+        self.with(Still::These(velocities))
+    }
+
+    fn with(&self, still: Still) -> Self {
         Self {
-            graph: self.graph,
-            rest: true,
-            rates: self.rates.clone(),
-            positions: self.positions.clone(),
+            still,
+            ..self.clone()
         }
     }
 
@@ -86,7 +102,12 @@ impl<'g> State<'g> {
 
     /// The velocity of body `k`.
     pub(crate) fn qd(&self, k: BodyId) -> Term<'g> {
-        if self.rest {
+        let is_still = match &self.still {
+            Still::None => false,
+            Still::These(velocities) => velocities.contains(&self.velocity(k)),
+            Still::All => true,
+        };
+        if is_still {
             self.zero()
         } else {
             self.own(Variable::Qd, k)

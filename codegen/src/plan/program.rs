@@ -10,7 +10,7 @@ use crate::layout::{Bodies, Layout, arrange};
 use crate::list::List;
 use crate::model::{
     ARTICULATED_INERTIA, Algorithm, articulated_motion, articulated_steps, equation,
-    equation_at_rest,
+    equation_at_rest, free_fall, torque_derivatives,
 };
 use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
@@ -41,6 +41,8 @@ enum Key {
     Function(Function, Layout, Algorithm),
     Equation(Layout, Algorithm, bool),
     EquationAtRest(Layout, Algorithm),
+    TorqueDerivatives(Layout, Algorithm),
+    FreeFall(Layout),
 }
 
 /// The programs of the recursion over articulated bodies, one step inwards at a time.
@@ -82,7 +84,8 @@ impl<'c> Programs<'c> {
     }
 
     /// The program of the equation of motion: the mass matrix, and the torques at q̈ = 0 with external wrenches, if
-    /// there are any; with `has_residual` also the torques of given accelerations.
+    /// there are any; with `has_residual` also the torques of given accelerations. Accelerations of a free base are
+    /// relative to its fall.
     pub fn equation(
         &self,
         layout: Layout,
@@ -96,7 +99,23 @@ impl<'c> Programs<'c> {
         })
     }
 
-    /// The same for the refinement of the inverse of the mass matrix.
+    /// The program of the derivatives of torques by q and q̇, at such accelerations.
+    pub fn torque_derivatives(&self, layout: Layout, algorithm: Algorithm) -> Rc<Program> {
+        self.get(Key::TorqueDerivatives(layout, algorithm), || {
+            compiled(self.chain, layout, |graph, bodies| {
+                torque_derivatives(graph, bodies, algorithm)
+            })
+        })
+    }
+
+    /// The program of the fall of a free base: its acceleration, and the derivatives of it by q and q̇.
+    pub fn free_fall(&self, layout: Layout) -> Rc<Program> {
+        self.get(Key::FreeFall(layout), || {
+            compiled(self.chain, layout, |graph, bodies| free_fall(graph, bodies))
+        })
+    }
+
+    /// The same as [`equation`](Self::equation) for the refinement of the inverse of the mass matrix.
     pub fn equation_at_rest(&self, layout: Layout, algorithm: Algorithm) -> Rc<Program> {
         self.get(Key::EquationAtRest(layout, algorithm), || {
             compiled(self.chain, layout, |graph, bodies| {

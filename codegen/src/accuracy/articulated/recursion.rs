@@ -3,9 +3,12 @@
 //! In: a chain, in the layout and by the algorithm of the function; the type of numbers. Out: the programs of its
 //! steps, the bodies as sizes, and the errors of the results of a step.
 
+use std::rc::Rc;
+
 use super::inertias::{Outboard, around_zero, outboard};
 use super::sizes::{Link, Pair};
 use crate::accuracy::error_bounds::{RoundingModel, error, value};
+use crate::accuracy::free_fall::FreeFall;
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::solved::largest;
 use crate::chain::{BodyId, Chain};
@@ -26,6 +29,8 @@ pub struct Articulated<'c> {
     pub(super) mobility: Mobility,
     pub(super) links: List<BodyId, Link>,
     pub(super) programs: Recursion,
+    /// The fall of a free base, to which the accelerations of the recursion are relative.
+    pub(super) fall: Rc<Program>,
 }
 
 impl<'c> Articulated<'c> {
@@ -58,6 +63,7 @@ impl<'c> Articulated<'c> {
             mobility,
             links,
             programs: programs.recursion(layout, algorithm, entry),
+            fall: programs.free_fall(layout),
         })
     }
 
@@ -76,6 +82,9 @@ pub(super) struct Steps<'a, 'c> {
     pub(super) rounding: RoundingModel,
     pub(super) scalar: Real,
     pub(super) outboard: List<BodyId, Outboard>,
+    pub(super) fall: FreeFall,
+    /// The range, with accelerations relative to the fall.
+    pub(super) range: Range,
     /// The largest share of a motion's energy that rounding may take.
     pub(super) spoilt: f64,
 }
@@ -94,8 +103,10 @@ impl<'a, 'c> Steps<'a, 'c> {
             links,
             mobility,
             programs,
+            range,
             ..
         } = bodies;
+        let fall = FreeFall::of(&bodies.fall, range, rounding, scalar)?;
         let (outboard, spoilt) = outboard(links, mobility, scalar, |k, given| {
             follow(&programs.inertias[k], 0, given, bodies, rounding, scalar)
         })?;
@@ -104,8 +115,16 @@ impl<'a, 'c> Steps<'a, 'c> {
             rounding,
             scalar,
             outboard,
+            range: fall.relative(range),
+            fall,
             spoilt,
         })
+    }
+
+    /// A bound of √Mₖₖ for each velocity.
+    pub(super) fn roots_of_masses(&self) -> Vec<f64> {
+        let bodies = self.bodies.links.iter().zip(&self.outboard);
+        bodies.map(|(link, body)| link.share(body.whole)).collect()
     }
 
     /// A wrench of a given size and error, after its step to the frame of the parent body.

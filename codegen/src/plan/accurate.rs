@@ -13,6 +13,12 @@ use crate::error::Errors;
 /// Ratio to the sufficient error beyond which a form is given up after one layout.
 const FAR: f64 = 16.0;
 
+/// An error that is barely enough \[u\]: an estimate from a few states may miss one of twice as much.
+const BARELY: f64 = 0.75 * ENOUGH;
+
+/// Share of the cost that may be added if less is lost than [`BARELY`], one in so many.
+const LITTLE: usize = 16;
+
 /// Quarters of the best cost beyond which a form is not tried in other layouts.
 const DEAR: usize = 5;
 
@@ -30,8 +36,8 @@ pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Error
             break;
         }
     }
-    if let Some(found) = trial.accurate() {
-        return Ok(found);
+    if let Some((cost, found)) = trial.accurate() {
+        return Ok(trial.safer(cost, found));
     }
     let least = (trial.tried.iter()).fold(MeasuredError::INFINITE, |least, tried| {
         least.least(tried.found.error)
@@ -117,15 +123,35 @@ impl<'s> Trial<'s> {
 
     /// The cheapest that is accurate enough. Frames far from their bodies may cause the loss of a form, so other
     /// layouts are tried before a more expensive form is taken.
-    fn accurate(&mut self) -> Option<Found> {
+    fn accurate(&mut self) -> Option<(usize, Found)> {
         let mut costlier = std::mem::take(&mut self.costlier);
         if let Some((least, _)) = &self.best {
             costlier.retain(|(cost, _)| cost < least);
         }
         costlier.sort_by_key(|(cost, _)| *cost);
-        let mut costlier = costlier.into_iter().map(|(_, found)| self.measured(found));
-        let cheaper = costlier.find(|found| found.error.worst <= ENOUGH);
-        cheaper.or_else(|| Some(self.best.take()?.1))
+        let mut costlier = costlier
+            .into_iter()
+            .map(|(cost, found)| (cost, self.measured(found)));
+        let cheaper = costlier.find(|(_, found)| found.error.worst <= ENOUGH);
+        cheaper.or_else(|| self.best.take())
+    }
+
+    /// The same with inertias that are rotated in full, if that loses less for little.
+    fn safer(&mut self, cost: usize, found: Found) -> Found {
+        let full = Form::full(found.algorithm.forward);
+        if found.error.worst <= BARELY || full == Form::of(found.algorithm) {
+            return found;
+        }
+        let (more, full) = (self.search).within(full, &[found.layout], &[found.algorithm]);
+        if more > cost + cost / LITTLE {
+            return found;
+        }
+        let full = self.measured(full);
+        if full.error.worst < found.error.worst {
+            full
+        } else {
+            found
+        }
     }
 
     /// The cheapest of those that lose little more than the best, if none is accurate enough. All forms lose digits

@@ -55,6 +55,11 @@ impl Approximate {
         1e-9 * self.error + 16.0 * radius
     }
 
+    /// True for a zero that is exact; most entries of dense matrices are.
+    fn is_nothing(self) -> bool {
+        self.error == 0.0 && self.value.is_exactly_zero()
+    }
+
     fn sum(value: Double, self_error: f64, other_error: f64) -> Self {
         let error = self_error + other_error;
         Self { value, error }
@@ -65,6 +70,12 @@ impl Add for Approximate {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
+        if self.is_nothing() {
+            return other;
+        }
+        if other.is_nothing() {
+            return self;
+        }
         Self::sum(self.value + other.value, self.error, other.error)
     }
 }
@@ -73,6 +84,9 @@ impl Sub for Approximate {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
+        if other.is_nothing() {
+            return self;
+        }
         Self::sum(self.value - other.value, self.error, other.error)
     }
 }
@@ -92,6 +106,11 @@ impl Mul for Approximate {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
+        // Unknown numbers have unknown products.
+        let is_nothing = |zero: Self, of: Self| zero.is_nothing() && of.value.is_known();
+        if is_nothing(self, other) || is_nothing(other, self) {
+            return Self::exact(0.0);
+        }
         let error = self.size() * other.error + self.error * (other.size() + other.error);
         Self {
             value: self.value * other.value,

@@ -124,7 +124,9 @@ impl<T: Arithmetic> Matrix<T> {
     }
 
     pub(crate) fn minus(&self, other: &Self) -> Self {
-        self.plus(&other.scaled(&T::literal(-1.0)))
+        Self(from_fn(|row| {
+            from_fn(|column| self.0[row][column].clone() - other.0[row][column].clone())
+        }))
     }
 
     /// A B − B A.
@@ -144,6 +146,12 @@ impl<T: Arithmetic> Matrix<T> {
     pub(crate) fn trace(&self) -> T {
         let entry = |k: usize| self.0[k][k].clone();
         entry(0) + entry(1) + entry(2) + entry(3)
+    }
+
+    /// Tr(Aᵗ B): the sum of the products of entries.
+    pub(crate) fn dot(&self, other: &Self) -> T {
+        let products = self.0.iter().flatten().zip(other.0.iter().flatten());
+        products.fold(T::literal(0.0), |sum, (a, b)| sum + a.clone() * b.clone())
     }
 
     /// A − Aᵗ.

@@ -197,7 +197,9 @@ impl Double {
         self.lo == 0.0 && self.radius == 0.0
     }
 
-    fn is_exactly_zero(self) -> bool {
+    /// True if it is zero, exactly.
+    #[must_use]
+    pub fn is_exactly_zero(self) -> bool {
         self.hi == 0.0 && self.radius == 0.0
     }
 

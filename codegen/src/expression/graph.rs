@@ -317,8 +317,7 @@ impl Inner {
         if let Some(value) = value {
             self.constants.insert(value.bits(), expr);
         } else {
-            let nodes = &self.nodes;
-            (self.varying).insert(expr.0, |number| nodes[number as usize].spread());
+            self.varying.insert(expr.0, node.spread());
         }
         expr
     }

@@ -20,7 +20,7 @@ use crate::random::Random;
 use crate::real::Real;
 use crate::schedule::{Program, run};
 use crate::space::{Arguments, FrameId};
-use rounded::{Plain, Rounded, Single};
+use rounded::{LANES, Lanes, Plain, Rounded, Single};
 use states::{Angles, States};
 
 /// The largest error allowed, relative to the largest result, in a thousand states \[u\].
@@ -263,7 +263,12 @@ impl<'c> Measure<'c> {
     pub(super) fn unsolved(&self, program: &Program) -> f64 {
         let inverts = self.mass.is_some();
         let states = self.limited.iter().filter(|_| inverts);
-        let unsolved = states.map(|state| self.residual(&self.found(program, state), state));
+        let states: Vec<&State> = states.collect();
+        let found = self.found(program, &states);
+        let unsolved = found
+            .iter()
+            .zip(states)
+            .map(|(found, state)| self.residual(found, state));
         largest(unsolved) / self.scalar.roundoff()
     }
 
@@ -286,7 +291,8 @@ impl<'c> Measure<'c> {
                 let mut last = tried[kept].clone();
                 for _ in 1..STATES / KEPT {
                     let near = self.exactly(self.states.near(&last.arguments, &mut random));
-                    let near = self.at(program, &near);
+                    let found = self.found(program, &[&near]);
+                    let near = self.judged(&near, &found[0]);
                     count += 1;
                     if near.error >= least {
                         last = near;
@@ -321,7 +327,12 @@ impl<'c> Measure<'c> {
             Angles::Limited => &self.limited[numbers],
             Angles::Any => &self.any[numbers],
         };
-        states.iter().map(|state| self.at(program, state)).collect()
+        let states: Vec<&State> = states.iter().collect();
+        let found = self.found(program, &states);
+        let tried = states.iter().zip(&found);
+        tried
+            .map(|(state, found)| self.judged(state, found))
+            .collect()
     }
 
     /// A state with the exact results.
@@ -335,9 +346,8 @@ impl<'c> Measure<'c> {
         }
     }
 
-    /// A program at a state.
-    fn at(&self, program: &Program, state: &State) -> Tried {
-        let found = self.found(program, state);
+    /// The errors of the results of a program at a state.
+    fn judged(&self, state: &State, found: &[f64]) -> Tried {
         let (mut error, mut relative) = (0.0_f64, 0.0_f64);
         for (solved, exact) in self.solved.iter().zip(&state.exact) {
             let size = largest(exact.iter().map(|exact| exact.to_f64()));
@@ -360,18 +370,28 @@ impl<'c> Measure<'c> {
         }
     }
 
-    /// The results of a program in a state.
-    fn found(&self, program: &Program, state: &State) -> Vec<f64> {
+    /// The results of a program in each of some states.
+    fn found(&self, program: &Program, states: &[&State]) -> Vec<Vec<f64>> {
         match self.scalar {
-            Real::F32 => self.rounded::<Single>(program, state),
-            Real::F64 | Real::Generic => self.rounded::<Plain>(program, state),
+            Real::F32 => self.rounded::<Single>(program, states),
+            Real::F64 | Real::Generic => self.rounded::<Plain>(program, states),
         }
     }
 
-    fn rounded<T: Rounded>(&self, program: &Program, state: &State) -> Vec<f64> {
-        let at = |input| T::literal(at(&state.arguments, self.chain, input));
-        let found = run::<T>(program, at);
-        found.iter().map(Rounded::to_f64).collect()
+    fn rounded<T: Rounded>(&self, program: &Program, states: &[&State]) -> Vec<Vec<f64>> {
+        let entry = |state: &State, input| T::literal(at(&state.arguments, self.chain, input));
+        let together = states.chunks(LANES).flat_map(|states| {
+            let first = |found: Vec<T>| vec![found.iter().map(Rounded::to_f64).collect()];
+            if let [state] = states {
+                return first(run::<T>(program, |input| entry(state, input)));
+            }
+            let lane = |lane: usize| states.get(lane).unwrap_or(&states[0]);
+            let lanes = |input| Lanes::of(|of| entry(lane(of), input));
+            let found = run::<Lanes<T>>(program, lanes);
+            let of = |lane: usize| found.iter().map(|lanes| lanes.at(lane).to_f64()).collect();
+            (0..states.len()).map(of).collect()
+        });
+        together.collect()
     }
 
     /// The largest entry of M M⁻¹ − I, relative to the terms of its sum, in units that make all Mᵢᵢ = 1.

@@ -297,8 +297,7 @@ impl Dual {
 
 /// The derivative of Tr(Aᵗ B).
 fn trace(a: &Dual, b: &Dual) -> Scalar {
-    let entry = |a: &Matrix<Scalar>, b: &Matrix<Scalar>| a.transposed().times(b).trace();
-    entry(&a.change, &b.value) + entry(&a.value, &b.change)
+    a.change.dot(&b.value) + a.value.dot(&b.change)
 }
 
 /// The derivative of Λ ⊗ Φ.

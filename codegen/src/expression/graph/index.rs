@@ -2,14 +2,21 @@
 //!
 //! In: a hash of an entry, and a comparison. Out: the number of the entry that is equal, if there is one. Every operation
 //! of every program that is tried begins with this question, mostly in procedural macros without optimization, so that
-//! this is a plain table with open addressing, without keys of its own.
+//! this is a plain table with open addressing. It keeps the hashes, so that no other entry is looked at.
 
 /// Numbers of entries, each in the first free slot at or behind the one of its hash.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Index {
-    /// A number plus one, or zero. The length is a power of two, and at most half is in use.
-    slots: Vec<u32>,
+    /// The length is a power of two, and at most half is in use.
+    slots: Vec<Slot>,
     used: usize,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Slot {
+    hash: u32,
+    /// A number plus one; zero if the slot is free.
+    after: u32,
 }
 
 impl Index {
@@ -19,37 +26,38 @@ impl Index {
             return None;
         }
         let mut slot = self.first(hash);
-        while self.slots[slot] != 0 {
-            let number = self.slots[slot] - 1;
-            if is(number) {
+        loop {
+            let Slot { hash: of, after } = self.slots[slot];
+            let number = after.checked_sub(1)?;
+            if of == hash && is(number) {
                 return Some(number);
             }
             slot = self.next(slot);
         }
-        None
     }
 
-    /// Adds an entry that is not in the index yet; `hash` is that of each entry.
-    pub(super) fn insert(&mut self, number: u32, hash: impl Fn(u32) -> u32) {
+    /// Adds an entry that is not in the index yet.
+    pub(super) fn insert(&mut self, number: u32, hash: u32) {
         if 2 * (self.used + 1) > self.slots.len() {
             let length = (2 * self.slots.len()).max(64);
-            let before = std::mem::replace(&mut self.slots, vec![0; length]);
+            let before = std::mem::replace(&mut self.slots, vec![Slot::default(); length]);
             for entry in before {
-                if entry != 0 {
-                    self.place(entry - 1, hash(entry - 1));
+                if entry.after != 0 {
+                    self.place(entry);
                 }
             }
         }
-        self.place(number, hash(number));
+        let after = number + 1;
+        self.place(Slot { hash, after });
         self.used += 1;
     }
 
-    fn place(&mut self, number: u32, hash: u32) {
-        let mut slot = self.first(hash);
-        while self.slots[slot] != 0 {
+    fn place(&mut self, entry: Slot) {
+        let mut slot = self.first(entry.hash);
+        while self.slots[slot].after != 0 {
             slot = self.next(slot);
         }
-        self.slots[slot] = number + 1;
+        self.slots[slot] = entry;
     }
 
     fn first(&self, hash: u32) -> usize {

@@ -250,24 +250,22 @@ fn nearly_dependent(chain: &Chain, residuals: &[String]) -> Diagnostic {
     }
 }
 
-/// The warning that loops hold every joint among those that change their residuals.
+/// The warning that loops hold every joint that changes their residuals.
 fn no_motion(chain: &Chain, held: usize) -> Diagnostic {
-    let (loops, hold, its) = if let [_] = &*chain.loops {
-        ("loop", "holds", "its")
+    let names = loop_names(chain);
+    let (message, its) = if let [_] = &*chain.loops {
+        (format!("loop {names} allows no motion"), "its")
     } else {
-        ("loops", "hold", "their")
+        (format!("loops {names} allow no motion"), "their")
     };
     let which = if held == chain.spaces().velocities.len() {
-        ": nothing can move".to_owned()
+        String::new()
     } else {
-        format!(" that moves {its} ends against each other")
+        format!(" of the joints that move {its} ends against each other")
     };
     Diagnostic {
         place: chain.loops[0].place,
-        message: format!(
-            "{loops} {} {hold} where closed every joint{which}",
-            loop_names(chain)
-        ),
+        message: message + &which,
         hint: Some(DIGITS.to_owned()),
     }
 }

@@ -64,13 +64,9 @@ pub fn judge(
         Err(errors) => return refused(&errors.to_string(), mounting),
     };
     let warned = programs.chain.report.warnings.iter().any(|warning| {
-        [
-            "nearly depend",
-            "nothing can move",
-            "no configuration was found",
-        ]
-        .iter()
-        .any(|words| warning.message.contains(words))
+        let message = &warning.message;
+        let words = ["nearly depend", "no configuration was found"];
+        words.iter().any(|words| message.contains(words)) || message.ends_with("no motion")
     });
     if warned && mounting.digits >= ALL {
         return Err(format!("warned: {:?}", programs.chain.report.warnings));

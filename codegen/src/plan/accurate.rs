@@ -16,7 +16,7 @@ const FAR: f64 = 16.0;
 /// An error that is barely enough \[u\]: an estimate from a few states may miss one of twice as much.
 const BARELY: f64 = 0.75 * ENOUGH;
 
-/// Share of the cost that may be added if less is lost than [`BARELY`], one in so many.
+/// Share of the cost that may be added where another is [barely](BARELY) accurate, one in so many.
 const LITTLE: usize = 16;
 
 /// Quarters of the best cost beyond which a form is not tried in other layouts.
@@ -136,7 +136,7 @@ impl<'s> Trial<'s> {
         cheaper.or_else(|| self.best.take())
     }
 
-    /// The same with inertias that are rotated in full, if that loses less for little.
+    /// The same with inertias that are rotated in full, if that halves the loss for little.
     fn safer(&mut self, cost: usize, found: Found) -> Found {
         let full = Form::full(found.algorithm.forward);
         if found.error.worst <= BARELY || full == Form::of(found.algorithm) {
@@ -147,7 +147,7 @@ impl<'s> Trial<'s> {
             return found;
         }
         let full = self.measured(full);
-        if full.error.worst < found.error.worst {
+        if full.error.found <= found.error.found / 2.0 {
             full
         } else {
             found

@@ -20,11 +20,6 @@ const TORQUE: f64 = 4.0;
 /// Largest change of an entry from a state to one near it, relative to its range.
 const STEP: f64 = 0.2;
 
-/// True for torques and external wrenches.
-const fn drives(variable: Variable) -> bool {
-    matches!(variable, Variable::Tau | Variable::Actions)
-}
-
 /// The angles of a state.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Angles {
@@ -73,14 +68,13 @@ impl<'c> States<'c> {
     }
 
     /// A state of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
-    /// state is near the configuration of the description, in which axes and links are in line, and every eighth has no
-    /// torques, as a robot that falls: its accelerations are small, and what cancels in them is not.
+    /// state is near the configuration of the description, in which axes and links are in line.
     pub(super) fn numbered(&self, number: usize, angles: Angles) -> Arguments<f64> {
         let ranges = match angles {
             Angles::Limited => &self.limited,
             Angles::Any => &self.any,
         };
-        let (is_near, is_quiet) = (number % 8 == 7, number % 8 == 3);
+        let is_near = number % 8 == 7;
         let step = u32::try_from(number + 1).map_or(1.0, f64::from);
         let mut entry = 0.0_f64;
         let mut next = |[lower, upper]: [f64; 2]| {
@@ -98,11 +92,7 @@ impl<'c> States<'c> {
                     let zero = 0.0_f64.clamp(lower, upper);
                     return next([lower, upper].map(|end| zero + NEAR * (end - zero)));
                 }
-                let entry = next([lower, upper]);
-                if is_quiet && drives(variable) {
-                    return 0.0;
-                }
-                entry
+                next([lower, upper])
             })
             .collect()
         });
@@ -118,15 +108,13 @@ impl<'c> States<'c> {
         arguments
     }
 
-    /// A state near another one, at any angles: half of its entries are changed, within their ranges. Torques of zero
-    /// remain.
+    /// A state near another one, at any angles: half of its entries are changed, within their ranges.
     pub(super) fn near(&self, state: &Arguments<f64>, random: &mut Random) -> Arguments<f64> {
         let mut arguments = state.clone();
         let read = Variable::ALL
             .into_iter()
             .filter(|of| *of != Variable::Wrench);
         for variable in read {
-            let is_quiet = drives(variable) && state[variable].iter().all(|entry| *entry == 0.0);
             for (entry, &[lower, upper]) in arguments[variable].iter_mut().zip(&self.any[variable])
             {
                 if random.unit() < 0.5 {
@@ -142,9 +130,7 @@ impl<'c> States<'c> {
                     } else {
                         moved
                     };
-                    if !is_quiet {
-                        *entry = Real::F32.rounded(moved);
-                    }
+                    *entry = Real::F32.rounded(moved);
                 }
             }
         }

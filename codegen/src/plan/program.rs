@@ -111,7 +111,7 @@ impl<'c> Programs<'c> {
     /// The program of the fall of a free base: its acceleration, and the derivatives of it by q and q̇.
     pub fn free_fall(&self, layout: Layout) -> Rc<Program> {
         self.get(Key::FreeFall(layout), || {
-            compiled(self.chain, layout, |graph, bodies| free_fall(graph, bodies))
+            compiled(self.chain, layout, free_fall)
         })
     }
 

@@ -381,9 +381,9 @@ impl<'c> Measure<'c> {
     fn rounded<T: Rounded>(&self, program: &Program, states: &[&State]) -> Vec<Vec<f64>> {
         let entry = |state: &State, input| T::literal(at(&state.arguments, self.chain, input));
         let together = states.chunks(LANES).flat_map(|states| {
-            let first = |found: Vec<T>| vec![found.iter().map(Rounded::to_f64).collect()];
             if let [state] = states {
-                return first(run::<T>(program, |input| entry(state, input)));
+                let found = run::<T>(program, |input| entry(state, input));
+                return vec![found.iter().map(Rounded::to_f64).collect()];
             }
             let lane = |lane: usize| states.get(lane).unwrap_or(&states[0]);
             let lanes = |input| Lanes::of(|of| entry(lane(of), input));

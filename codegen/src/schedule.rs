@@ -6,6 +6,7 @@
 mod blocks;
 pub mod bound;
 mod fuse;
+mod lanes;
 mod names;
 mod once;
 mod operation_count;
@@ -18,6 +19,7 @@ mod sections;
 mod signs;
 
 pub use blocks::LONGEST_SCOPE;
+pub use lanes::{LANES, Lanes};
 pub use names::Names;
 pub(crate) use names::sanitize;
 pub use once::{Parts, part};

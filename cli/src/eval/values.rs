@@ -5,7 +5,6 @@
 
 use std::array::from_fn;
 use std::num::NonZero;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::thread;
 
 use super::super::options::Scalar;
@@ -13,11 +12,8 @@ use super::states::States;
 use homogen_codegen::arithmetic::Own;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Sines;
-use homogen_codegen::schedule::{Arithmetic, Program, run};
+use homogen_codegen::schedule::{Arithmetic, LANES, Lanes, Program, run};
 use homogen_codegen::space::Variable;
-
-/// Number of states for which each operation is done before the next one.
-const LANES: usize = 8;
 
 /// A function, ready to be computed.
 pub(super) struct Values<'p> {
@@ -98,64 +94,5 @@ impl Values<'_> {
                 }
             }
         }
-    }
-}
-
-/// A number for each of several states.
-#[derive(Clone, Copy)]
-struct Lanes<T>([T; LANES]);
-
-impl<T: Copy> Lanes<T> {
-    fn with(self, other: Self, operation: impl Fn(T, T) -> T) -> Self {
-        Self(from_fn(|lane| operation(self.0[lane], other.0[lane])))
-    }
-}
-
-macro_rules! operator {
-    ($($name:ident $method:ident)*) => {$(
-        impl<T: $name<Output = T> + Copy> $name for Lanes<T> {
-            type Output = Self;
-
-            fn $method(self, other: Self) -> Self {
-                self.with(other, $name::$method)
-            }
-        }
-    )*};
-}
-operator!(Add add Sub sub Mul mul Div div);
-
-impl<T: Neg<Output = T>> Neg for Lanes<T> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self(self.0.map(Neg::neg))
-    }
-}
-
-impl<T: Arithmetic + Copy> Arithmetic for Lanes<T> {
-    fn literal(value: f64) -> Self {
-        Self([T::literal(value); LANES])
-    }
-
-    fn mul_add(self, factor: Self, term: Self) -> Self {
-        Self(from_fn(|lane| {
-            self.0[lane].mul_add(factor.0[lane], term.0[lane])
-        }))
-    }
-
-    fn sqrt(self) -> Self {
-        Self(self.0.map(Arithmetic::sqrt))
-    }
-
-    fn sign(self) -> Self {
-        Self(self.0.map(Arithmetic::sign))
-    }
-
-    fn sin_cos(self) -> (Self, Self) {
-        let turned = self.0.map(Arithmetic::sin_cos);
-        (
-            Self(turned.map(|(sine, _)| sine)),
-            Self(turned.map(|(_, cosine)| cosine)),
-        )
     }
 }

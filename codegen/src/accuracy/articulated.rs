@@ -17,11 +17,13 @@ mod tests;
 pub use self::recursion::Articulated;
 
 use self::inertias::{FROBENIUS, Outboard, TRUST, errors};
-use self::recursion::{Steps, values};
+use self::recursion::Steps;
 use self::sizes::Pair;
-use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed};
+use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed, values};
 use super::free_fall;
-use super::solved::{UNCERTAIN, caused, largest, stays, tried, underflow, widened};
+use super::solved::{
+    UNCERTAIN, caused, largest, largest_of_rows, stays, tried, underflow, widened,
+};
 use crate::chain::BodyId;
 use crate::list::List;
 use crate::model::ARTICULATED_MOTION;
@@ -124,12 +126,7 @@ impl Steps<'_, '_> {
     /// twice those of exact ones, as for [`solved`](super::solved).
     fn derivatives(&self, found: &[Value]) -> Vec<f64> {
         let mobility = &self.bodies.mobility.joints;
-        let count = mobility.len();
-        let mut most = vec![0.0_f64; count];
-        for (k, value) in found.iter().enumerate() {
-            let most = &mut most[k / count % count];
-            *most = most.max(value.reach() + value.error);
-        }
+        let most = largest_of_rows(found, mobility.len());
         caused(mobility, &most).iter().map(|x| 2.0 * x).collect()
     }
 

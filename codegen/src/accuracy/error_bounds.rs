@@ -290,6 +290,14 @@ pub(super) fn error(found: bound::Found) -> Result<f64, &'static str> {
     }
 }
 
+/// All results of a program, or the reason why one of them has no bound.
+pub(super) fn values(found: Vec<bound::Found>) -> Result<Vec<Value>, &'static str> {
+    let found = found.into_iter();
+    found
+        .map(|found| error(found).map(|_| found.value))
+        .collect()
+}
+
 pub(super) fn value(range: &Range, input: Input, scalar: Real) -> Value {
     match (range.get(input), input) {
         // A field is an `f64`, and is rounded when it is read.

@@ -3,7 +3,7 @@
 //! In: a program for the acceleration f of a falling base and its derivatives, in a range. Out: the range of
 //! accelerations relative to f, and the rounding errors of f and of its sums with them, as accelerations.
 
-use super::error_bounds::{RoundingModel, computed, error};
+use super::error_bounds::{RoundingModel, computed, values};
 use crate::range::Range;
 use crate::real::Real;
 use crate::schedule::Program;
@@ -28,9 +28,7 @@ impl FreeFall {
         rounding: RoundingModel,
         scalar: Real,
     ) -> Result<Self, &'static str> {
-        let found = computed(program, range, rounding, scalar).into_iter();
-        let found = found.map(|found| error(found).map(|_| found.value));
-        let mut acceleration = found.collect::<Result<Vec<Value>, _>>()?;
+        let mut acceleration = values(computed(program, range, rounding, scalar))?;
         let derivatives = acceleration.split_off(range.arguments[Variable::Qdd].len());
         Ok(Self {
             roundoff: scalar.roundoff(),

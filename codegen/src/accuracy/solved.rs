@@ -18,7 +18,7 @@
 //! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
 //! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
 
-use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed, error};
+use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed, values};
 use super::free_fall::{self, FreeFall};
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::chain::Chain;
@@ -142,9 +142,7 @@ pub fn of_derivatives(
             if !stays(&range, margin, &caused(joints, &off)) {
                 return Err(UNCERTAIN);
             }
-            let found = computed(derivatives, &wider, rounding, scalar).into_iter();
-            let found = found.map(|found| error(found).map(|_| found.value));
-            let needed = found.collect::<Result<Vec<Value>, _>>()?;
+            let needed = values(computed(derivatives, &wider, rounding, scalar))?;
             narrow.differentiated(joints, &needed, &fall, scalar)
         })
     };
@@ -276,6 +274,16 @@ fn solution(x: &[f64], given: impl Iterator<Item = f64>) -> f64 {
     largest(x.iter().copied()) * largest(given.map(|torque| 2.0 * torque))
 }
 
+/// The largest magnitude of each row of some matrices, by rows.
+pub(super) fn largest_of_rows(entries: &[Value], count: usize) -> Vec<f64> {
+    let mut most = vec![0.0_f64; count];
+    for (k, entry) in entries.iter().enumerate() {
+        let most = &mut most[k / count % count];
+        *most = most.max(entry.reach() + entry.error);
+    }
+    most
+}
+
 /// The largest of some sizes and 1.
 pub(super) fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
     sizes.fold(1.0, f64::max)
@@ -313,9 +321,7 @@ impl Parts {
             .map(|[_, most]| *most)
             .collect();
         let count = most.len();
-        let found = computed(program, range, rounding, scalar).into_iter();
-        let found = found.map(|found| error(found).map(|_| found.value));
-        let mut mass = found.collect::<Result<Vec<Value>, _>>()?;
+        let mut mass = values(computed(program, range, rounding, scalar))?;
         let mut bias = mass.split_off(count * count);
         let needed = bias.split_off(count.min(bias.len()));
         let factors = largest(mass.iter().map(|value| value.reach()))
@@ -396,11 +402,7 @@ impl Parts {
         scalar: Real,
     ) -> Worst {
         let count = self.most.len();
-        let mut most = vec![0.0_f64; count];
-        for (k, b) in needed.iter().enumerate() {
-            let most = &mut most[k / count % count];
-            *most = most.max(b.reach() + b.error);
-        }
+        let most = largest_of_rows(needed, count);
         let x: Vec<f64> = caused(mobility, &most).iter().map(|x| 2.0 * x).collect();
         let size = self.factors * solution(&x, most.into_iter());
         let vanishes = underflow(size, count, scalar)?;

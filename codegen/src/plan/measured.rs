@@ -8,6 +8,8 @@
 mod rounded;
 mod states;
 
+use std::array::from_fn;
+
 use super::program::expressions_by;
 use super::solvable::field;
 use crate::chain::Chain;
@@ -18,9 +20,9 @@ use crate::layout::Layout;
 use crate::model::Algorithm;
 use crate::random::Random;
 use crate::real::Real;
-use crate::schedule::{Program, run};
+use crate::schedule::{LANES, Lanes, Program, run};
 use crate::space::{Arguments, FrameId};
-use rounded::{LANES, Lanes, Plain, Rounded, Single};
+use rounded::{Plain, Rounded, Single};
 use states::{Angles, States};
 
 /// The largest error allowed, relative to the largest result, in a thousand states \[u\].
@@ -386,9 +388,9 @@ impl<'c> Measure<'c> {
                 return vec![found.iter().map(Rounded::to_f64).collect()];
             }
             let lane = |lane: usize| states.get(lane).unwrap_or(&states[0]);
-            let lanes = |input| Lanes::of(|of| entry(lane(of), input));
+            let lanes = |input| Lanes(from_fn(|of| entry(lane(of), input)));
             let found = run::<Lanes<T>>(program, lanes);
-            let of = |lane: usize| found.iter().map(|lanes| lanes.at(lane).to_f64()).collect();
+            let of = |lane: usize| found.iter().map(|lanes| lanes.0[lane].to_f64()).collect();
             (0..states.len()).map(of).collect()
         });
         together.collect()

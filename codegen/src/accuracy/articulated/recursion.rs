@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use super::inertias::{Outboard, around_zero, outboard};
 use super::sizes::{Link, Pair};
-use crate::accuracy::error_bounds::{RoundingModel, error, value};
+use crate::accuracy::error_bounds::{RoundingModel, value, values};
 use crate::accuracy::free_fall::FreeFall;
 use crate::accuracy::mobility::{Mobility, mobility};
 use crate::accuracy::solved::largest;
@@ -188,12 +188,4 @@ fn follow(
 /// An entry of a step, as a field: the chain has none of its own.
 fn entry(k: usize) -> Input {
     Input::Parameter(0, u16::try_from(k).expect("there are few"))
-}
-
-/// All results of a program, or the reason why one of them has no bound.
-pub(super) fn values(found: Vec<bound::Found>) -> Result<Vec<Value>, &'static str> {
-    let found = found.into_iter();
-    found
-        .map(|found| error(found).map(|_| found.value))
-        .collect()
 }

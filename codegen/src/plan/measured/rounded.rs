@@ -2,7 +2,6 @@
 //!
 //! In: numbers. Out: each operation rounded once, products apart from sums, and correctly rounded sines.
 
-use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::expression::{Arithmetic, Double};
@@ -92,82 +91,3 @@ macro_rules! implement {
 
 implement!(Plain);
 implement!(Single);
-
-/// Number of states that a program runs in at once.
-pub(super) const LANES: usize = 8;
-
-/// Numbers of several states, so that each step of a program is looked up once for all.
-#[derive(Clone, Copy)]
-pub(super) struct Lanes<T>([T; LANES]);
-
-impl<T: Rounded> Lanes<T> {
-    pub(super) fn of(lane: impl FnMut(usize) -> T) -> Self {
-        Self(from_fn(lane))
-    }
-
-    pub(super) const fn at(&self, lane: usize) -> T {
-        self.0[lane]
-    }
-}
-
-impl<T: Rounded> Add for Lanes<T> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self::of(|lane| self.0[lane] + other.0[lane])
-    }
-}
-
-impl<T: Rounded> Sub for Lanes<T> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self::of(|lane| self.0[lane] - other.0[lane])
-    }
-}
-
-impl<T: Rounded> Mul for Lanes<T> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        Self::of(|lane| self.0[lane] * other.0[lane])
-    }
-}
-
-impl<T: Rounded> Div for Lanes<T> {
-    type Output = Self;
-
-    fn div(self, other: Self) -> Self {
-        Self::of(|lane| self.0[lane] / other.0[lane])
-    }
-}
-
-impl<T: Rounded> Neg for Lanes<T> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self(self.0.map(Neg::neg))
-    }
-}
-
-impl<T: Rounded> Arithmetic for Lanes<T> {
-    fn literal(value: f64) -> Self {
-        Self([T::literal(value); LANES])
-    }
-
-    fn sqrt(self) -> Self {
-        Self(self.0.map(Arithmetic::sqrt))
-    }
-
-    fn sign(self) -> Self {
-        Self(self.0.map(Arithmetic::sign))
-    }
-
-    fn sin_cos(self) -> (Self, Self) {
-        let both = self.0.map(Arithmetic::sin_cos);
-        (
-            Self(both.map(|(sine, _)| sine)),
-            Self(both.map(|(_, cosine)| cosine)),
-        )
-    }
-}

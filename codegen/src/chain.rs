@@ -11,6 +11,7 @@ pub mod base_parameters;
 mod check;
 mod closure;
 mod external;
+mod limbs;
 mod limits;
 mod merge;
 mod mimic;

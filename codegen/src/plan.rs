@@ -28,7 +28,7 @@ use crate::function::Function;
 use crate::layout::Layout;
 use crate::list;
 use crate::model::Algorithm;
-use crate::schedule::{OperationCount, Program};
+use crate::schedule::{OperationCount, Program, fused_alike};
 use crate::space::FrameId;
 use choice::cheapest;
 
@@ -160,7 +160,8 @@ pub fn plan<'c>(
         mul += more_mul;
         add += more_add;
     }
-    let operation_count = OperationCount::of(&found.program).beside_dense(mul, add);
+    let program = fused_alike(found.program, &chain.spaces().limbs);
+    let operation_count = OperationCount::of(&program).beside_dense(mul, add);
     Ok(Plan {
         chain,
         functions,
@@ -168,7 +169,7 @@ pub fn plan<'c>(
         layout: found.layout,
         algorithm: found.algorithm,
         operation_count: operation_count.on(request.processor, request.scalar),
-        program: found.program,
+        program,
         error: found.error,
         programs: Rc::clone(programs),
     })

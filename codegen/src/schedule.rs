@@ -3,10 +3,12 @@
 //! In: a graph and the expressions of the results. Out: a [`Program`] with the operations that they need, and its
 //! [`Routine`]. Printing, evaluation and counting read these and not the graph.
 
+mod arranged;
 mod blocks;
 pub mod bound;
 mod fuse;
 mod lanes;
+mod limbs;
 mod names;
 mod once;
 mod operation_count;
@@ -18,8 +20,10 @@ mod run;
 mod sections;
 mod signs;
 
+pub use arranged::Arranged;
 pub use blocks::LONGEST_SCOPE;
 pub use lanes::{LANES, Lanes};
+pub use limbs::fused_alike;
 pub use names::Names;
 pub(crate) use names::sanitize;
 pub use once::{Parts, part};
@@ -30,7 +34,7 @@ pub use routine::{
     Stored, Value, Work,
 };
 pub use run::run;
-pub use sections::{Length, Sections, sections};
+pub use sections::{Length, Sections};
 
 use std::collections::BTreeMap;
 
@@ -152,4 +156,9 @@ impl Program {
             .chain(self.angles.iter().copied())
             .chain(self.results.iter().copied())
     }
+}
+
+/// Index of a step.
+fn number(step: usize) -> u32 {
+    u32::try_from(step).expect("fewer than 2³² steps")
 }

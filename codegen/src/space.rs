@@ -128,6 +128,41 @@ pub struct Spaces {
     pub wrench: Vec<Entry>,
     /// Entries of the external wrenches: c_x, c_y, c_z, f_x, f_y, f_z of each.
     pub actions: Vec<Entry>,
+    /// Sets of equal limbs.
+    pub limbs: Vec<Limbs>,
+}
+
+/// Equal limbs: for each place in a limb the indices of its entries, one for each limb.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Limbs {
+    /// Entries of [`Space::Coordinates`].
+    pub coordinates: Vec<Vec<usize>>,
+    /// Entries of [`Space::Velocities`].
+    pub velocities: Vec<Vec<usize>>,
+    /// Entries of [`Space::Actions`].
+    pub actions: Vec<Vec<usize>>,
+}
+
+impl Limbs {
+    /// Minimum number of equal limbs; fewer do not fill the vector registers of a processor.
+    pub const FEWEST: usize = 4;
+
+    /// Number of limbs.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.velocities.first().map_or(0, Vec::len)
+    }
+
+    /// Entries of a space, by place and limb.
+    #[must_use]
+    pub fn entries(&self, space: Space) -> &[Vec<usize>] {
+        match space {
+            Space::Coordinates => &self.coordinates,
+            Space::Velocities => &self.velocities,
+            Space::Actions => &self.actions,
+            Space::Wrench | Space::Parameters | Space::BaseParameters | Space::Constraints => &[],
+        }
+    }
 }
 
 impl Spaces {

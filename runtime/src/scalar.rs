@@ -43,6 +43,10 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// True if a number holds those of several states, so that functions compute limbs one after the other.
+    #[doc(hidden)]
+    const IS_PACK: bool = false;
+
     /// The number `value`, rounded to this type (and repeated in every lane of a pack).
     fn constant(value: f64) -> Self;
 

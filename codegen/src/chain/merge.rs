@@ -14,7 +14,7 @@ mod reader;
 use std::rc::Rc;
 
 use super::tree::Tree;
-use super::{BodyId, Chain, Frame, Report};
+use super::{BodyId, Chain, Frame, Report, limbs};
 use crate::description::{Description, JointId, LinkId};
 use crate::expression::{Graph, Term};
 use crate::joint::{ActuatorTerms, Manifold, Motion, entry};
@@ -92,6 +92,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
     let (joints, mut spaces) = listed::listed(description, bodies, &graph);
     spaces.wrench = wrench(str::to_owned).into();
     spaces.actions = actions(&external);
+    spaces.limbs = limbs::limbs(&joints, external.iter().map(|frame| frame.body));
     let Reader {
         nominal, report, ..
     } = reader;

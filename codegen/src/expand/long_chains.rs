@@ -18,7 +18,7 @@ use crate::model;
 use crate::plan::{Programs, plan};
 use crate::real::Real;
 use crate::request::Request;
-use crate::schedule::{Length, OperationCount, sections};
+use crate::schedule::{Arranged, Length, OperationCount};
 use crate::space::{FrameId, Variable};
 
 fn chain(joints: usize, function: Function) -> Chain {
@@ -57,8 +57,11 @@ fn cost(joints: usize, function: Function) -> (usize, usize) {
     let chain = chain(joints, function);
     let plan = plan(&Programs::of(&chain), vec![function], FrameId::FIRST).expect("it moves");
     let OperationCount { mul, add, .. } = plan.operation_count;
-    let sections = sections(&plan.program, Length::default());
-    (mul + add, sections.map_or(1, |cut| cut.sections.len()))
+    let arranged = Arranged::of(&plan.program, &[], Length::default());
+    (
+        mul + add,
+        arranged.sections.map_or(1, |cut| cut.sections.len()),
+    )
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::function::Function;
 use crate::module::{self, About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
 use crate::request::Target;
-use crate::schedule::{OperationCount, sections};
+use crate::schedule::{Arranged, OperationCount};
 use crate::space::{Entry, Kind, Order, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
@@ -127,7 +127,8 @@ pub(super) fn of_step(module: &Module, step: Step, angles: Option<&Angles>) -> V
 
 /// Line about the sections of a long function.
 fn split(module: &Module, generated: &GeneratedFunction) -> Option<String> {
-    let sections = sections(&generated.program, module.length)?;
+    let arranged = Arranged::of(&generated.program, &module.spaces.limbs, module.length);
+    let sections = arranged.sections?;
     Some(format!(
         "Compiled in {} sections of at most {} statements, called in order; values for later sections are in an array \
          of {} numbers.",

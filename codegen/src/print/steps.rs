@@ -224,6 +224,7 @@ impl Step {
         let readable = Readable {
             arguments: &[],
             spaces: &module.spaces,
+            limbs: &[],
             fields: &entries.collect::<Vec<_>>(),
         };
         let program = (&self.program(module), Length::UNBOUNDED);

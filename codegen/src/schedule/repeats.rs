@@ -15,7 +15,7 @@ use std::mem::discriminant;
 use std::ops::Range;
 
 use super::readers::read_until;
-use super::{Operand, Program};
+use super::{Operand, Program, number};
 
 /// Minimum number of steps of a program with loops.
 const SHORTEST: usize = 900;
@@ -35,9 +35,20 @@ const SAVED: usize = 300;
 /// Minimum number of steps of an iteration for each value in the table.
 const EACH: usize = 3;
 
+/// What the iterations of a loop are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// Columns of a matrix.
+    Columns,
+    /// Equal limbs. Values have the names of the first limb.
+    Limbs,
+}
+
 /// Iterations of the same operations, one after the other; none reads a result of another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeat {
+    /// Iterations.
+    pub over: Over,
     /// Steps of the first iteration.
     pub first: Range<u32>,
     /// Number of iterations.
@@ -87,7 +98,10 @@ pub fn repeats(program: &Program) -> Vec<Repeat> {
     let mut at = program.before_angles;
     while at < next.len() {
         let starts = std::iter::successors(next[at], |&start| next[start]).take(TRIED);
-        let mut tried = starts.filter_map(|start| repeat(program, at..start, &read_until));
+        let mut tried = starts.filter_map(|start| {
+            let most = (program.steps.len() - at) / (start - at);
+            repeat(program, Over::Columns, at..start, most, &read_until)
+        });
         match tried.find(Repeat::pays) {
             Some(repeat) => {
                 at = repeat.steps().end as usize;
@@ -113,10 +127,15 @@ fn next_alike(program: &Program) -> Vec<Option<usize>> {
     next
 }
 
-/// The repeat that begins with this first iteration, with as many iterations as are alike.
-fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<Repeat> {
+/// The repeat that begins with this first iteration, with as many iterations as are alike, of this number.
+pub(super) fn repeat(
+    program: &Program,
+    over: Over,
+    first: Range<usize>,
+    most: usize,
+    read_until: &[u32],
+) -> Option<Repeat> {
     let length = first.len();
-    let most = (program.steps.len() - first.start) / length;
     let iterations = 1
         + (1..most)
             .take_while(|iteration| is_alike(program, &first, iteration * length))
@@ -124,7 +143,6 @@ fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<
     if iterations < ITERATIONS {
         return None;
     }
-    let number = |k: usize| u32::try_from(k).expect("fewer than 2³² steps");
     let of_iteration = |at: usize| (0..iterations).map(move |iteration| at + iteration * length);
     let mut loads: Vec<Vec<Operand>> = Vec::new();
     let mut reads = HashMap::new();
@@ -150,6 +168,7 @@ fn repeat(program: &Program, first: Range<usize>, read_until: &[u32]) -> Option<
     let is_read_later = |at: &usize| of_iteration(*at).any(|at| read_until[at] >= end);
     let stores = first.clone().filter(is_read_later).map(number);
     Some(Repeat {
+        over,
         iterations: number(iterations),
         loads,
         reads,

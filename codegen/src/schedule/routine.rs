@@ -16,11 +16,10 @@ pub use self::meaning::{Meaning, RotationAngle};
 pub use self::section::{SectionBody, Work};
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
-use super::repeats::repeats;
-use super::sections::{Length, sections};
-use super::{Operand, Operation, Program, Step};
+use super::sections::Length;
+use super::{Arranged, Operand, Operation, Program, Step};
 use crate::expression::Input;
-use crate::space::{Spaces, Variable};
+use crate::space::{Limbs, Spaces, Variable};
 
 /// Inputs of a function.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +28,8 @@ pub struct Readable<'a> {
     pub arguments: &'a [Variable],
     /// Spaces of the arguments.
     pub spaces: &'a Spaces,
+    /// Equal limbs, over which there are loops; none where a number is a vector of several states already.
+    pub limbs: &'a [Limbs],
     /// Preferred names of the entries of each field, in the order of the fields in [`Input::Parameter`].
     pub fields: &'a [Vec<String>],
 }
@@ -133,6 +134,8 @@ impl Routine {
         for argument in readable.arguments {
             names.take(argument.name());
         }
+        let arranged = Arranged::of(program, readable.limbs, length);
+        let program = &*arranged.program;
         let mut naming = Naming {
             program,
             names,
@@ -144,6 +147,7 @@ impl Routine {
             unnamed: 0,
             stores: BTreeMap::new(),
             found: BTreeMap::new(),
+            is_named: true,
             loads: HashMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
@@ -154,10 +158,10 @@ impl Routine {
         let fields = (0_u16..).zip(readable.fields);
         let fields = fields.map(|(field, wishes)| naming.field(field, wishes));
         let fields = fields.collect();
-        if let Some(sections) = sections(program, length) {
-            return naming.in_sections(&sections, arguments, fields);
+        if let Some(sections) = &arranged.sections {
+            return naming.in_sections(sections, arguments, fields);
         }
-        let repeats = repeats(program);
+        let repeats = &arranged.repeats;
         let is_literal = |read| matches!(read, Operand::Literal(_));
         let has_literals = program.operands().any(is_literal);
         let early = stored == Stored::Early && repeats.is_empty() && has_literals;
@@ -172,7 +176,7 @@ impl Routine {
             }
             stored.insert(result);
         }
-        let parts = nested(program, &repeats, kept);
+        let parts = nested(program, repeats, kept);
         let mut statements = naming.statements(&parts.before);
         statements.extend(naming.sines_and_cosines());
         let found = |(result, operand)| Statement::StoreResult(result, naming.value(operand));
@@ -229,6 +233,8 @@ struct Naming<'p> {
     stores: BTreeMap<u32, usize>,
     /// Steps that are stored as results, with the indices of the results.
     found: BTreeMap<u32, Vec<usize>>,
+    /// False in loops over columns, where a value stands for entries of several matrices.
+    is_named: bool,
     /// Names of the table entries that the steps of the current loop read, by step and operand; empty outside of loops.
     loads: HashMap<(u32, usize), String>,
 }
@@ -328,10 +334,8 @@ impl Naming<'_> {
             operand += 1;
             loaded.map_or_else(|| self.value(of), |name| Value::Name(name.clone()))
         });
-        // In a loop, a value stands for the entries of several matrices.
-        let by_itself = self.loads.is_empty();
-        let label = step.label.filter(|_| by_itself);
-        let sum = self.sum(step.operation).filter(|_| by_itself);
+        let label = step.label.filter(|_| self.is_named);
+        let sum = self.sum(step.operation).filter(|_| self.is_named);
         let name = match (label, &sum) {
             (Some(label), _) => self.named(Meaning::Entry(label)),
             (None, Some(coordinates)) => self.named(Meaning::Sum(coordinates.clone())),

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::readers::note_readers;
-use super::repeats::{Repeat, repeats};
+use super::repeats::Repeat;
 use super::{Operand, Program};
 use crate::expression::Input;
 
@@ -60,7 +60,7 @@ impl Default for Length {
 }
 
 /// Value that a section reads and does not compute, or that the function's results read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shared {
     /// An argument or a field.
     Input(Input),
@@ -73,7 +73,9 @@ pub enum Shared {
 }
 
 impl Shared {
-    const fn of(operand: Operand) -> Option<Self> {
+    /// The operand, unless it is a literal.
+    #[must_use]
+    pub const fn of(operand: Operand) -> Option<Self> {
         match operand {
             Operand::Literal(_) => None,
             Operand::Input(input) => Some(Self::Input(input)),
@@ -121,13 +123,13 @@ pub struct Section {
     pub repeat: Option<Repeat>,
 }
 
-/// Sections of a program; `None` if it is short enough for one function.
+/// Sections of a program with these repeats; `None` if it is short enough for one function.
 #[must_use]
-pub fn sections(program: &Program, length: Length) -> Option<Sections> {
+pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option<Sections> {
     if program.steps.len() <= length.whole {
         return None;
     }
-    let mut repeats = repeats(program);
+    let mut repeats = repeats.to_vec();
     repeats.retain(|repeat| repeat.first.len() <= length.section);
     let saved: usize = repeats.iter().map(Repeat::saved).sum();
     if program.steps.len() - saved <= length.whole {

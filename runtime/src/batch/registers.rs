@@ -106,6 +106,8 @@ macro_rules! register {
         }
 
         impl Scalar for Register<$processor, $number, $lanes> {
+            const IS_PACK: bool = true;
+
             /// # Panics
             ///
             /// If the processor does not have the instructions. [`like`](Scalar::like) has their proof.

@@ -132,6 +132,8 @@ impl<T: Lane, const L: usize> Neg for Pack<T, L> {
 }
 
 impl<T: Lane, const L: usize> Scalar for Pack<T, L> {
+    const IS_PACK: bool = true;
+
     #[inline(always)]
     fn constant(value: f64) -> Self {
         Self([T::constant(value); L])

@@ -190,6 +190,7 @@ impl<'w> Writer<'w> {
         let readable = Readable {
             arguments,
             spaces: &module.spaces,
+            limbs: &module.spaces.limbs,
             fields: &in_ascii(fields),
         };
         // Templates are inline, so that sections would be, too.

@@ -134,6 +134,8 @@ impl<'l> Function<'l> {
         let readable = Readable {
             arguments: &generated.arguments(&self.module.spaces),
             spaces: &self.module.spaces,
+            // Vectors hold several states.
+            limbs: &[],
             fields: &fields,
         };
         let large = columns(&generated.functions, &self.module.spaces).is_some();

@@ -42,6 +42,8 @@ pub(super) fn of_state(
     let readable = Readable {
         arguments: &arguments,
         spaces,
+        // Symbolic numbers gain nothing by loops.
+        limbs: &[],
         fields: &Fields::Own(&module.parameters).entries(),
     };
     let program = (&generated.program, Length::UNBOUNDED);

@@ -83,6 +83,7 @@ pub(super) fn body(
     let readable = Readable {
         arguments,
         spaces,
+        limbs: if dialect.in_packs { &[] } else { &spaces.limbs },
         fields: &fields.entries(),
     };
     let stored = match returns {

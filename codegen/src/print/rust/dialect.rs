@@ -63,6 +63,8 @@ pub(super) struct Dialect {
     fields: Option<Real>,
     /// Names of equations that are compiled for several kinds of processor.
     pub equations: Option<Equations>,
+    /// True if a number is a pack of several states.
+    pub in_packs: bool,
 }
 
 impl Dialect {
@@ -96,6 +98,7 @@ impl Dialect {
             bare: false,
             fields: made.then_some(real),
             equations: None,
+            in_packs: matches!(library, Library::Lanes(_)),
         }
     }
 
@@ -177,6 +180,14 @@ impl Dialect {
                 rounding,
                 reproducible,
             }),
+            ..self.clone()
+        }
+    }
+
+    /// Dialect of the same equations on packs of several states.
+    pub fn of_packs(&self) -> Self {
+        Self {
+            in_packs: true,
             ..self.clone()
         }
     }

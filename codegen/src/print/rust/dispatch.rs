@@ -13,7 +13,7 @@ use super::dialect::{Dialect, Equations};
 use super::item::Item;
 use super::lengths::known;
 use super::library::Library;
-use super::method;
+use super::method::{self, Explained};
 use super::results::result_type;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
@@ -42,6 +42,9 @@ pub(super) fn computation(
         dialect.clone()
     };
     let body = method::explained((generated, fields), module, &inside);
+    let equations = with_packs(&body, module, &inside, || {
+        method::explained((generated, fields), module, &inside.of_packs())
+    });
     let lengths = known(&module.spaces);
     let result = result_type(&generated.functions, &lengths, &inside);
     let robot = body.reads_robot.then(|| robot(item, &inside));
@@ -62,7 +65,29 @@ pub(super) fn computation(
     } else {
         with_number(&Generics::default(), dialect)
     };
-    dispatched((&arguments, &generics), Some(&result), &body.text, &inside)
+    dispatched((&arguments, &generics), Some(&result), &equations, &inside)
+}
+
+/// Equations of one state, beside those of packs of states if batches need them: a loop over limbs would move packs
+/// through memory, and has nothing left to compute together.
+fn with_packs(
+    body: &Explained,
+    module: &Module,
+    dialect: &Dialect,
+    in_packs: impl FnOnce() -> Explained,
+) -> TokenStream {
+    let (one, number) = (&body.text, &dialect.number);
+    let Library::Runtime(runtime) = &dialect.library else {
+        return one.clone();
+    };
+    if !module.batch || module.spaces.limbs.is_empty() {
+        return one.clone();
+    }
+    let several = in_packs().text;
+    if several.to_string() == one.to_string() {
+        return several;
+    }
+    quote! { if <#number as #runtime::Scalar>::IS_PACK { #several } else { #one } }
 }
 
 /// Minimum number of products and sums without any fused one for which a choice gains.

@@ -6,7 +6,7 @@
 use super::{Meaning, Naming, Statement, Value};
 use crate::schedule::Operand;
 use crate::schedule::blocks::within;
-use crate::schedule::repeats::Repeat;
+use crate::schedule::repeats::{Over, Repeat};
 
 /// Loop over the columns of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,9 +48,11 @@ impl Naming<'_> {
         let reads = repeat.reads.iter();
         let reads = reads.map(|(&place, &row)| (place, loads[row].clone()));
         self.loads = reads.collect();
+        self.is_named = repeat.over == Over::Limbs;
         let parts = within(self.program, repeat.first.clone(), &repeat.stores);
         let statements = self.statements(&parts);
         self.loads.clear();
+        self.is_named = true;
         let stores = repeat.stores.iter().map(|&step| self.name(step)).collect();
         self.leave(repeat, &table);
         Loop {

@@ -55,6 +55,7 @@ fn routine(names: Names, stored: Stored) -> Routine {
     let readable = Readable {
         arguments: &[Variable::Q, Variable::Qd],
         spaces: &spaces,
+        limbs: &[],
         fields: &fields,
     };
     Routine::of((&program(), Length::UNBOUNDED), &readable, names, stored)
@@ -142,6 +143,7 @@ pub(super) fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stor
     let readable = Readable {
         arguments: &[Variable::Q],
         spaces: &spaces,
+        limbs: &[],
         fields: &[],
     };
     Routine::of(program, &readable, names, stored)

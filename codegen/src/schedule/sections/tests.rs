@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use homogen_random::Random;
 
-use super::{Length, Section, Shared, sections};
+use super::{Length, Section, Sections, Shared};
 use crate::expression::Input;
+use crate::schedule::repeats::repeats;
 use crate::schedule::{Operand, Operation, Program, Step, run};
 use crate::space::Variable;
 
@@ -55,6 +56,10 @@ fn tangled(steps: usize, before_angles: usize, random: &mut Random) -> Program {
     results.extend([Operand::Sin(1), Operand::Literal(2.0), input(random)]);
     program.results = results;
     program
+}
+
+fn sections(program: &Program, length: Length) -> Option<Sections> {
+    super::sections(program, &repeats(program), length)
 }
 
 /// Results of sections; each reads its own values and those that it loads.

@@ -1,0 +1,110 @@
+//! Equal limbs: subtrees with the same joints on the same body, such as the legs of a quadruped.
+//!
+//! In: the joints of a chain, and the bodies with external wrenches. Out: the entries of arguments that are at the same
+//! place in each limb. Numbers do not matter: limbs may be mirrored, longer or heavier.
+
+use std::mem::{Discriminant, discriminant};
+
+use super::{BodyId, Joint, Position};
+use crate::joint::Motion;
+use crate::list::{Id, List};
+use crate::space::{ACTION, Limbs};
+
+/// Sets of equal limbs; of limbs inside limbs, the larger ones.
+pub(super) fn limbs(
+    joints: &List<BodyId, Joint>,
+    external: impl Iterator<Item = Option<BodyId>>,
+) -> Vec<Limbs> {
+    let mut children = vec![Vec::new(); joints.len() + 1];
+    for (body, joint) in joints.numbered() {
+        children[joint.parent.map_or(0, Id::number)].push(body);
+    }
+    let mut actions = List::filled(Vec::new(), joints.len());
+    for (action, body) in external.enumerate() {
+        if let Some(body) = body {
+            actions[body].push(action);
+        }
+    }
+    let tree = Tree {
+        joints,
+        actions,
+        children,
+    };
+    let mut found = Vec::new();
+    tree.search(None, &mut found);
+    found
+}
+
+/// For each joint of a subtree, parents first: motion, number of children, and number of external wrenches.
+type Shape = Vec<(Discriminant<Motion>, usize, usize)>;
+
+struct Tree<'c> {
+    joints: &'c List<BodyId, Joint>,
+    /// Indices of the external wrenches on each body.
+    actions: List<BodyId, Vec<usize>>,
+    /// Children of the base, then those of each body.
+    children: Vec<Vec<BodyId>>,
+}
+
+impl Tree<'_> {
+    fn children(&self, body: Option<BodyId>) -> &[BodyId] {
+        &self.children[body.map_or(0, Id::number)]
+    }
+
+    /// Adds the sets on a body, and on those that it carries.
+    fn search(&self, body: Option<BodyId>, found: &mut Vec<Limbs>) {
+        let mut sets: Vec<(Shape, Vec<Vec<BodyId>>)> = Vec::new();
+        for &child in self.children(body) {
+            let bodies = self.subtree(child);
+            let shape = bodies.iter().map(|&body| self.shape(body)).collect();
+            match sets.iter_mut().find(|(other, _)| *other == shape) {
+                Some((_, limbs)) => limbs.push(bodies),
+                None => sets.push((shape, vec![bodies])),
+            }
+        }
+        for (_, limbs) in &sets {
+            if limbs.len() >= Limbs::FEWEST {
+                found.push(self.places(limbs));
+            } else {
+                for limb in limbs {
+                    self.search(limb.first().copied(), found);
+                }
+            }
+        }
+    }
+
+    /// A body with all that it carries, parents first.
+    fn subtree(&self, body: BodyId) -> Vec<BodyId> {
+        let children = self.children(Some(body)).iter();
+        let carried = children.flat_map(|&child| self.subtree(child));
+        std::iter::once(body).chain(carried).collect()
+    }
+
+    fn shape(&self, body: BodyId) -> (Discriminant<Motion>, usize, usize) {
+        let children = self.children(Some(body)).len();
+        let motion = discriminant(&self.joints[body].motion);
+        (motion, children, self.actions[body].len())
+    }
+
+    /// The entries of limbs that are given by their bodies in the same order.
+    fn places(&self, limbs: &[Vec<BodyId>]) -> Limbs {
+        let mut found = Limbs::default();
+        for place in 0..limbs[0].len() {
+            let bodies = || limbs.iter().map(|limb| limb[place]);
+            let coordinate = |body: BodyId| match self.joints[body].position {
+                Position::Along { coordinate, .. } => Some(coordinate.index()),
+                Position::Manifold(..) | Position::Taken => None,
+            };
+            let coordinates: Option<Vec<usize>> = bodies().map(coordinate).collect();
+            found.coordinates.extend(coordinates);
+            let velocities = bodies().map(|body| self.joints[body].velocity.index());
+            found.velocities.push(velocities.collect());
+            for action in 0..self.actions[limbs[0][place]].len() {
+                let first = |body| self.actions[body][action] * ACTION.len();
+                let row = |entry| bodies().map(|body| first(body) + entry).collect();
+                found.actions.extend((0..ACTION.len()).map(row));
+            }
+        }
+        found
+    }
+}

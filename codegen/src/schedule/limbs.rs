@@ -1,0 +1,56 @@
+//! Loops over equal limbs, such as the legs of a quadruped.
+//!
+//! In: a [`Program`], the sets of equal limbs, and the loops over columns that it has. Out: the same operations in
+//! another order: what limbs have in common is a loop with an iteration for each limb, and single steps between loops
+//! are what they do not have in common, such as sums over limbs. Results are the same bits. Compilers compute the
+//! iterations together, in vector registers.
+//!
+//! Where an operation has another sign in a mirrored limb, its operand is multiplied by 1 or −1.
+
+mod body;
+mod fusing;
+mod groups;
+mod loops;
+mod order;
+#[cfg(test)]
+mod tests;
+
+pub use fusing::fused_alike;
+
+use std::ops::Range;
+
+use groups::Groups;
+use loops::loops;
+use order::ordered;
+
+use super::readers::read_until;
+use super::repeats::{Repeat, repeat};
+use super::{Length, Program};
+use crate::space::Limbs;
+
+/// The program in the order of limbs, with loops over limbs and columns; `None` if there is no loop over limbs that is
+/// short enough for a function.
+pub fn in_limbs(
+    program: &Program,
+    limbs: &[Limbs],
+    columns: &[Repeat],
+    length: Length,
+) -> Option<(Program, Vec<Repeat>)> {
+    if limbs.is_empty() {
+        return None;
+    }
+    let groups = Groups::of(program, limbs);
+    let loops = loops(program, &groups, columns)?;
+    let (program, iterations) = ordered(program, &groups, &loops, columns);
+    let is_short = |first: &Range<usize>| first.len() <= length.of_section();
+    if !iterations.iter().all(|(_, first, _)| is_short(first)) {
+        return None;
+    }
+    let read_until = read_until(&program, &program.results);
+    let repeats = iterations.into_iter().map(|(over, first, count)| {
+        let repeat = repeat(&program, over, first, count, &read_until);
+        repeat.expect("iterations are alike")
+    });
+    let repeats = repeats.collect();
+    Some((program, repeats))
+}

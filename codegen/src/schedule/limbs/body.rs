@@ -1,0 +1,164 @@
+//! One iteration of a loop over limbs.
+//!
+//! In: groups of operations. Out: rows: the same operation in each lane, with operands from outside or from earlier
+//! rows. An operation with another sign than in the first lane gets an operand that a row multiplies by 1 or −1.
+
+use std::collections::HashMap;
+
+use super::groups::{Groups, Like};
+use crate::schedule::{Operand, Operation, Program};
+
+/// Operand in a loop.
+#[derive(Clone, Copy, Debug)]
+pub enum Read {
+    /// Value from before the loop.
+    Outside(Operand),
+    /// Result of an earlier row in the same lane.
+    Inside(usize),
+}
+
+/// For each lane: the step that a row computes, if it is one, and its operation.
+type Row = Vec<(Option<u32>, Operation<Read>)>;
+
+/// Iteration of a loop.
+pub struct Body<'g> {
+    groups: &'g Groups,
+    /// Row of each group that the loop computes.
+    own: HashMap<usize, usize>,
+    /// Row of each value with these signs; true is minus.
+    signed: HashMap<(Like, Vec<bool>), usize>,
+    /// Rows, operands before their readers.
+    pub rows: Vec<Row>,
+}
+
+impl<'g> Body<'g> {
+    /// Iteration that computes some groups, operands before their readers.
+    pub fn of(program: &Program, groups: &'g Groups, members: &[usize]) -> Self {
+        let mut body = Self {
+            groups,
+            own: HashMap::new(),
+            signed: HashMap::new(),
+            rows: Vec::new(),
+        };
+        for &group in members {
+            let steps = groups.groups[group].lanes.iter().map(|lane| match lane {
+                Operand::Step(step) => *step,
+                _ => unreachable!("loops compute steps"),
+            });
+            let steps: Vec<u32> = steps.collect();
+            let operation = |&step: &u32| program.steps[step as usize].operation;
+            let operations: Vec<Operation> = steps.iter().map(operation).collect();
+            let row = body.row(&operations);
+            let steps = steps.into_iter().map(Some);
+            body.own.insert(group, body.rows.len());
+            body.rows.push(steps.zip(row).collect());
+        }
+        body
+    }
+
+    fn read(&self, operand: Operand) -> Read {
+        let own = match self.groups.like(operand) {
+            Like::Group(group) => self.own.get(&group),
+            Like::Same(_) | Like::Literal => None,
+        };
+        own.map_or(Read::Outside(operand), |&row| Read::Inside(row))
+    }
+
+    /// The operations of a group in the form of that of its first lane.
+    fn row(&mut self, operations: &[Operation]) -> Vec<Operation<Read>> {
+        let all: Vec<Signed> = (operations.iter())
+            .map(|operation| Signed::of(operation))
+            .collect();
+        let first = self.groups.like(all[0].operands[0]);
+        let all = all.into_iter().map(|signed| {
+            let is_first = self.groups.like(signed.operands[0]) == first;
+            if is_first { signed } else { signed.swapped() }
+        });
+        let all: Vec<Signed> = all.collect();
+        let minus = all[0].minus;
+        let signs = |term: usize| -> Vec<bool> {
+            let signs = all.iter().map(|signed| signed.minus[term] != minus[term]);
+            signs.collect()
+        };
+        let count = all[0].operands.len();
+        // The sign of a product is that of a literal factor, if there is one.
+        let factor = usize::from(count == 3 && matches!(all[0].operands[1], Operand::Literal(_)));
+        let none = vec![false; all.len()];
+        let columns = (0..count).map(|k| {
+            let column: Vec<Operand> = all.iter().map(|signed| signed.operands[k]).collect();
+            match k {
+                _ if k == factor => self.with_signs(&column, signs(0)),
+                _ if k + 1 == count => self.with_signs(&column, signs(1)),
+                _ => self.with_signs(&column, none.clone()),
+            }
+        });
+        let columns: Vec<Vec<Read>> = columns.collect();
+        let lanes = (0..all.len()).map(|lane| {
+            let mut reads = columns.iter().map(|column| column[lane]);
+            operations[0].map(|_| reads.next().expect("an operand for each place"))
+        });
+        lanes.collect()
+    }
+
+    /// A value in each lane, negated where its sign is minus.
+    fn with_signs(&mut self, values: &[Operand], minus: Vec<bool>) -> Vec<Read> {
+        if !minus.contains(&true) {
+            return values.iter().map(|&value| self.read(value)).collect();
+        }
+        let (like, lanes) = (self.groups.like(values[0]), values.len());
+        let values = values.iter().zip(&minus);
+        if like == Like::Literal {
+            let turned = values.map(|(&value, &minus)| match value {
+                Operand::Literal(literal) if minus => Read::Outside(Operand::Literal(-literal)),
+                value => Read::Outside(value),
+            });
+            return turned.collect();
+        }
+        let product = values.map(|(&value, &minus)| {
+            let sign = Operand::Literal(if minus { -1.0 } else { 1.0 });
+            (None, Operation::Mul(Read::Outside(sign), self.read(value)))
+        });
+        let row: Row = product.collect();
+        let row = *self.signed.entry((like, minus)).or_insert_with(|| {
+            self.rows.push(row);
+            self.rows.len() - 1
+        });
+        vec![Read::Inside(row); lanes]
+    }
+}
+
+/// Operands of an operation, with the signs of its terms.
+struct Signed {
+    operands: Vec<Operand>,
+    /// Signs of the first term, which may be a product, and of the last one; true is minus. Both are plus for other
+    /// operations than sums.
+    minus: [bool; 2],
+    commutes: bool,
+}
+
+impl Signed {
+    fn of(operation: &Operation) -> Self {
+        let minus = match operation {
+            Operation::Sub(..) | Operation::MulSub(..) => [false, true],
+            Operation::NegMulAdd(..) => [true, false],
+            _ => [false, false],
+        };
+        let operands = operation.operands();
+        Self {
+            commutes: operands.len() > 1 && !matches!(operation, Operation::Div(..)),
+            operands,
+            minus,
+        }
+    }
+
+    /// The same with both terms of a sum, or both factors, in the other order.
+    fn swapped(mut self) -> Self {
+        if self.commutes {
+            self.operands.swap(0, 1);
+            if self.operands.len() == 2 {
+                self.minus.swap(0, 1);
+            }
+        }
+        self
+    }
+}

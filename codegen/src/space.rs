@@ -9,7 +9,7 @@ mod variable;
 pub use quantity::{Entity, Order, Outcome, Part, Quantity};
 pub use variable::{Arguments, Variable};
 
-use crate::list::{List, id};
+use crate::list::{Id, List, id};
 
 /// One of the lists that every robot has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -136,9 +136,9 @@ pub struct Spaces {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Limbs {
     /// Entries of [`Space::Coordinates`].
-    pub coordinates: Vec<Vec<usize>>,
+    pub coordinates: Vec<Vec<CoordinateId>>,
     /// Entries of [`Space::Velocities`].
-    pub velocities: Vec<Vec<usize>>,
+    pub velocities: Vec<Vec<VelocityId>>,
     /// Entries of [`Space::Actions`].
     pub actions: Vec<Vec<usize>>,
 }
@@ -153,16 +153,23 @@ impl Limbs {
         self.velocities.first().map_or(0, Vec::len)
     }
 
-    /// Entries of a space, by place and limb.
+    /// Indices of the entries of a space, by place and limb.
     #[must_use]
-    pub fn entries(&self, space: Space) -> &[Vec<usize>] {
+    pub fn entries(&self, space: Space) -> Vec<Vec<usize>> {
         match space {
-            Space::Coordinates => &self.coordinates,
-            Space::Velocities => &self.velocities,
-            Space::Actions => &self.actions,
-            Space::Wrench | Space::Parameters | Space::BaseParameters | Space::Constraints => &[],
+            Space::Coordinates => indices(&self.coordinates),
+            Space::Velocities => indices(&self.velocities),
+            Space::Actions => self.actions.clone(),
+            Space::Wrench | Space::Parameters | Space::BaseParameters | Space::Constraints => {
+                Vec::new()
+            }
         }
     }
+}
+
+fn indices<I: Id>(rows: &[Vec<I>]) -> Vec<Vec<usize>> {
+    let row = |row: &Vec<I>| row.iter().map(|id| id.index()).collect();
+    rows.iter().map(row).collect()
 }
 
 impl Spaces {

@@ -8,7 +8,7 @@ use std::mem::{Discriminant, discriminant};
 use super::{BodyId, Joint, Position};
 use crate::joint::Motion;
 use crate::list::{Id, List};
-use crate::space::{ACTION, Limbs};
+use crate::space::{ACTION, CoordinateId, Limbs};
 
 /// Sets of equal limbs; of limbs inside limbs, the larger ones.
 pub(super) fn limbs(
@@ -92,12 +92,12 @@ impl Tree<'_> {
         for place in 0..limbs[0].len() {
             let bodies = || limbs.iter().map(|limb| limb[place]);
             let coordinate = |body: BodyId| match self.joints[body].position {
-                Position::Along { coordinate, .. } => Some(coordinate.index()),
+                Position::Along { coordinate, .. } => Some(coordinate),
                 Position::Manifold(..) | Position::Taken => None,
             };
-            let coordinates: Option<Vec<usize>> = bodies().map(coordinate).collect();
-            found.coordinates.extend(coordinates);
-            let velocities = bodies().map(|body| self.joints[body].velocity.index());
+            let all: Option<Vec<CoordinateId>> = bodies().map(coordinate).collect();
+            found.coordinates.extend(all);
+            let velocities = bodies().map(|body| self.joints[body].velocity);
             found.velocities.push(velocities.collect());
             for action in 0..self.actions[limbs[0][place]].len() {
                 let first = |body| self.actions[body][action] * ACTION.len();

@@ -9,7 +9,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
 use super::arguments::{pattern, unpack};
-use super::dialect::Dialect;
+use super::dialect::{Dialect, States};
 use super::early::Filling;
 use super::library::Library;
 use super::literals::Numerals;
@@ -83,7 +83,10 @@ pub(super) fn body(
     let readable = Readable {
         arguments,
         spaces,
-        limbs: if dialect.in_packs { &[] } else { &spaces.limbs },
+        limbs: match dialect.states {
+            States::One => &spaces.limbs,
+            States::Several => &[],
+        },
         fields: &fields.entries(),
     };
     let stored = match returns {

@@ -63,8 +63,17 @@ pub(super) struct Dialect {
     fields: Option<Real>,
     /// Names of equations that are compiled for several kinds of processor.
     pub equations: Option<Equations>,
-    /// True if a number is a pack of several states.
-    pub in_packs: bool,
+    /// States that a number holds.
+    pub states: States,
+}
+
+/// States that a number holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum States {
+    /// One, or any number that a generic type holds.
+    One,
+    /// Several, in a pack or a vector.
+    Several,
 }
 
 impl Dialect {
@@ -98,7 +107,10 @@ impl Dialect {
             bare: false,
             fields: made.then_some(real),
             equations: None,
-            in_packs: matches!(library, Library::Lanes(_)),
+            states: match library {
+                Library::Lanes(_) => States::Several,
+                Library::Runtime(_) | Library::Core(_) => States::One,
+            },
         }
     }
 
@@ -187,7 +199,7 @@ impl Dialect {
     /// Dialect of the same equations on packs of several states.
     pub fn of_packs(&self) -> Self {
         Self {
-            in_packs: true,
+            states: States::Several,
             ..self.clone()
         }
     }

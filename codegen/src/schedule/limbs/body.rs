@@ -66,9 +66,7 @@ impl<'g> Body<'g> {
 
     /// The operations of a group in the form of that of its first lane.
     fn row(&mut self, operations: &[Operation]) -> Vec<Operation<Read>> {
-        let all: Vec<Signed> = (operations.iter())
-            .map(|operation| Signed::of(operation))
-            .collect();
+        let all: Vec<Signed> = (operations.iter()).map(Signed::of).collect();
         let first = self.groups.like(all[0].operands[0]);
         let all = all.into_iter().map(|signed| {
             let is_first = self.groups.like(signed.operands[0]) == first;

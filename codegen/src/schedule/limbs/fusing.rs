@@ -8,6 +8,7 @@ use crate::schedule::{Operand, Operation, Program, Step, number};
 use crate::space::Limbs;
 
 /// The program with the same fused operations in equal limbs.
+#[must_use]
 pub fn fused_alike(program: Program, limbs: &[Limbs]) -> Program {
     if limbs.is_empty() {
         return program;

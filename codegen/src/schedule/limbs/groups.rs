@@ -52,7 +52,7 @@ impl Groups {
         for (set, limbs) in limbs.iter().enumerate() {
             for variable in Variable::ALL {
                 for row in limbs.entries(variable.space()) {
-                    groups.inputs(set, variable, row);
+                    groups.inputs(set, variable, &row);
                 }
             }
         }
@@ -139,42 +139,44 @@ impl Groups {
         }
     }
 
-    /// Groups steps that do not read each other.
+    /// Groups steps that do not read each other: first those with the same magnitudes of literals.
     fn level(&mut self, program: &Program, limbs: &[Limbs], steps: &[u32]) {
-        // Steps by what they have in common and their literals, then by lane.
-        let mut alike: BTreeMap<Key, BTreeMap<[u64; 3], BTreeMap<usize, Vec<u32>>>> =
-            BTreeMap::new();
-        for &step in steps {
+        let all = steps.iter().filter_map(|&step| {
             let operation = &program.steps[step as usize].operation;
-            if let Some((key, lane)) = self.key(operation) {
-                let of_literals = alike.entry(key).or_default();
-                let of_lanes = of_literals.entry(literals(operation)).or_default();
-                of_lanes.entry(lane).or_default().push(step);
-            }
-        }
-        for (key, of_literals) in alike {
-            let set = key.0;
-            let count = limbs[set].count();
-            let mut rest = vec![Vec::new(); count];
-            for mut of_lanes in of_literals.into_values() {
-                let length = |lane| of_lanes.get(&lane).map_or(0, Vec::len);
-                let least = (0..count).map(length).min().unwrap_or_default();
-                for k in 0..least {
-                    let lanes = (0..count).map(|lane| Operand::Step(of_lanes[&lane][k]));
-                    self.push(set, lanes.collect());
+            let (key, lane) = self.key(operation)?;
+            Some((key, literals(operation), lane, step))
+        });
+        let mut all: Vec<_> = all.collect();
+        all.sort_unstable();
+        for of_key in all.chunk_by(|one, other| one.0 == other.0) {
+            let set = of_key[0].0.0;
+            let mut rest = vec![Vec::new(); limbs[set].count()];
+            for alike in of_key.chunk_by(|one, other| one.1 == other.1) {
+                let mut lanes = vec![Vec::new(); rest.len()];
+                for &(_, _, lane, step) in alike {
+                    lanes[lane].push(step);
                 }
-                for (lane, steps) in &mut of_lanes {
-                    rest[*lane].extend(steps.drain(least..));
+                self.pair(set, &mut lanes);
+                for (rest, steps) in rest.iter_mut().zip(lanes) {
+                    rest.extend(steps);
                 }
             }
             for steps in &mut rest {
                 steps.sort_unstable();
             }
-            let least = rest.iter().map(Vec::len).min().unwrap_or_default();
-            for k in 0..least {
-                let lanes = rest.iter().map(|steps| Operand::Step(steps[k]));
-                self.push(set, lanes.collect());
-            }
+            self.pair(set, &mut rest);
+        }
+    }
+
+    /// Groups the first steps of all lanes, then the second ones, and removes them.
+    fn pair(&mut self, set: usize, lanes: &mut [Vec<u32>]) {
+        let least = lanes.iter().map(Vec::len).min().unwrap_or_default();
+        for k in 0..least {
+            let steps = lanes.iter().map(|steps| Operand::Step(steps[k]));
+            self.push(set, steps.collect());
+        }
+        for steps in lanes {
+            steps.drain(..least);
         }
     }
 

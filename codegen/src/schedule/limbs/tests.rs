@@ -4,6 +4,7 @@ use homogen_random::Random;
 
 use super::fused_alike;
 use crate::expression::Input;
+use crate::list::Id;
 use crate::schedule::repeats::Over;
 use crate::schedule::{Arranged, Length, Operand, Operation, Program, Step, run};
 use crate::space::{Limbs, Variable};
@@ -18,11 +19,14 @@ fn input(variable: Variable, entry: usize) -> Operand {
 
 /// Limbs of two joints each, after a base with one.
 fn limbs(count: usize) -> Limbs {
-    let place = |first: usize| (0..count).map(|limb| first + 2 * limb).collect();
-    let rows = vec![place(1), place(2)];
+    let place = |first: usize| (0..count).map(move |limb| first + 2 * limb);
     Limbs {
-        coordinates: rows.clone(),
-        velocities: rows,
+        coordinates: [1, 2]
+            .map(|first| place(first).map(Id::new).collect())
+            .into(),
+        velocities: [1, 2]
+            .map(|first| place(first).map(Id::new).collect())
+            .into(),
         actions: Vec::new(),
     }
 }
@@ -100,7 +104,7 @@ fn program(count: usize, seed: u64) -> Program {
     let base = [input(Variable::Q, 0), input(Variable::Qd, 0)];
     let angles: Vec<Operand> = limbs(count).coordinates[0]
         .iter()
-        .map(|&k| input(Variable::Q, k))
+        .map(|k| input(Variable::Q, k.index()))
         .collect();
     let own = |limb: usize| {
         let angle = u32::try_from(limb).expect("few limbs");

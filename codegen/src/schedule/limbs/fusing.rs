@@ -2,9 +2,12 @@
 //!
 //! In: a program. Out: the same with fewer fused operations: where the same product and sum are fused in one limb and
 //! not in another, such as a sum in one and a difference that can cancel in its mirror image, they are fused in none.
+//! Nothing changes where there is no loop over limbs.
 
 use super::groups::Groups;
-use crate::schedule::{Operand, Operation, Program, Step, number};
+use super::in_limbs;
+use crate::schedule::repeats::repeats;
+use crate::schedule::{Length, Operand, Operation, Program, Step, number};
 use crate::space::Limbs;
 
 /// The program with the same fused operations in equal limbs.
@@ -38,7 +41,13 @@ pub fn fused_alike(program: Program, limbs: &[Limbs]) -> Program {
         return program;
     }
     let mut mixed = mixed.into_iter().peekable();
-    apart(&program, |step| mixed.next_if_eq(&step).is_some()).program
+    let alike = apart(&program, |step| mixed.next_if_eq(&step).is_some()).program;
+    // Two operations are slower than one, unless a loop makes up for it.
+    if in_limbs(&alike, limbs, &repeats(&alike), Length::UNBOUNDED).is_some() {
+        alike
+    } else {
+        program
+    }
 }
 
 /// A program with fused operations taken apart.

@@ -185,39 +185,49 @@ fn loops_are_not_longer_than_a_section() {
     assert!(arranged.sections.is_some());
 }
 
+/// A value of each limb, and `length` fused operations on it. In the fourth limb the last is not fused if `is_mixed`.
+fn chains(length: usize, is_mixed: bool) -> Program {
+    let mut builder = Builder {
+        random: Random::new(6),
+        steps: Vec::new(),
+    };
+    let shared = input(Variable::Q, 0);
+    let mut results = Vec::new();
+    for limb in 0..4 {
+        let [mut value, factor] = [1, 2].map(|place| input(Variable::Qd, place + 2 * limb));
+        for k in 1..=length {
+            value = if is_mixed && limb == 3 && k == length {
+                let product = builder.push(Operation::Mul(value, factor));
+                builder.push(Operation::Sub(shared, product))
+            } else {
+                builder.push(Operation::MulAdd(value, factor, shared))
+            };
+        }
+        results.push(value);
+    }
+    Program {
+        steps: builder.steps,
+        results,
+        ..Program::default()
+    }
+}
+
 /// A sum in three limbs, a difference that may cancel in the fourth.
 #[test]
 fn a_sum_is_fused_in_all_limbs_or_in_none() {
-    let product = |limb: usize| [1, 2].map(|place| input(Variable::Qd, place + 2 * limb));
-    let fused = |limb| {
-        let [a, b] = product(limb);
-        Operation::MulAdd(a, b, input(Variable::Q, 0))
+    let fused = |program: &Program| {
+        let fused = program.steps.iter();
+        fused.filter(|step| step.operation.is_fused()).count()
     };
-    let mut operations: Vec<Operation> = (0..4).map(fused).collect();
-    let program_of = |operations: &[Operation]| Program {
-        steps: operations
-            .iter()
-            .map(|&operation| Step {
-                label: None,
-                operation,
-            })
-            .collect(),
-        results: (0_u32..)
-            .take(operations.len())
-            .map(Operand::Step)
-            .collect(),
-        ..Program::default()
-    };
-    let alike = program_of(&operations);
+    let alike = chains(30, false);
     assert_eq!(fused_alike(alike.clone(), &[limbs(4)]), alike);
-
-    let [a, b] = product(3);
-    operations[3] = Operation::Mul(a, b);
-    operations.push(Operation::Sub(input(Variable::Q, 0), Operand::Step(3)));
-    let mixed = program_of(&operations);
+    let mixed = chains(30, true);
     assert_eq!(fused_alike(mixed.clone(), &[]), mixed);
     let found = fused_alike(mixed.clone(), &[limbs(4)]);
-    assert!(!found.steps.iter().any(|step| step.operation.is_fused()));
-    assert_eq!(found.steps.len(), 8);
+    assert_eq!((fused(&mixed), fused(&found)), (4 * 30 - 1, 4 * 29));
+    assert_eq!(found.steps.len(), 4 * 31);
     assert_eq!(bits(&found), bits(&mixed));
+    // Too short for a loop.
+    let short = chains(10, true);
+    assert_eq!(fused_alike(short.clone(), &[limbs(4)]), short);
 }

@@ -30,9 +30,7 @@ pub(super) fn limbs(
         actions,
         children,
     };
-    let mut found = Vec::new();
-    tree.search(None, &mut found);
-    found
+    tree.search()
 }
 
 /// For each joint of a subtree, parents first: motion, number of children, and number of external wrenches.
@@ -51,33 +49,45 @@ impl Tree<'_> {
         &self.children[body.map_or(0, Id::number)]
     }
 
-    /// Adds the sets on a body, and on those that it carries.
-    fn search(&self, body: Option<BodyId>, found: &mut Vec<Limbs>) {
-        let mut sets: Vec<(Shape, Vec<Vec<BodyId>>)> = Vec::new();
-        for &child in self.children(body) {
-            let bodies = self.subtree(child);
-            let shape = bodies.iter().map(|&body| self.shape(body)).collect();
-            match sets.iter_mut().find(|(other, _)| *other == shape) {
-                Some((_, limbs)) => limbs.push(bodies),
-                None => sets.push((shape, vec![bodies])),
+    /// All sets. Chains of any length are searched, so that nothing is recursive.
+    fn search(&self) -> Vec<Limbs> {
+        let mut found = Vec::new();
+        let mut open = vec![None];
+        while let Some(body) = open.pop() {
+            let children = self.children(body);
+            if children.len() < Limbs::FEWEST {
+                open.extend(children.iter().copied().map(Some));
+                continue;
             }
-        }
-        for (_, limbs) in &sets {
-            if limbs.len() >= Limbs::FEWEST {
-                found.push(self.places(limbs));
-            } else {
-                for limb in limbs {
-                    self.search(limb.first().copied(), found);
+            let mut sets: Vec<(Shape, Vec<Vec<BodyId>>)> = Vec::new();
+            for &child in children {
+                let bodies = self.subtree(child);
+                let shape = bodies.iter().map(|&body| self.shape(body)).collect();
+                match sets.iter_mut().find(|(other, _)| *other == shape) {
+                    Some((_, limbs)) => limbs.push(bodies),
+                    None => sets.push((shape, vec![bodies])),
+                }
+            }
+            for (_, limbs) in &sets {
+                if limbs.len() >= Limbs::FEWEST {
+                    found.push(self.places(limbs));
+                } else {
+                    open.extend(limbs.iter().map(|limb| limb.first().copied()));
                 }
             }
         }
+        found
     }
 
     /// A body with all that it carries, parents first.
     fn subtree(&self, body: BodyId) -> Vec<BodyId> {
-        let children = self.children(Some(body)).iter();
-        let carried = children.flat_map(|&child| self.subtree(child));
-        std::iter::once(body).chain(carried).collect()
+        let mut bodies = vec![body];
+        let mut next = 0;
+        while let Some(&body) = bodies.get(next) {
+            bodies.extend(self.children(Some(body)));
+            next += 1;
+        }
+        bodies
     }
 
     fn shape(&self, body: BodyId) -> (Discriminant<Motion>, usize, usize) {

@@ -127,6 +127,9 @@ pub(super) fn of_step(module: &Module, step: Step, angles: Option<&Angles>) -> V
 
 /// Line about the sections of a long function.
 fn split(module: &Module, generated: &GeneratedFunction) -> Option<String> {
+    if module.length.holds(&generated.program) {
+        return None;
+    }
     let arranged = Arranged::of(&generated.program, &module.spaces.limbs, module.length);
     let sections = arranged.sections?;
     Some(format!(

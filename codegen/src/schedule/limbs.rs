@@ -5,7 +5,7 @@
 //! are what they do not have in common, such as sums over limbs. Results are the same bits. Compilers compute the
 //! iterations together, in vector registers.
 //!
-//! Where an operation has another sign in a mirrored limb, its operand is multiplied by 1 or −1.
+//! An operation that has another sign in a mirrored limb gets an operand that is multiplied by 1 or −1.
 
 mod body;
 mod fusing;

@@ -16,6 +16,7 @@ use std::ops::Range;
 
 use super::readers::read_until;
 use super::{Operand, Program, number};
+use crate::space::Limbs;
 
 /// Minimum number of steps of a program with loops.
 const SHORTEST: usize = 900;
@@ -26,8 +27,8 @@ const ALIKE: usize = 16;
 /// Maximum number of candidates for the length of an iteration.
 const TRIED: usize = 4;
 
-/// Minimum number of iterations; fewer do not fill the vector registers of a processor.
-const ITERATIONS: usize = 4;
+/// Minimum number of iterations, of columns as of limbs.
+const ITERATIONS: usize = Limbs::FEWEST;
 
 /// Minimum number of steps saved.
 const SAVED: usize = 300;
@@ -35,7 +36,7 @@ const SAVED: usize = 300;
 /// Minimum number of steps of an iteration for each value in the table.
 const EACH: usize = 3;
 
-/// What the iterations of a loop are.
+/// Kind of the iterations of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
     /// Columns of a matrix.

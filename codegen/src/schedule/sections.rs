@@ -41,6 +41,12 @@ impl Length {
         }
     }
 
+    /// True if a program needs no sections, even without loops.
+    #[must_use]
+    pub fn holds(self, program: &Program) -> bool {
+        program.steps.len() <= self.whole
+    }
+
     /// Maximum number of steps of a section.
     #[must_use]
     pub const fn of_section(self) -> usize {
@@ -126,7 +132,7 @@ pub struct Section {
 /// Sections of a program with these repeats; `None` if it is short enough for one function.
 #[must_use]
 pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option<Sections> {
-    if program.steps.len() <= length.whole {
+    if length.holds(program) {
         return None;
     }
     let mut repeats = repeats.to_vec();

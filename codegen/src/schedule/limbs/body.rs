@@ -41,7 +41,7 @@ impl<'g> Body<'g> {
             rows: Vec::new(),
         };
         for &group in members {
-            let steps = groups.groups[group].lanes.iter().map(|lane| match lane {
+            let steps = groups.all[group].lanes.iter().map(|lane| match lane {
                 Operand::Step(step) => *step,
                 _ => unreachable!("loops compute steps"),
             });
@@ -84,11 +84,14 @@ impl<'g> Body<'g> {
         let none = vec![false; all.len()];
         let columns = (0..count).map(|k| {
             let column: Vec<Operand> = all.iter().map(|signed| signed.operands[k]).collect();
-            match k {
-                _ if k == factor => self.with_signs(&column, signs(0)),
-                _ if k + 1 == count => self.with_signs(&column, signs(1)),
-                _ => self.with_signs(&column, none.clone()),
-            }
+            let minus = if k == factor {
+                signs(0)
+            } else if k + 1 == count {
+                signs(1)
+            } else {
+                none.clone()
+            };
+            self.with_signs(&column, minus)
         });
         let columns: Vec<Vec<Read>> = columns.collect();
         let lanes = (0..all.len()).map(|lane| {

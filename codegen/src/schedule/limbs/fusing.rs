@@ -5,9 +5,9 @@
 //! Nothing changes where there is no loop over limbs.
 
 use super::groups::Groups;
-use super::in_limbs;
+use super::loops::loops;
 use crate::schedule::repeats::repeats;
-use crate::schedule::{Length, Operand, Operation, Program, Step, number};
+use crate::schedule::{Operand, Operation, Program, Step, number};
 use crate::space::Limbs;
 
 /// The program with the same fused operations in equal limbs.
@@ -29,7 +29,7 @@ pub fn fused_alike(program: Program, limbs: &[Limbs]) -> Program {
     };
     let is_mixed = |sum: u32| {
         let group = groups.find(Operand::Step(sum));
-        group.is_some_and(|(group, _)| !groups.groups[group].lanes.iter().all(is_fused))
+        group.is_some_and(|(group, _)| !groups.all[group].lanes.iter().all(is_fused))
     };
     let mixed: Vec<u32> = all
         .sums
@@ -43,7 +43,8 @@ pub fn fused_alike(program: Program, limbs: &[Limbs]) -> Program {
     let mut mixed = mixed.into_iter().peekable();
     let alike = apart(&program, |step| mixed.next_if_eq(&step).is_some()).program;
     // Two operations are slower than one, unless a loop makes up for it.
-    if in_limbs(&alike, limbs, &repeats(&alike), Length::UNBOUNDED).is_some() {
+    let groups = Groups::of(&alike, limbs);
+    if loops(&alike, &groups, &repeats(&alike)).is_some() {
         alike
     } else {
         program

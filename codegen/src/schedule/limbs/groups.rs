@@ -27,11 +27,14 @@ pub struct Group {
 #[derive(Debug, Default)]
 pub struct Groups {
     /// Groups.
-    pub groups: Vec<Group>,
+    pub all: Vec<Group>,
+    /// Length of the longest path of steps to each step.
+    pub depths: Vec<u32>,
+    /// Group and lane of each value.
     of: HashMap<Shared, (usize, usize)>,
 }
 
-/// What an operand has in common with those of other lanes.
+/// Property that an operand shares with those of other lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Like {
     /// Its group.
@@ -42,7 +45,7 @@ pub enum Like {
     Literal,
 }
 
-/// What steps of one group have in common.
+/// Set of limbs, kind of operation, and operands, which the steps of one group share.
 type Key = (usize, u8, [Option<Like>; 3]);
 
 impl Groups {
@@ -61,6 +64,7 @@ impl Groups {
         groups.steps(program, limbs, 0, before);
         groups.turns(program);
         groups.steps(program, limbs, before.len(), after);
+        groups.depths = depths;
         groups
     }
 
@@ -69,7 +73,7 @@ impl Groups {
         self.of.get(&Shared::of(operand)?).copied()
     }
 
-    /// What an operand has in common with those of other lanes.
+    /// Property that an operand shares with those of other lanes.
     pub fn like(&self, operand: Operand) -> Like {
         match (Shared::of(operand), self.find(operand)) {
             (None, _) => Like::Literal,
@@ -79,12 +83,12 @@ impl Groups {
     }
 
     fn push(&mut self, set: usize, lanes: Vec<Operand>) {
-        let group = self.groups.len();
+        let group = self.all.len();
         for (lane, &operand) in lanes.iter().enumerate() {
             self.of
                 .extend(Shared::of(operand).map(|value| (value, (group, lane))));
         }
-        self.groups.push(Group { set, lanes });
+        self.all.push(Group { set, lanes });
     }
 
     fn inputs(&mut self, set: usize, variable: Variable, row: &[usize]) {
@@ -110,21 +114,16 @@ impl Groups {
                 number.insert(place, angle);
             }
         }
-        for group in 0..self.groups.len() {
-            let Group { set, lanes } = &self.groups[group];
+        for group in 0..self.all.len() {
+            let Group { set, lanes } = &self.all[group];
             let (set, count) = (*set, lanes.len());
             let angles = (0..count).map(|lane| number.get(&(group, lane)).copied());
             let Some(angles) = angles.collect::<Option<Vec<u32>>>() else {
                 continue;
             };
-            self.push(
-                set,
-                angles.iter().map(|&angle| Operand::Sin(angle)).collect(),
-            );
-            self.push(
-                set,
-                angles.iter().map(|&angle| Operand::Cos(angle)).collect(),
-            );
+            for turn in [Operand::Sin, Operand::Cos] {
+                self.push(set, angles.iter().map(|&angle| turn(angle)).collect());
+            }
         }
     }
 
@@ -180,7 +179,7 @@ impl Groups {
         }
     }
 
-    /// What an operation has in common with those of its group, and its lane; `None` if it is in no lane or in several.
+    /// Key of an operation, and its lane; `None` if it is in no lane or in several.
     fn key(&self, operation: &Operation) -> Option<(Key, usize)> {
         let operands = operation.operands();
         let mut place = None;
@@ -188,7 +187,7 @@ impl Groups {
         for (like, &operand) in like.iter_mut().zip(&operands) {
             *like = Some(self.like(operand));
             if let Some((group, lane)) = self.find(operand) {
-                let found = (self.groups[group].set, lane);
+                let found = (self.all[group].set, lane);
                 if place.is_some_and(|place| place != found) {
                     return None;
                 }
@@ -232,7 +231,7 @@ fn literals(operation: &Operation) -> [u64; 3] {
 }
 
 /// Length of the longest path of steps to each step.
-pub(super) fn depths(program: &Program) -> Vec<u32> {
+fn depths(program: &Program) -> Vec<u32> {
     let mut depths: Vec<u32> = Vec::with_capacity(program.steps.len());
     let of_angles = |depths: &[u32]| {
         let angles = program.angles.iter().map(|&angle| match angle {

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use super::groups::{Groups, depths};
+use super::groups::Groups;
 use crate::schedule::repeats::Repeat;
-use crate::schedule::{Operand, Program};
+use crate::schedule::{Operand, Program, number};
 
 /// Minimum number of groups of a loop: values that differ between limbs are moved into a table and out of it.
 const SHORTEST: usize = 24;
@@ -63,8 +63,6 @@ struct Search<'p> {
     groups: &'p Groups,
     /// Unit of each step; `None` before the sines.
     units: Vec<Option<Unit>>,
-    /// Depth of each step.
-    depths: Vec<u32>,
     /// Number of the loop or stretch of each unit.
     places: BTreeMap<Unit, u32>,
 }
@@ -81,7 +79,6 @@ impl<'p> Search<'p> {
             program,
             groups,
             units,
-            depths: depths(program),
             places: BTreeMap::new(),
         };
         let mut broken = Vec::new();
@@ -100,7 +97,7 @@ impl<'p> Search<'p> {
     /// Computes the lanes of some groups one by one.
     fn dissolve(&mut self, groups: &[usize]) {
         for &group in groups {
-            for &lane in &self.groups.groups[group].lanes {
+            for &lane in &self.groups.all[group].lanes {
                 if let Operand::Step(step) = lane
                     && let Some(unit) = &mut self.units[step as usize]
                     && *unit == Unit::Group(group)
@@ -114,7 +111,7 @@ impl<'p> Search<'p> {
     /// Set of limbs of a group.
     fn set(&self, unit: Unit) -> Option<usize> {
         match unit {
-            Unit::Group(group) => Some(self.groups.groups[group].set),
+            Unit::Group(group) => Some(self.groups.all[group].set),
             Unit::Step(_) | Unit::Columns(_) => None,
         }
     }
@@ -122,7 +119,7 @@ impl<'p> Search<'p> {
     /// Each step after the sines with its unit.
     fn steps(&self) -> impl DoubleEndedIterator<Item = (u32, Unit)> {
         let units = self.units.iter().enumerate();
-        units.filter_map(|(step, unit)| Some((crate::schedule::number(step), (*unit)?)))
+        units.filter_map(|(step, unit)| Some((number(step), (*unit)?)))
     }
 
     /// Other units that a step of a unit reads.
@@ -168,15 +165,15 @@ impl<'p> Search<'p> {
     fn late(&mut self) {
         // For each group the latest loop that its readers allow, and the last loop that reads it; after those, steps
         // and results do.
-        let mut latest = vec![u32::MAX; self.groups.groups.len()];
-        let mut until = vec![0; self.groups.groups.len()];
+        let mut latest = vec![u32::MAX; self.groups.all.len()];
+        let mut until = vec![0; self.groups.all.len()];
         for result in &self.program.results {
             if let Some((group, _)) = self.groups.find(*result) {
                 until[group] = u32::MAX;
             }
         }
         let mut steps: Vec<(u32, Unit)> = self.steps().collect();
-        steps.sort_by_key(|&(step, unit)| (self.depths[step as usize], unit));
+        steps.sort_by_key(|&(step, unit)| (self.groups.depths[step as usize], unit));
         for of_unit in steps.chunk_by(|(_, one), (_, other)| one == other).rev() {
             let unit = of_unit[0].1;
             let reads = of_unit
@@ -213,13 +210,13 @@ impl<'p> Search<'p> {
         let mut loops: BTreeMap<_, Vec<usize>> = BTreeMap::new();
         let present = self.steps().filter_map(|(step, unit)| match unit {
             Unit::Group(group) => {
-                let is_first = self.groups.groups[group].lanes[0] == Operand::Step(step);
+                let is_first = self.groups.all[group].lanes[0] == Operand::Step(step);
                 is_first.then_some((group, self.places[&unit]))
             }
             Unit::Step(_) | Unit::Columns(_) => None,
         });
         for (group, place) in present {
-            let set = self.groups.groups[group].set;
+            let set = self.groups.all[group].set;
             loops.entry((place, set)).or_default().push(group);
         }
         loops

@@ -21,8 +21,8 @@ pub const LONG: f64 = 40.0;
 
 /// The head of the table.
 pub const HEAD: &str = "\
-| robot | function | ours, without flags | ours, native | without flags / native | fastest other | its time | native / other | error, ours [u] | error, other [u] |
-|---|---|---:|---:|---:|---|---:|---:|---:|---:|
+| robot | function | ours, without flags | ours, native | fastest other | its time | without flags / other | native / other | error, ours [u] | error, other [u] |
+|---|---|---:|---:|---|---:|---:|---:|---:|---:|
 ";
 
 /// A function of a robot in `f64`, on one thread.
@@ -76,6 +76,11 @@ impl<'a> Comparison<'a> {
         Some(self.without_flags?.time[1] / self.native?.time[1])
     }
 
+    /// Time of ours, without flags / time of the fastest other program.
+    pub fn of_others_without_flags(&self) -> Option<f64> {
+        Some(self.without_flags?.time[1] / self.other?.time[1])
+    }
+
     /// Time of ours, native / time of the fastest other program.
     pub fn of_others(&self) -> Option<f64> {
         Some(self.native?.time[1] / self.other?.time[1])
@@ -96,9 +101,9 @@ impl<'a> Comparison<'a> {
             self.function,
             precise_time(self.without_flags),
             precise_time(self.native),
-            ratio(self.of_flags()),
             self.other.map_or("–", |point| title(name_of(point))),
             precise_time(self.other),
+            ratio(self.of_others_without_flags()),
             ratio(self.of_others()),
             error(self.native),
             error(self.other),
@@ -108,7 +113,7 @@ impl<'a> Comparison<'a> {
 }
 
 /// Number of comparisons with functions that take [`LONG`], the largest ratio of flags among them, and the largest
-/// ratio to other programs of all.
+/// ratios to other programs of all.
 pub fn in_short(comparisons: &[Comparison<'_>]) -> String {
     let largest = |ratios: &mut dyn Iterator<Item = f64>| ratios.reduce(f64::max);
     let long: Vec<_> = comparisons.iter().filter(|one| one.is_long()).collect();
@@ -128,12 +133,20 @@ pub fn in_short(comparisons: &[Comparison<'_>]) -> String {
             },
         );
     }
-    if let Some(ratio) = largest(&mut comparisons.iter().filter_map(Comparison::of_others)) {
-        let compared = comparisons.iter().filter_map(Comparison::of_others).count();
-        let _ = writeln!(
-            text,
-            "- Native / fastest other program: at most {ratio:.2} among the {compared} functions that others have."
-        );
+    for (build, ratio) in [
+        (
+            "Without flags",
+            Comparison::of_others_without_flags as fn(&_) -> _,
+        ),
+        ("Native", Comparison::of_others),
+    ] {
+        if let Some(highest) = largest(&mut comparisons.iter().filter_map(ratio)) {
+            let compared = comparisons.iter().filter_map(ratio).count();
+            let _ = writeln!(
+                text,
+                "- {build} / fastest other program: at most {highest:.2} among the {compared} functions that others have."
+            );
+        }
     }
     text
 }

@@ -79,7 +79,7 @@ pub struct Request {
     /// Add functions of slices of states: `gravity_batch` beside `gravity`.
     pub batch: bool,
     /// Maximum number of statements of one compiled function, beyond which it is cut into sections; the measured
-    /// optimum by default.
+    /// optimum by default, which is lower with batches.
     pub section: Option<usize>,
     /// Add `prepare`, which computes once what depends only on fields.
     pub prepare: bool,
@@ -128,13 +128,12 @@ impl Request {
                 .any(|named| *named == function)
     }
 
-    /// Maximum length of compiled functions. Functions of slices of states stay whole, because they are inlined where
-    /// they are compiled for vectors.
+    /// Maximum length of compiled functions; shorter with batches, whose functions compile in quadratic time.
     #[must_use]
     pub fn length(&self) -> Length {
         match self.section {
-            _ if self.batch => Length::UNBOUNDED,
             Some(most) => Length::at_most(most),
+            None if self.batch => Length::OF_BATCHES,
             None => Length::default(),
         }
     }

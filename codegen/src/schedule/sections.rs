@@ -31,6 +31,15 @@ impl Length {
         section: usize::MAX,
     };
 
+    /// With batches. A compiler keeps every SIMD number in memory at first and then moves them into registers one by
+    /// one, each time with a search through the function. Measured on a humanoid: whole, forward dynamics of 7500 steps
+    /// compile in 13 minutes, in sections of 500 in 25 s. Inverse dynamics of 2600 steps compile in 33 and 9 s, and
+    /// take 0.75 of the time if they are whole.
+    pub const OF_BATCHES: Self = Self {
+        whole: 3000,
+        section: 500,
+    };
+
     /// Functions of at most this number of steps, which is at least one.
     #[must_use]
     pub const fn at_most(steps: usize) -> Self {

@@ -16,7 +16,7 @@ use crate::robot::derivatives::{
     TorqueGradient, TorqueHessian,
 };
 use crate::scalar::{Lane, Pack, Scalar};
-use core::array::from_fn;
+use core::array::{from_fn, from_mut};
 use core::ops::Range;
 
 /// A number of batches, `f32` or `f64`, with its packs.
@@ -55,7 +55,7 @@ macro_rules! number {
             type Narrow = Pack<$float, $narrow>;
             type Wide = Pack<$float, $wide>;
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            type Plain = Pack<$float, 1>;
+            type Plain = $float;
             #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
             type Plain = Self::Narrow;
             type InShort = held!(Short, $float, $short);
@@ -102,6 +102,28 @@ impl<T: Lane, const L: usize> Packs<T> for Pack<T, L> {
     #[inline(always)]
     fn load<const N: usize>(states: &[[T; N]], packs: &mut [Self; N]) {
         spread(states, packs, |pack| &mut pack.0);
+    }
+}
+
+/// A number alone, where there are no registers for several.
+impl<T: Lane> Packs<T> for T {
+    const LANES: usize = 1;
+    type Processor = ();
+
+    #[inline(always)]
+    fn filled((): (), number: T) -> Self {
+        number
+    }
+
+    #[inline(always)]
+    fn gather((): (), numbers: &[T]) -> Self {
+        let [number] = together(numbers);
+        number
+    }
+
+    #[inline(always)]
+    fn load<const N: usize>(states: &[[T; N]], packs: &mut [Self; N]) {
+        spread(states, packs, from_mut);
     }
 }
 
@@ -228,6 +250,22 @@ impl<T: Lane, const L: usize> Packed for Pack<T, L> {
             let count = numbers.len();
             numbers.copy_from_slice(&self.0[..count]);
         }
+    }
+}
+
+impl<T: Lane> Packed for T {
+    type Lane = T;
+    type Number = T;
+    const NUMBERS: usize = 1;
+
+    #[inline]
+    fn lane(&self, _: usize) -> T {
+        *self
+    }
+
+    #[inline(always)]
+    fn write(&self, columns: &mut [&mut [T]], states: Range<usize>) {
+        columns[0][states].fill(*self);
     }
 }
 

@@ -6,8 +6,8 @@
 //! The compiler has to detect that the lanes of a [`Pack`] form a vector. It does so in functions of some hundred
 //! operations, sometimes fails in those of a thousand, and takes minutes for those of several thousand.
 //!
-//! A function that is not inlined is compiled without the instructions and would call each of them. It gets packs
-//! instead; [`Batched::INLINED`](crate::robot::Batched::INLINED) lists the inlined functions of a robot.
+//! A function that is not inlined is compiled without the instructions and would call each of them. Sections of an
+//! inlined function are compiled for the processor by [`Scalar::dispatch`]; other functions get packs; [`Batched::INLINED`](crate::robot::Batched::INLINED) lists the inlined functions of a robot.
 #![expect(
     clippy::inline_always,
     reason = "only what is inlined is compiled for the processor that was found"
@@ -76,6 +76,18 @@ impl<R: Rounding, P: Copy, T: Lane, const L: usize> NullaryFnOnce for Angles<'_,
     }
 }
 
+/// Work in a function of its own: a section of a long function.
+struct Apart<R, T, W>(W, PhantomData<(R, T)>);
+
+impl<R: Rounding, T, W: Work<T>> NullaryFnOnce for Apart<R, T, W> {
+    type Output = W::Output;
+
+    #[inline(always)]
+    fn call(self) -> W::Output {
+        self.0.rounded::<R>()
+    }
+}
+
 /// Four numbers of a list, from `first` on.
 #[inline(always)]
 fn four<T: Copy>(numbers: &[T], first: usize) -> [T; 4] {
@@ -91,7 +103,7 @@ fn four<T: Copy>(numbers: &[T], first: usize) -> [T; 4] {
 /// processor.
 macro_rules! register {
     ($processor:ident, $number:ident, $lanes:literal, $rounding:ident:
-        $transposed:ident $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
+        $transposed:ident $splat:ident $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident $neg:ident $sqrt:ident
     ) => {
         register!(operator $processor, $number, $lanes: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
 
@@ -114,12 +126,12 @@ macro_rules! register {
             #[inline]
             fn constant(value: f64) -> Self {
                 let processor = $processor::try_new().expect("registers are of the processor that runs");
-                Self { processor, lanes: [$number::constant(value); $lanes] }
+                Self::filled(processor, $number::constant(value))
             }
 
             #[inline(always)]
             fn like(self, value: f64) -> Self {
-                Self { lanes: [$number::constant(value); $lanes], ..self }
+                Self::filled(self.processor, $number::constant(value))
             }
 
             #[inline(always)]
@@ -177,7 +189,10 @@ macro_rules! register {
 
             #[inline(always)]
             fn dispatch<W: Work<Self>>(work: W) -> W::Output {
-                work.rounded::<$rounding>()
+                match work.number() {
+                    Some(number) => number.processor.vectorize(Apart::<$rounding, Self, W>(work, PhantomData)),
+                    None => work.rounded::<$rounding>(),
+                }
             }
         }
 
@@ -234,7 +249,7 @@ macro_rules! register {
 
             #[inline(always)]
             fn filled(processor: $processor, number: $number) -> Self {
-                Self { processor, lanes: [number; $lanes] }
+                Self { processor, lanes: cast(processor.$splat(number)) }
             }
 
             #[inline(always)]
@@ -283,9 +298,9 @@ macro_rules! register {
 macro_rules! registers {
     ($processor:ident, $rounding:ident: $double:literal $single:literal) => {
         register!($processor, f64, $double, $rounding:
-            transposed_f64 add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
+            transposed_f64 splat_f64s add_f64s sub_f64s mul_f64s div_f64s mul_add_f64s neg_f64s sqrt_f64s);
         register!($processor, f32, $single, $rounding:
-            transposed_f32 add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
+            transposed_f32 splat_f32s add_f32s sub_f32s mul_f32s div_f32s mul_add_f32s neg_f32s sqrt_f32s);
     };
 }
 registers!(Short, OfTarget: 2 4);

@@ -20,6 +20,12 @@ pub trait Work<T>: Sized {
     /// True if no product is fused with a sum, so that results have the same bits on every processor.
     const REPRODUCIBLE: bool = false;
 
+    /// A number that it reads, if it is to be compiled in a function of its own where numbers are registers: they carry
+    /// the proof that the processor has their instructions.
+    fn number(&self) -> Option<T> {
+        None
+    }
+
     /// Computes the result. It must be inlined, since only what is inlined is compiled for the processor that was
     /// found.
     fn run<R: Rounding>(self) -> Self::Output;

@@ -61,6 +61,17 @@ struct Arm;
 )]
 struct Reproducible;
 
+/// The same arm in sections, each a function of its own.
+#[derive(Robot)]
+#[robot(
+    urdf = "../../robots/panda_class.urdf",
+    tip = "link8",
+    generate(inverse_dynamics),
+    batch,
+    section = 60
+)]
+struct InSections;
+
 /// The same arm behind a call that is not marked as inlined.
 struct Called(Arm);
 
@@ -290,11 +301,13 @@ macro_rules! compare_inverse_dynamics {
 }
 
 #[test]
-fn functions_in_registers_and_functions_not_inlined_give_the_bits_of_each_state() {
+fn functions_in_registers_in_sections_or_not_inlined_give_the_bits_of_each_state() {
     assert_eq!(<Arm as Batched>::INLINED, ["inverse_dynamics"]);
     assert!(<Called as Batched>::INLINED.is_empty());
     compare_inverse_dynamics!(Arm, f64);
     compare_inverse_dynamics!(Arm, f32);
+    compare_inverse_dynamics!(InSections, f64);
+    compare_inverse_dynamics!(InSections, f32);
     compare_inverse_dynamics!(Called(Arm), f64);
     compare_inverse_dynamics!(Called(Arm), f32);
     compare_inverse_dynamics!(Reproducible, f64);

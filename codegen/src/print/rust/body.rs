@@ -250,7 +250,7 @@ fn returned(routine: &mut Routine) -> Option<Operation<Value>> {
 /// Printer of routines.
 pub(super) struct Writer<'d> {
     pub(super) dialect: &'d Dialect,
-    numerals: Numerals,
+    pub(super) numerals: Numerals,
     fused: Option<Ident>,
     names: Names,
     /// Work array, if there is one.

@@ -230,15 +230,24 @@ impl Dialect {
         }
     }
 
+    /// Function that makes literals like a number, where functions are inlined and their numbers may be registers.
+    pub fn like(&self, number: &TokenStream) -> Option<TokenStream> {
+        let (Some(_), Library::Runtime(runtime), true) =
+            (&self.generic, &self.library, self.inlined)
+        else {
+            return None;
+        };
+        let value = self.local("number");
+        Some(quote! { |#value| #runtime::Scalar::like(#number, #value) })
+    }
+
     /// Form of literals, and the statement that they need in a function with this first argument.
     pub fn numerals(&self, first: Option<&Ident>, names: &mut Names) -> (Numerals, TokenStream) {
         let value = self.local("number");
+        let like = first.and_then(|first| self.like(&quote! { #first[0] }));
         let made = match (&self.generic, &self.library, first) {
-            (Some(_), Library::Runtime(runtime), Some(first)) if self.inlined => {
-                quote! { |#value| #runtime::Scalar::like(#first[0], #value) }
-            }
             (Some(number), Library::Runtime(runtime), _) => {
-                quote! { <#number as #runtime::Scalar>::constant }
+                like.unwrap_or_else(|| quote! { <#number as #runtime::Scalar>::constant })
             }
             (Some(_), Library::Lanes(path), Some(first)) => {
                 quote! { |#value| #path::number::Number::like(#first[0], #value) }

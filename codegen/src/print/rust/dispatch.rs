@@ -65,7 +65,12 @@ pub(super) fn computation(
     } else {
         with_number(&Generics::default(), dialect)
     };
-    dispatched((&arguments, &generics), Some(&result), &equations, &inside)
+    dispatched(
+        (&arguments, &generics),
+        (Some(&result), None),
+        &equations,
+        &inside,
+    )
 }
 
 /// Equations of one state, beside those of packs of states if batches need them: a loop over limbs would move packs
@@ -127,9 +132,11 @@ pub(super) fn with_number(generics: &Generics, dialect: &Dialect) -> Generics {
 }
 
 /// Statements that choose the processor and compute, with the result; in other dialects the equations themselves.
+///
+/// `number` is one of the work's numbers, `self.0[0]`, if it is compiled in a function of its own for registers.
 pub(super) fn dispatched(
     (arguments, generics): (&[Argument], &Generics),
-    result: Option<&TokenStream>,
+    (result, read): (Option<&TokenStream>, Option<&TokenStream>),
     equations: &TokenStream,
     dialect: &Dialect,
 ) -> TokenStream {
@@ -149,12 +156,19 @@ pub(super) fn dispatched(
     let returned = result.map(|result| quote! { -> #result });
     let result = result.map_or_else(|| quote! { () }, Clone::clone);
     let number = &dialect.number;
+    let read = read.map(|read| {
+        quote! {
+            #[inline(always)]
+            fn number(&self) -> ::core::option::Option<#number> { ::core::option::Option::Some(#read) }
+        }
+    });
     quote! {
         #about
         struct #name<A>(A);
         impl #parameters #runtime::dispatch::Work<#number> for #name<#types> #bounds {
             type Output = #result;
             #reproducible
+            #read
             #[inline(always)]
             fn run<#rounding: #runtime::rounding::Rounding>(self) #returned {
                 let Self(#names) = self;

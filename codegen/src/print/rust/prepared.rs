@@ -53,7 +53,7 @@ pub(super) fn prepared(
     let generics = dispatch::with_number(&item.generics, dialect);
     let computation = dispatch::dispatched(
         (&[dispatch::robot(item, &inside)], &generics),
-        Some(&quote! { #name #arguments }),
+        (Some(&quote! { #name #arguments }), None),
         &quote! { #statements #name { #values: [#(#results),*] } },
         &inside,
     );

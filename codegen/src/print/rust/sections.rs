@@ -3,13 +3,14 @@
 //! In: the [`Work`] of a routine. Out: a function for each section, within its caller, and the calls. Indices of the
 //! work array are literals below its length, so that none can fail.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Generics, parse_quote};
 
 use super::body::Writer;
 use super::dispatch::{Argument, dispatched};
 use super::lengths::{array, literal};
+use super::literals::Numerals;
 use super::names::ident;
 use crate::schedule::{LONGEST_SCOPE, SectionBody, Value, Work};
 
@@ -27,6 +28,9 @@ impl Writer<'_> {
             ident(&work.name),
             array(&self.dialect.number, &literal(work.len)),
         );
+        let inlined = self.of_inlined(&name);
+        let constant = inlined.as_ref().map_or(constant, |(constant, _)| constant);
+        let read = inlined.as_ref().map(|(_, read)| read);
         let sections = work.sections.iter().map(|section| {
             let SectionBody {
                 name: own,
@@ -45,13 +49,30 @@ impl Writer<'_> {
                 value: quote! { #name },
                 of: quote! { &mut #kind },
             };
-            let code = dispatched((&[argument], &generics), None, &equations, self.dialect);
+            let code = dispatched(
+                (&[argument], &generics),
+                (None, read),
+                &equations,
+                self.dialect,
+            );
             quote! {
                 #[inline(never)]
                 fn #own #bound(#name: &mut #kind) { #code }
             }
         });
         sections.collect()
+    }
+
+    /// Where functions are inlined: the statement that binds the function for literals, which are made like a number of
+    /// the work array, and that number as the work of a section holds it.
+    fn of_inlined(&self, work: &Ident) -> Option<(TokenStream, TokenStream)> {
+        let Numerals::Through(constant) = &self.numerals else {
+            return None;
+        };
+        let first = self.dialect.local("first");
+        let like = self.dialect.like(&quote! { #first })?;
+        let statement = quote! { let #constant = { let #first = #work[0]; move #like }; };
+        Some((statement, quote! { self.0[0] }))
     }
 
     /// The array, its initial values, and the calls.

@@ -155,6 +155,24 @@ fn sections_are_inside_the_function_that_calls_them() {
     }
 }
 
+/// With batches a section shows a number of the work array, which carries the proof of its instructions.
+#[test]
+fn sections_of_batches_carry_the_proof_of_their_instructions() {
+    let text = |batch| {
+        with_runtime(&Module {
+            length: Length::at_most(120),
+            batch,
+            ..long(Real::Generic)
+        })
+    };
+    let (with_batch, without) = (text(true), text(false));
+    let sections = with_batch.matches("#[inline(never)]").count();
+    assert!(sections > 0, "{with_batch}");
+    let proof = "::core::option::Option::Some(self.0[0])";
+    assert_eq!(with_batch.matches(proof).count(), sections);
+    assert!(!without.contains(proof), "{without}");
+}
+
 /// A function within the allowed length stays the same, byte for byte.
 #[test]
 fn short_functions_have_no_sections() {

@@ -170,7 +170,7 @@ pub const SETTINGS: [Setting; 39] = [
     Setting { key: "batch", form: SettingForm::Switch(|asked| &mut asked.batch), example: "batch", group: FILE, needs: Some("runtime"),
         help: "Functions of slices of states in addition", ..SETTING },
     Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the maximum number of statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
-        help: "Maximum number of statements of one compiled function: longer ones are cut into sections that are called in order [default: 2000, of functions with more than 8000; with batches 500, of functions with more than 3000]", ..SETTING },
+        help: "Maximum number of statements of one compiled function: longer ones are cut into sections that are called in order [default: 2000, of functions with more than 8000; with batches 500, of functions with more than 4000]", ..SETTING },
     Setting { key: "casadi", form: SettingForm::Switch(|asked| &mut asked.for_c.casadi), group: FILE,
         help: "In C, add CasADi's external interface, with the derivatives that are generated", ..SETTING },
     Setting { key: "steps", form: SettingForm::Steps, group: FILE, value: "RULE",

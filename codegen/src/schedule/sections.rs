@@ -36,7 +36,7 @@ impl Length {
     /// in more than 10 minutes whole, and in 20 s in sections of 500. Inverse dynamics of 2600 steps compile in 21 and
     /// 6 s, and take 0.8 of the time if they are whole.
     pub const OF_BATCHES: Self = Self {
-        whole: 3000,
+        whole: 4000,
         section: 500,
     };
 

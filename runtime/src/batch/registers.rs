@@ -22,7 +22,7 @@ use core::array::from_fn;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Range, Sub};
-use pulp::bytemuck::{Pod, cast, cast_mut};
+use pulp::bytemuck::{Pod, cast, cast_mut, cast_ref};
 use pulp::{NullaryFnOnce, Simd};
 
 use super::packed::{Packed, Packs, spread, together};
@@ -50,8 +50,8 @@ where
     [T; L]: Pod,
 {
     #[inline(always)]
-    fn lanes(&self) -> [T; L] {
-        cast(self.vector)
+    fn lanes(&self) -> &[T; L] {
+        cast_ref(&self.vector)
     }
 
     #[inline(always)]
@@ -68,7 +68,7 @@ where
     /// An infrequent operation, computed by packs.
     #[inline(always)]
     fn as_packs(self, operation: impl FnOnce(Pack<T, L>) -> Pack<T, L>) -> Self {
-        Self::of(self.processor, operation(Pack(self.lanes())).0)
+        Self::of(self.processor, operation(Pack(*self.lanes())).0)
     }
 }
 
@@ -93,7 +93,7 @@ where
     fn call(self) {
         for (sine, cosine) in self.sines.iter_mut().zip(self.cosines) {
             let processor = sine.processor;
-            let ([sines], [cosines]) = Pack::sin_cos_all_by::<R, _>([Pack(sine.lanes())]);
+            let ([sines], [cosines]) = Pack::sin_cos_all_by::<R, _>([Pack(*sine.lanes())]);
             *sine = Register::of(processor, sines.0);
             *cosine = Register::of(processor, cosines.0);
         }
@@ -184,13 +184,13 @@ macro_rules! register {
 
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                let (sine, cosine) = Pack(self.lanes()).sin_cos();
+                let (sine, cosine) = Pack(*self.lanes()).sin_cos();
                 (Self::of(self.processor, sine.0), Self::of(self.processor, cosine.0))
             }
 
             #[inline(always)]
             fn minus_sine(self, sine: Self) -> Self {
-                self.as_packs(|angle| angle.minus_sine(Pack(sine.lanes())))
+                self.as_packs(|angle| angle.minus_sine(Pack(*sine.lanes())))
             }
 
             #[inline(always)]
@@ -246,7 +246,7 @@ macro_rules! register {
                     while entry < N {
                         // If the number of entries is no multiple of four, the last four are moved again.
                         let first = entry.min(N - 4);
-                        let of = |entry: usize| four(&list[first + entry].lanes(), lane);
+                        let of = |entry: usize| four(list[first + entry].lanes(), lane);
                         let [a, b, c, d] = processor.$transposed([of(0), of(1), of(2), of(3)]);
                         results[lane][first..first + 4].copy_from_slice(&a);
                         results[lane + 1][first..first + 4].copy_from_slice(&b);
@@ -261,7 +261,7 @@ macro_rules! register {
             fn write(&self, columns: &mut [&mut [$number]], states: Range<usize>) {
                 let numbers = &mut columns[0][states];
                 if let Some(numbers) = numbers.first_chunk_mut::<$lanes>() {
-                    *numbers = self.lanes();
+                    *numbers = *self.lanes();
                 } else {
                     let count = numbers.len();
                     numbers.copy_from_slice(&self.lanes()[..count]);

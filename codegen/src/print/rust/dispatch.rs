@@ -133,7 +133,7 @@ pub(super) fn with_number(generics: &Generics, dialect: &Dialect) -> Generics {
 
 /// Statements that choose the processor and compute, with the result; in other dialects the equations themselves.
 ///
-/// `number` is one of the work's numbers, `self.0[0]`, if it is compiled in a function of its own for registers.
+/// `read` is a number of the work, `self.0[0]`, if it is compiled in a function of its own where numbers are registers.
 pub(super) fn dispatched(
     (arguments, generics): (&[Argument], &Generics),
     (result, read): (Option<&TokenStream>, Option<&TokenStream>),

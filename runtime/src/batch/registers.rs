@@ -33,7 +33,7 @@ use crate::scalar::{Lane, Pack, Scalar};
 
 /// A processor whose registers hold several numbers `T`.
 pub trait Holds<T>: Copy {
-    /// A register. A compiler keeps it in one from the beginning, and an array of numbers in memory.
+    /// A register. Compilers keep a value of this type in one from the beginning, and an array of numbers in memory.
     type Vector: Pod + Debug;
 }
 

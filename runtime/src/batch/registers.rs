@@ -27,7 +27,7 @@ use pulp::{NullaryFnOnce, Simd};
 
 use super::packed::{Packed, Packs, spread, together};
 use super::processor::{Narrow, Processor, Short, Wide};
-use crate::scalar::dispatch::Work;
+use crate::scalar::dispatch::{Work, rounded::Rounded};
 use crate::scalar::rounding::{Fused, OfTarget, Rounding};
 use crate::scalar::{Lane, Pack, Scalar};
 
@@ -55,6 +55,11 @@ where
     }
 
     #[inline(always)]
+    fn pack(&self) -> Pack<T, L> {
+        Pack(*self.lanes())
+    }
+
+    #[inline(always)]
     fn lanes_mut(&mut self) -> &mut [T; L] {
         cast_mut(&mut self.vector)
     }
@@ -68,7 +73,7 @@ where
     /// An infrequent operation, computed by packs.
     #[inline(always)]
     fn as_packs(self, operation: impl FnOnce(Pack<T, L>) -> Pack<T, L>) -> Self {
-        Self::of(self.processor, operation(Pack(*self.lanes())).0)
+        Self::of(self.processor, operation(self.pack()).0)
     }
 }
 
@@ -93,22 +98,10 @@ where
     fn call(self) {
         for (sine, cosine) in self.sines.iter_mut().zip(self.cosines) {
             let processor = sine.processor;
-            let ([sines], [cosines]) = Pack::sin_cos_all_by::<R, _>([Pack(*sine.lanes())]);
+            let ([sines], [cosines]) = Pack::sin_cos_all_by::<R, _>([sine.pack()]);
             *sine = Register::of(processor, sines.0);
             *cosine = Register::of(processor, cosines.0);
         }
-    }
-}
-
-/// Work in a function of its own: a section of a long function.
-struct Apart<R, T, W>(W, PhantomData<(R, T)>);
-
-impl<R: Rounding, T, W: Work<T>> NullaryFnOnce for Apart<R, T, W> {
-    type Output = W::Output;
-
-    #[inline(always)]
-    fn call(self) -> W::Output {
-        self.0.rounded::<R>()
     }
 }
 
@@ -184,13 +177,13 @@ macro_rules! register {
 
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                let (sine, cosine) = Pack(*self.lanes()).sin_cos();
+                let (sine, cosine) = self.pack().sin_cos();
                 (Self::of(self.processor, sine.0), Self::of(self.processor, cosine.0))
             }
 
             #[inline(always)]
             fn minus_sine(self, sine: Self) -> Self {
-                self.as_packs(|angle| angle.minus_sine(Pack(*sine.lanes())))
+                self.as_packs(|angle| angle.minus_sine(sine.pack()))
             }
 
             #[inline(always)]
@@ -216,7 +209,7 @@ macro_rules! register {
             #[inline(always)]
             fn dispatch<W: Work<Self>>(work: W) -> W::Output {
                 match work.number() {
-                    Some(number) => number.processor.vectorize(Apart::<$rounding, Self, W>(work, PhantomData)),
+                    Some(number) => number.processor.vectorize(Rounded::<$rounding, Self, W>::of(work)),
                     None => work.rounded::<$rounding>(),
                 }
             }

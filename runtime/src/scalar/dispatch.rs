@@ -85,24 +85,34 @@ mod here {
     }
 }
 
-/// Processors with more instructions than their target.
+/// Work as pulp compiles it for a processor.
 #[cfg(all(
     feature = "std",
     any(target_arch = "x86", target_arch = "x86_64"),
-    not(target_feature = "fma")
+    any(feature = "batch", not(target_feature = "fma"))
 ))]
-mod x86 {
+pub(crate) mod rounded {
     use core::marker::PhantomData;
     use pulp::NullaryFnOnce;
-    use pulp::x86::V3;
 
     use super::Work;
-    use crate::scalar::rounding::{Fused, OfTarget};
+    use crate::scalar::rounding::Rounding;
 
-    /// Work in which products are fused with sums.
-    struct Fusing<T, W>(W, PhantomData<T>);
+    /// Work with the rounding `R`.
+    pub(crate) struct Rounded<R, T, W>(W, PhantomData<(R, T)>);
 
-    impl<T, W: Work<T>> NullaryFnOnce for Fusing<T, W> {
+    impl<R, T, W> Rounded<R, T, W> {
+        #[expect(
+            clippy::inline_always,
+            reason = "only what is inlined is compiled for the processor that was found"
+        )]
+        #[inline(always)]
+        pub(crate) fn of(work: W) -> Self {
+            Self(work, PhantomData)
+        }
+    }
+
+    impl<R: Rounding, T, W: Work<T>> NullaryFnOnce for Rounded<R, T, W> {
         type Output = W::Output;
 
         #[expect(
@@ -111,15 +121,29 @@ mod x86 {
         )]
         #[inline(always)]
         fn call(self) -> W::Output {
-            self.0.rounded::<Fused>()
+            self.0.rounded::<R>()
         }
     }
+}
+
+/// Processors with more instructions than their target.
+#[cfg(all(
+    feature = "std",
+    any(target_arch = "x86", target_arch = "x86_64"),
+    not(target_feature = "fma")
+))]
+mod x86 {
+    use pulp::x86::V3;
+
+    use super::Work;
+    use super::rounded::Rounded;
+    use crate::scalar::rounding::{Fused, OfTarget};
 
     /// Does the work by the instructions of this processor.
     #[inline]
     pub(in crate::scalar) fn at_hand<T, W: Work<T>>(work: W) -> W::Output {
         if let Some(processor) = V3::try_new() {
-            processor.vectorize(Fusing(work, PhantomData))
+            processor.vectorize(Rounded::<Fused, T, W>::of(work))
         } else {
             of_target(work)
         }
@@ -134,9 +158,8 @@ mod x86 {
 
     #[cfg(test)]
     mod tests {
-        use super::{Fusing, V3, Work, at_hand, of_target};
+        use super::{Fused, Rounded, V3, Work, at_hand, of_target};
         use crate::scalar::rounding::Rounding;
-        use core::marker::PhantomData;
 
         /// (1 + ε)(1 − ε) − 1, which is 0 if the product is rounded, and −ε² otherwise.
         struct Product<const REPRODUCIBLE: bool>;
@@ -158,7 +181,7 @@ mod x86 {
         fn processors_with_the_instruction_fuse() {
             let fuses = V3::try_new().is_some();
             if let Some(processor) = V3::try_new() {
-                let found = processor.vectorize(Fusing(Product::<false>, PhantomData));
+                let found = processor.vectorize(Rounded::<Fused, f64, _>::of(Product::<false>));
                 assert_eq!(found, FUSED);
             }
             assert_eq!(of_target(Product::<false>), 0.0);
@@ -170,7 +193,7 @@ mod x86 {
         fn reproducible_work_is_unfused_on_every_processor() {
             if let Some(processor) = V3::try_new() {
                 assert_eq!(
-                    processor.vectorize(Fusing(Product::<true>, PhantomData)),
+                    processor.vectorize(Rounded::<Fused, f64, _>::of(Product::<true>)),
                     0.0
                 );
             }

@@ -28,9 +28,9 @@ impl Writer<'_> {
             ident(&work.name),
             array(&self.dialect.number, &literal(work.len)),
         );
-        let inlined = self.of_inlined(&name);
-        let constant = inlined.as_ref().map_or(constant, |(constant, _)| constant);
-        let read = inlined.as_ref().map(|(_, read)| read);
+        let inlined = self.like_those_of(&name);
+        let read = inlined.is_some().then(|| quote! { self.0[0] });
+        let constant = inlined.as_ref().unwrap_or(constant);
         let sections = work.sections.iter().map(|section| {
             let SectionBody {
                 name: own,
@@ -51,7 +51,7 @@ impl Writer<'_> {
             };
             let code = dispatched(
                 (&[argument], &generics),
-                (None, read),
+                (None, read.as_ref()),
                 &equations,
                 self.dialect,
             );
@@ -63,16 +63,15 @@ impl Writer<'_> {
         sections.collect()
     }
 
-    /// Where functions are inlined: the statement that binds the function for literals, which are made like a number of
-    /// the work array, and that number as the work of a section holds it.
-    fn of_inlined(&self, work: &Ident) -> Option<(TokenStream, TokenStream)> {
+    /// The statement that binds the function for literals, if functions are inlined: they are made like a number of the
+    /// work array.
+    fn like_those_of(&self, work: &Ident) -> Option<TokenStream> {
         let Numerals::Through(constant) = &self.numerals else {
             return None;
         };
         let first = self.dialect.local("first");
         let like = self.dialect.like(&quote! { #first })?;
-        let statement = quote! { let #constant = { let #first = #work[0]; move #like }; };
-        Some((statement, quote! { self.0[0] }))
+        Some(quote! { let #constant = { let #first = #work[0]; move #like }; })
     }
 
     /// The array, its initial values, and the calls.

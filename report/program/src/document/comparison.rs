@@ -76,14 +76,13 @@ impl<'a> Comparison<'a> {
         Some(self.without_flags?.time[1] / self.native?.time[1])
     }
 
-    /// Time of ours, without flags / time of the fastest other program.
-    pub fn of_others_without_flags(&self) -> Option<f64> {
-        Some(self.without_flags?.time[1] / self.other?.time[1])
-    }
-
-    /// Time of ours, native / time of the fastest other program.
-    pub fn of_others(&self) -> Option<f64> {
-        Some(self.native?.time[1] / self.other?.time[1])
+    /// Time of ours / time of the fastest other program.
+    pub fn of_others(&self, flags: Flags) -> Option<f64> {
+        let ours = match flags {
+            Flags::Without => self.without_flags,
+            Flags::Native => self.native,
+        };
+        Some(ours?.time[1] / self.other?.time[1])
     }
 
     /// Its row.
@@ -103,8 +102,8 @@ impl<'a> Comparison<'a> {
             precise_time(self.native),
             self.other.map_or("–", |point| title(name_of(point))),
             precise_time(self.other),
-            ratio(self.of_others_without_flags()),
-            ratio(self.of_others()),
+            ratio(self.of_others(Flags::Without)),
+            ratio(self.of_others(Flags::Native)),
             error(self.native),
             error(self.other),
         );
@@ -133,18 +132,13 @@ pub fn in_short(comparisons: &[Comparison<'_>]) -> String {
             },
         );
     }
-    for (build, ratio) in [
-        (
-            "Without flags",
-            Comparison::of_others_without_flags as fn(&_) -> _,
-        ),
-        ("Native", Comparison::of_others),
-    ] {
-        if let Some(highest) = largest(&mut comparisons.iter().filter_map(ratio)) {
-            let compared = comparisons.iter().filter_map(ratio).count();
+    for (flags, title) in [(Flags::Without, "Without flags"), (Flags::Native, "Native")] {
+        let ratios = || comparisons.iter().filter_map(|one| one.of_others(flags));
+        if let Some(ratio) = largest(&mut ratios()) {
+            let compared = ratios().count();
             let _ = writeln!(
                 text,
-                "- {build} / fastest other program: at most {highest:.2} among the {compared} functions that others have."
+                "- {title} / fastest other program: at most {ratio:.2} among the {compared} functions that others have."
             );
         }
     }

@@ -74,18 +74,17 @@ impl Project {
                 ]
             }
             Self::Cmake => {
-                let header = format!("{stem}.h");
-                let source = builder.c(&module, &header);
+                let code = builder.c_files(&module, &format!("{stem}.h"));
+                // The header is first.
+                let sources: Vec<&str> = code[1..].iter().map(|(name, _)| &**name).collect();
                 let cmake = concat!(
                     include_str!("project/c.cmake.in"),
                     include_str!("project/install.cmake.in")
                 );
-                vec![
-                    of("CMakeLists.txt", cmake),
-                    readme(&header),
-                    (format!("{stem}.c"), source.text),
-                    (header, source.header),
-                ]
+                let words = [words[0], words[1], ("@SOURCES@", &sources.join("\n  "))];
+                let cmake = filled(cmake, &words);
+                let head = [("CMakeLists.txt".to_owned(), cmake), readme(&code[0].0)];
+                head.into_iter().chain(code).collect()
             }
             Self::Cpp(order) => {
                 let header = format!("{stem}.hpp");

@@ -576,6 +576,7 @@ mod tests {
         for (kind, folder, first) in [
             ("crate", "scara_robot", "Cargo.toml"),
             ("cmake", "scara_robot", "CMakeLists.txt"),
+            ("cmake --language cpp", "scara_robot", "CMakeLists.txt"),
             ("python", "scara_robot", "pyproject.toml"),
             ("firmware", "scara-firmware", "Cargo.toml"),
         ] {

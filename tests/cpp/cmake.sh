@@ -69,7 +69,10 @@ functions="--functions geometric_jacobian,gravity,inverse_dynamics"
 ending=c package=two_link
 main two_link.h "gravity[0]" "const double q[2] = {0.3, -0.7}; double gravity[2]; two_link_gravity(q, gravity);"
 project c robots/two_link.urdf $functions
-ending=cpp
+package=quadruped
+main quadruped.h "gravity[0]" "double q[19], gravity[18]; quadruped_neutral(q); quadruped_gravity(q, gravity);"
+project floating robots/quadruped.urdf --floating --functions gravity,forward_dynamics
+package=two_link ending=cpp
 main two_link.hpp "two_link::gravity(q)[0]" "const std::array<double, 2> q = {0.3, -0.7};"
 project cpp robots/two_link.urdf --language cpp $functions
 cmp "$folder/c-installed/printed" "$folder/cpp-installed/printed"

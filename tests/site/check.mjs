@@ -251,7 +251,7 @@ async function projects(browser, address) {
   mkdirSync(folder, { recursive: true });
   execFileSync("cp", [join(root, "robots/two_link.urdf"), folder]);
   await browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder });
-  for (const kind of ["crate", "cmake", "python", "firmware"]) {
+  for (const kind of ["crate", "cmake", "cmake --language cpp", "python", "firmware"]) {
     await page.ask(`document.querySelector('[data-project="${kind}"]').click()`);
     await page.until(`document.querySelector("#project-command")?.textContent.includes("new ${kind}")`);
     const [command, archive] = await page.ask(`[document.querySelector("#project-command").textContent, document.querySelector("#project a").download]`);
@@ -267,12 +267,13 @@ async function projects(browser, address) {
     const inside = join(folder, name);
     const compile = (program, own) => execFileSync(program, own, { cwd: inside, stdio: ["ignore", "ignore", "pipe"] });
     if (kind === "crate") compile("cargo", ["check", "--offline", "--target-dir", join(folder, "target")]);
-    if (kind === "cmake") {
-      compile("cc", ["-std=c99", "-Wall", "-Werror", "-c", "two_link.c", "-o", join(folder, "two_link.o")]);
-      if (has("cmake")) {
-        compile("cmake", ["-S", ".", "-B", join(folder, "build")]);
-        compile("cmake", ["--build", join(folder, "build")]);
-      }
+    if (kind === "cmake") for (const file of readdirSync(inside).filter((file) => file.endsWith(".c"))) compile("cc", ["-std=c99", "-Wall", "-Werror", "-c", file, "-o", join(folder, `${file}.o`)]);
+    if (kind === "cmake --language cpp") compile("c++", ["-std=c++17", "-Wall", "-Werror", "-c", "example.cpp", "-o", join(folder, "example.o")]);
+    if (kind.startsWith("cmake") && has("cmake")) {
+      const build = join(folder, `build-${name}`);
+      rmSync(build, { recursive: true, force: true });
+      compile("cmake", ["-S", ".", "-B", build]);
+      compile("cmake", ["--build", build]);
     }
     if (kind === "python") compile("python3", ["-B", "-c", `import ${name}`]);
   }

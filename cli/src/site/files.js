@@ -3,6 +3,7 @@
 const LANGUAGES = [["rust", "Rust"], ["c", "C99"], ["cpp", "C++17"], ["python", "Python"], ["llvm", "LLVM IR"]];
 
 const PROJECTS = [["crate", "Crate", "A crate without dependencies"], ["cmake", "C with CMake", "A static library in C99"],
+  ["cmake --language cpp", "C++ with CMake", "A header in C++17 without sources"],
   ["python", "Python package", "A package without dependencies"], ["firmware", "Firmware", "A control loop for a Cortex-M4 that runs under QEMU"]];
 
 // Number of letters that are shown of a file.

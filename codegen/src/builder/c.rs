@@ -113,20 +113,43 @@ impl Builder {
     #[doc(hidden)]
     #[must_use]
     pub fn c(&self, module: &Module, header: &str) -> Source {
-        let prefix = self.prefix(module);
-        let writing = Writing {
-            prefix: &prefix,
+        let (prefix, asked) = (self.prefix(module), self.asked(module, Language::C(header)));
+        let Source { header, text } =
+            c::print(module, &self.writing(module, header, [&prefix, &asked]));
+        let [header, text] = [header, text].map(|text| self.spelt(text));
+        Source { header, text }
+    }
+
+    /// The same with a source for each function, which are compiled side by side: names and texts, the header first, and
+    /// then `arm.c` beside `arm.h`, which has everything that is not a function of the request.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn c_files(&self, module: &Module, header: &str) -> Vec<(String, String)> {
+        let (prefix, asked) = (self.prefix(module), self.asked(module, Language::C(header)));
+        let files = c::print_apart(module, &self.writing(module, header, [&prefix, &asked]));
+        let files = files.into_iter();
+        files.map(|(name, text)| (name, self.spelt(text))).collect()
+    }
+
+    fn writing<'a>(
+        &self,
+        module: &Module,
+        header: &'a str,
+        [prefix, asked]: [&'a str; 2],
+    ) -> Writing<'a> {
+        Writing {
+            prefix,
             header,
-            asked: &self.asked(module, Language::C(header)),
+            asked,
             fused: self.fuses(module),
             for_c: self.request.for_c,
             templates: false,
             order: Order::AngularFirst,
-        };
-        let Source { header, text } = c::print(module, &writing);
-        let [header, text] =
-            [header, text].map(|text| if self.ascii { spelt(&text) } else { text });
-        Source { header, text }
+        }
+    }
+
+    fn spelt(&self, text: String) -> String {
+        if self.ascii { spelt(&text) } else { text }
     }
 }
 

@@ -1,7 +1,7 @@
 //! C: functions in C99, and headers for functions in another language.
 //!
-//! In: a [`Module`] and a prefix for names. Out: a [`Source`], or the header alone; on request with `CasADi`'s external
-//! interface.
+//! In: a [`Module`] and a prefix for names. Out: a [`Source`], a source for each function, or the header alone; on request
+//! with `CasADi`'s external interface.
 
 mod acados;
 mod body;
@@ -72,23 +72,37 @@ pub fn prefix(robot: &str) -> String {
 /// Functions and their header; [`Real::Generic`] is printed as `double`.
 #[must_use]
 pub fn print(module: &Module, writing: &Writing<'_>) -> Source {
+    Source {
+        header: header(module, writing),
+        text: source::source(module, writing),
+    }
+}
+
+/// The same in a file for each function: names and texts, the header first, and then the source with everything that is
+/// not a function of the request.
+#[must_use]
+pub fn print_apart(module: &Module, writing: &Writing<'_>) -> Vec<(String, String)> {
+    let header = (writing.header.to_owned(), header(module, writing));
+    let sources = source::sources(module, writing);
+    std::iter::once(header).chain(sources).collect()
+}
+
+fn header(module: &Module, writing: &Writing<'_>) -> String {
     let angles = match (module.sines, module.scalar) {
         (Sines::Own, real) => Angles::own(real),
         (Sines::Platform, Real::F32) => Angles::As("sinf".to_owned()),
         (Sines::Platform, Real::F64 | Real::Generic) => Angles::As("sin".to_owned()),
     };
+    let needs = writing.needs();
     let header = Header {
         prefix: writing.prefix,
         guard: writing.prefix,
         asked: writing.asked,
         angles: &angles,
-        needs: Some(&writing.needs()),
+        needs: Some(&needs),
         steps: writing.for_c.steps,
     };
-    Source {
-        header: header.text(module),
-        text: source::source(module, writing),
-    }
+    header.text(module)
 }
 
 impl Writing<'_> {

@@ -1,5 +1,6 @@
 //! Files in C and packages for Python by the builder.
 
+use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 
 use super::{arm, as_asked, text};
@@ -195,6 +196,44 @@ fn the_interface_of_casadi_is_for_c_in_f64() {
     ]) {
         assert!(error.contains(part), "{error}");
     }
+}
+
+#[test]
+fn a_folder_of_c_has_each_definition_once() {
+    let functions = [Function::Gravity, Function::InverseDynamics];
+    let builder = Builder::from_urdf("../robots/quadruped.urdf").floating();
+    let builder = builder.generate(functions);
+    let builder = builder.section(NonZeroUsize::new(300).expect("not zero"));
+    let module = builder.c_module().expect("no mistakes");
+    let one = builder.c(&module, "quadruped.h");
+    let files = builder.c_files(&module, "quadruped.h");
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "quadruped.h",
+            "quadruped.c",
+            "quadruped_gravity.c",
+            "quadruped_inverse_dynamics.c"
+        ]
+    );
+    assert_eq!(files[0].1, one.header);
+    let definitions = |text: &str| -> BTreeSet<String> {
+        let parts = text.split("\nHOMOGEN_FN HOMOGEN_CLONES ").skip(1);
+        let bodies = parts.map(|part| part.split("\n}\n").next().unwrap_or_default().to_owned());
+        bodies.collect()
+    };
+    let mut apart = BTreeSet::new();
+    for (name, text) in &files[1..] {
+        let own = definitions(text);
+        assert!(own.is_disjoint(&apart) && !own.is_empty(), "{name}");
+        apart.extend(own);
+    }
+    assert_eq!(apart, definitions(&one.text));
+    // Configurations move by functions of the first source, whose sines the others have if they need them.
+    let has = |file: usize, part: &str| files[file].1.contains(part);
+    assert!(has(1, "void quadruped_integrate(") && has(1, "self_test(void)"));
+    assert!(has(3, "void quadruped_inverse_dynamics_section_") && has(3, "_sin_cos(double "));
 }
 
 #[test]

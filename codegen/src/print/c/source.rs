@@ -1,6 +1,6 @@
-//! The source file: functions and their requirements on the compiler.
+//! Source files: functions and their requirements on the compiler.
 //!
-//! In: a [`Module`] and options. Out: definitions of the functions in the header.
+//! In: a [`Module`] and options. Out: definitions of the functions in the header, in one file or in one for each function.
 
 use std::fmt::Write;
 
@@ -13,31 +13,68 @@ use super::names::{prepared_symbols, symbols};
 use super::{acados, casadi, review, roots, sections, sines, steps};
 use crate::formulation::Sines;
 use crate::module::Module;
-use crate::print::steps::{Step, has_angles, has_roots};
+use crate::print::steps::Step;
 use crate::print::{Fields, documentation};
 use crate::real::Real;
-use crate::schedule::Names;
+use crate::schedule::{self, Names, Operation, Program};
 
-/// Text of the file.
+/// Text of the file with everything.
 pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
     let symbols = symbols(module, writing.prefix);
+    let functions = functions(module, writing, &symbols);
+    let counts = functions.iter().flat_map(|function| &function.counts);
+    let mut text = opening(module, writing, counts.cloned(), Needs::of(&functions));
+    for function in functions {
+        text.push_str(&function.text);
+    }
+    text + &rest(module, writing, &symbols)
+}
+
+/// Names and texts of a file for each function; the first, with the name of the header, has the rest.
+pub(super) fn sources(module: &Module, writing: &Writing<'_>) -> Vec<(String, String)> {
+    let symbols = symbols(module, writing.prefix);
+    let functions = functions(module, writing, &symbols);
+    let (own, together): (Vec<_>, Vec<_>) = functions
+        .into_iter()
+        .partition(|function| function.is_asked);
+    let mut text = opening(module, writing, [], Needs::of(&together));
+    for function in together {
+        text.push_str(&function.text);
+    }
+    text.push_str(&rest(module, writing, &symbols));
+    let stem = writing.header.strip_suffix(".h").unwrap_or(writing.header);
+    let mut names = Names::default();
+    names.take(stem);
+    let mut files = vec![(format!("{stem}.c"), text)];
+    for function in own {
+        let name = names.alone(&file_name(&function.name));
+        let text = opening(module, writing, function.counts, function.needs) + &function.text;
+        files.push((format!("{name}.c"), text));
+    }
+    files
+}
+
+/// Comment, includes, macros and the private functions that functions need.
+fn opening(
+    module: &Module,
+    writing: &Writing<'_>,
+    counts: impl IntoIterator<Item = String>,
+    needs: Needs,
+) -> String {
     let mut head = documentation::head(module, writing.asked);
     head.push(writing.needs());
-    for (generated, name) in module.functions.iter().zip(&symbols) {
-        head.extend(documentation::operation_count(generated, name));
-    }
+    head.extend(counts);
     let mut text = comment(&head);
     text.push('\n');
     let (guard, header) = (guard(writing.prefix), writing.header);
     // Writing to a string cannot fail.
     let _ = writeln!(text, "#ifndef {guard}\n#include \"{header}\"\n#endif");
-    let (has_angles, has_roots) = (has_angles(module), has_roots(module));
-    let own_sines = module.sines == Sines::Own && has_angles;
+    let own_sines = module.sines == Sines::Own && needs.angles;
     text.push_str("#include <float.h>\n");
-    if has_angles && !own_sines {
+    if needs.angles && !own_sines {
         text.push_str("#include <math.h>\n");
     }
-    if own_sines || has_roots {
+    if own_sines || needs.roots {
         text.push_str("#include <stdint.h>\n");
     }
     text.push_str(&arithmetic(module.scalar));
@@ -48,15 +85,19 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
         text.push('\n');
         text.push_str(&sines::function(module.scalar, writing));
     }
-    if has_roots {
+    if needs.roots {
         text.push('\n');
         text.push_str(&roots::function(module.scalar, writing));
     }
-    let functions = functions(module, writing, &symbols);
-    if functions.has_sections {
+    if needs.sections {
         text.push_str(&sections::no_inline_macro(&writing.no_inline()));
     }
-    text.push_str(&functions.text);
+    text
+}
+
+/// Parts after the functions: time steps, interfaces of solvers, and the material for the reviewer.
+fn rest(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> String {
+    let mut text = String::new();
     if let Some(rule) = writing.for_c.steps {
         text.push_str(&steps::definitions(module, writing.prefix, rule));
     }
@@ -64,54 +105,101 @@ pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
         text.push_str(&acados::interface(module, writing.prefix));
     }
     if writing.for_c.casadi {
-        text.push_str(&casadi::interface(module, writing, &symbols));
+        text.push_str(&casadi::interface(module, writing, symbols));
     }
     text + &review::appendix(module, writing)
 }
 
-/// Definitions of functions.
-struct Functions {
-    text: String,
-    /// True if a function has sections.
-    has_sections: bool,
+/// Private functions and macros that a definition needs.
+#[derive(Clone, Copy, Default)]
+struct Needs {
+    /// Sines and cosines.
+    angles: bool,
+    /// Square roots.
+    roots: bool,
+    /// The macro of sections.
+    sections: bool,
 }
 
-impl Functions {
-    fn push(&mut self, head: &str, body: &Body) {
-        self.has_sections |= !body.sections.is_empty();
-        self.text.push_str(&body.sections);
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            self.text,
-            "\nHOMOGEN_FN HOMOGEN_CLONES void {head}\n{{\n{}}}",
-            body.text
-        );
+impl Needs {
+    fn of(functions: &[Definition]) -> Self {
+        let all = functions.iter().map(|function| function.needs);
+        all.fold(Self::default(), |all, own| Self {
+            angles: all.angles || own.angles,
+            roots: all.roots || own.roots,
+            sections: all.sections || own.sections,
+        })
+    }
+
+    fn of_program(program: &Program) -> Self {
+        let is_root = |step: &schedule::Step| matches!(step.operation, Operation::Sqrt(_));
+        Self {
+            angles: !program.angles.is_empty(),
+            roots: program.steps.iter().any(is_root),
+            sections: false,
+        }
     }
 }
 
-fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Functions {
+/// Definition of a function.
+struct Definition {
+    name: String,
+    /// True for functions of the request, which may have files of their own.
+    is_asked: bool,
+    text: String,
+    needs: Needs,
+    /// Its operation counts and error bounds, for the head of its file.
+    counts: Vec<String>,
+}
+
+impl Definition {
+    fn of(name: String, parameters: &str, body: &Body, needs: Needs) -> Self {
+        let (sections, body) = (&body.sections, &body.text);
+        let head = format!("HOMOGEN_FN HOMOGEN_CLONES void {name}({parameters})");
+        Self {
+            name,
+            is_asked: true,
+            text: format!("{sections}\n{head}\n{{\n{body}}}\n"),
+            needs: Needs {
+                sections: !sections.is_empty(),
+                ..needs
+            },
+            counts: Vec::new(),
+        }
+    }
+}
+
+fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Vec<Definition> {
     let prefix = writing.prefix;
     let prepared = prepared_symbols(module, prefix);
     let mut names = Names::default();
     for name in symbols.iter().chain(&prepared) {
         names.take(name);
     }
-    let mut functions = Functions {
-        text: String::new(),
-        has_sections: false,
-    };
+    let mut functions = Vec::new();
     for (generated, name) in module.functions.iter().zip(symbols) {
         let parameters = parameters(module, generated, (prefix, "robot"));
         let fields = Fields::Own(&module.parameters);
         let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
         let body = body(module, (generated, fields), writing, &mut own);
-        functions.push(&format!("{name}({parameters})"), &body);
+        let needs = Needs::of_program(&generated.program);
+        functions.push(Definition {
+            counts: documentation::operation_count(generated, name),
+            ..Definition::of(name.clone(), &parameters, &body, needs)
+        });
     }
     for &step in Step::of(module) {
-        let name = writing.own(step.name());
         let parameters = declarations::of_step(step, module, prefix);
         let body = body::of_step(step, module, writing);
-        functions.push(&format!("{name}({parameters})"), &body);
+        let needs = Needs {
+            angles: step.turns(module),
+            roots: true,
+            sections: false,
+        };
+        functions.push(Definition {
+            is_asked: false,
+            ..Definition::of(writing.own(step.name()), &parameters, &body, needs)
+        });
     }
     let Some(all) = &module.prepared else {
         return functions;
@@ -119,15 +207,22 @@ fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Func
     let prepare = writing.own("prepare");
     let mut own = |section: &str| names.alone(&format!("{prepare}_{section}"));
     let once = once(module, all, writing, &mut own);
-    functions.push(&format!("{prepare}({})", of_prepare(prefix)), &once);
+    let needs = Needs::of_program(&all.once);
+    functions.push(Definition::of(prepare, &of_prepare(prefix), &once, needs));
     for (generated, name) in all.functions.iter().zip(prepared) {
         let parameters = parameters(module, generated, (prefix, "prepared"));
         let fields = Fields::Computed(&all.names);
         let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
         let body = body(module, (generated, fields), writing, &mut own);
-        functions.push(&format!("{name}({parameters})"), &body);
+        let needs = Needs::of_program(&generated.program);
+        functions.push(Definition::of(name, &parameters, &body, needs));
     }
     functions
+}
+
+/// A name that file systems accept, also those that do not distinguish capitals.
+fn file_name(symbol: &str) -> String {
+    symbol.to_ascii_lowercase().chars().take(100).collect()
 }
 
 /// Checks of the scalar type and of compiler options that change results.

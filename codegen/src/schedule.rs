@@ -156,6 +156,13 @@ impl Program {
             .chain(self.angles.iter().copied())
             .chain(self.results.iter().copied())
     }
+
+    /// True if a step is a square root.
+    #[must_use]
+    pub fn has_roots(&self) -> bool {
+        let mut steps = self.steps.iter();
+        steps.any(|step| matches!(step.operation, Operation::Sqrt(_)))
+    }
 }
 
 /// Index of a step.

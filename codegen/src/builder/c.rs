@@ -9,7 +9,6 @@ use super::output::only_for_c;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::arrays::Order;
-use crate::print::ascii::spelt;
 use crate::print::c::{self, Source, Writing};
 use crate::real::Real;
 use crate::request::ForC;
@@ -113,10 +112,8 @@ impl Builder {
     #[doc(hidden)]
     #[must_use]
     pub fn c(&self, module: &Module, header: &str) -> Source {
-        let (prefix, asked) = (self.prefix(module), self.asked(module, Language::C(header)));
-        let Source { header, text } =
-            c::print(module, &self.writing(module, header, [&prefix, &asked]));
-        let [header, text] = [header, text].map(|text| self.spelt(text));
+        let Source { header, text } = self.written(module, header, c::print);
+        let [header, text] = [header, text].map(|text| self.in_ascii(text));
         Source { header, text }
     }
 
@@ -125,31 +122,27 @@ impl Builder {
     #[doc(hidden)]
     #[must_use]
     pub fn c_files(&self, module: &Module, header: &str) -> Vec<(String, String)> {
-        let (prefix, asked) = (self.prefix(module), self.asked(module, Language::C(header)));
-        let files = c::print_apart(module, &self.writing(module, header, [&prefix, &asked]));
-        let files = files.into_iter();
-        files.map(|(name, text)| (name, self.spelt(text))).collect()
+        let files = self.written(module, header, c::print_apart).into_iter();
+        let files = files.map(|(name, text)| (name, self.in_ascii(text)));
+        files.collect()
     }
 
-    fn writing<'a>(
+    fn written<T>(
         &self,
         module: &Module,
-        header: &'a str,
-        [prefix, asked]: [&'a str; 2],
-    ) -> Writing<'a> {
-        Writing {
-            prefix,
+        header: &str,
+        print: impl FnOnce(&Module, &Writing<'_>) -> T,
+    ) -> T {
+        let writing = Writing {
+            prefix: &self.prefix(module),
             header,
-            asked,
+            asked: &self.asked(module, Language::C(header)),
             fused: self.fuses(module),
             for_c: self.request.for_c,
             templates: false,
             order: Order::AngularFirst,
-        }
-    }
-
-    fn spelt(&self, text: String) -> String {
-        if self.ascii { spelt(&text) } else { text }
+        };
+        print(module, &writing)
     }
 }
 

@@ -8,7 +8,6 @@ use super::file::write;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::arrays::Order;
-use crate::print::ascii::spelt;
 use crate::print::c::cpp::{self, Header};
 
 impl Builder {
@@ -69,8 +68,7 @@ impl Builder {
             asked: &self.asked(module, Language::Cpp(file, order)),
             order,
         };
-        let text = cpp::header(module, &header);
-        if self.ascii { spelt(&text) } else { text }
+        self.in_ascii(cpp::header(module, &header))
     }
 
     /// The namespace of that header.

@@ -9,7 +9,6 @@ use super::{Builder, Origin};
 use crate::description::Name;
 use crate::error::{Errors, Place};
 use crate::module::Module;
-use crate::print::ascii::spelt;
 use crate::print::rust::{self, Source};
 use crate::processor::Processor;
 use crate::real::Real;
@@ -90,7 +89,7 @@ impl Builder {
         let asked = self.asked(module, Language::Rust);
         let header =
             rust::c_header(module, &item, &asked, &self.core_functions()).unwrap_or_default();
-        if self.ascii { spelt(&header) } else { header }
+        self.in_ascii(header)
     }
 
     /// The file in Rust of a module.

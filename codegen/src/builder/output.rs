@@ -12,7 +12,7 @@ use crate::description::{self, Description, inline};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};
 use crate::module::Module;
-use crate::print::ascii::beyond;
+use crate::print::ascii::{beyond, spelt};
 use crate::print::c;
 use crate::print::rust::{self, CoreFunctions, Item, Library};
 use crate::processor::Processor;
@@ -130,6 +130,11 @@ impl Builder {
             self.check_ascii(&module)?;
         }
         Ok(module)
+    }
+
+    /// A text with other letters spelt in ASCII, if that was requested.
+    pub(super) fn in_ascii(&self, text: String) -> String {
+        if self.ascii { spelt(&text) } else { text }
     }
 
     /// Rejects names in the file that are not ASCII.

@@ -93,13 +93,12 @@ fn header(module: &Module, writing: &Writing<'_>) -> String {
         (Sines::Platform, Real::F32) => Angles::As("sinf".to_owned()),
         (Sines::Platform, Real::F64 | Real::Generic) => Angles::As("sin".to_owned()),
     };
-    let needs = writing.needs();
     let header = Header {
         prefix: writing.prefix,
         guard: writing.prefix,
         asked: writing.asked,
         angles: &angles,
-        needs: Some(&needs),
+        needs: Some(&writing.needs()),
         steps: writing.for_c.steps,
     };
     header.text(module)

@@ -12,9 +12,9 @@ use crate::joint::Manifold;
 use crate::module::{DataMotion, Module};
 #[cfg(feature = "files")]
 use crate::real::Real;
-use crate::schedule::Operation;
+use crate::schedule::Program;
 #[cfg(feature = "files")]
-use crate::schedule::{Length, Names, Program, Readable, Routine, Stored, schedule_unfused};
+use crate::schedule::{Length, Names, Readable, Routine, Stored, schedule_unfused};
 use crate::space::Space;
 
 /// Function of configurations.
@@ -63,9 +63,8 @@ pub(super) fn has_angles(module: &Module) -> bool {
 
 /// True if the generated code has square roots.
 pub(super) fn has_roots(module: &Module) -> bool {
-    let programs = module.functions.iter().map(|generated| &generated.program);
-    let mut steps = programs.flat_map(|program| &program.steps);
-    steps.any(|step| matches!(step.operation, Operation::Sqrt(_))) || !Step::of(module).is_empty()
+    let mut programs = module.functions.iter().map(|generated| &generated.program);
+    programs.any(Program::has_roots) || !Step::of(module).is_empty()
 }
 
 /// Configuration spaces of the joints with planar or quaternion coordinates.

@@ -16,7 +16,7 @@ use crate::module::Module;
 use crate::print::steps::Step;
 use crate::print::{Fields, documentation};
 use crate::real::Real;
-use crate::schedule::{self, Names, Operation, Program};
+use crate::schedule::{Names, Program};
 
 /// Text of the file with everything.
 pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
@@ -132,10 +132,9 @@ impl Needs {
     }
 
     fn of_program(program: &Program) -> Self {
-        let is_root = |step: &schedule::Step| matches!(step.operation, Operation::Sqrt(_));
         Self {
             angles: !program.angles.is_empty(),
-            roots: program.steps.iter().any(is_root),
+            roots: program.has_roots(),
             sections: false,
         }
     }

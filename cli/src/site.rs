@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::{env, fs};
+use std::{env, fs, io};
 
 use clap::Args;
 
@@ -43,15 +43,14 @@ const SCRIPT: &str = view!(
 /// The script of the worker.
 const WORKER: &str = include_str!("site/worker.js");
 
-/// Sample robots, by their paths in a clone.
-const SAMPLES: [&str; 6] = [
-    "robots/two_link.urdf",
-    "robots/panda_class.urdf",
-    "robots/ur5_class.urdf",
-    "robots/quadruped.urdf",
-    "tests/robots/humanoid.urdf",
-    "robots/stanford_class.dh",
-];
+/// The folder of robots in a clone.
+const ROBOTS: &str = "robots";
+
+/// A robot outside of it that has a button, too: large.
+const HUMANOID: &str = "tests/robots/humanoid.urdf";
+
+/// Endings of files that describe robots.
+const DESCRIPTIONS: [&str; 5] = ["urdf", "xacro", "xml", "sdf", "dh"];
 
 /// Write a page that reads descriptions in a browser and shows robots, values and code: a folder for any web server
 #[derive(Args, Clone, Debug)]
@@ -76,8 +75,7 @@ impl Site {
         self.write("site.js", SCRIPT)?;
         self.write("worker.js", WORKER)?;
         self.write("homogen.wasm", read(&module)?)?;
-        for sample in SAMPLES {
-            let path = clone.join(sample);
+        for path in samples(clone)? {
             let name = path.file_name().map_or(&*path, Path::new);
             self.write(Path::new("robots").join(name), read(&path)?)?;
         }
@@ -94,6 +92,23 @@ impl Site {
         };
         written().map_err(|reason| mistake(format!("cannot write {}: {reason}", path.display())))
     }
+}
+
+/// Robots that the page opens by their names: those of a clone.
+fn samples(clone: &Path) -> Result<Vec<PathBuf>, Errors> {
+    let folder = clone.join(ROBOTS);
+    let files = fs::read_dir(&folder).and_then(|files| {
+        let paths = files.map(|file| Ok(file?.path()));
+        paths.collect::<io::Result<Vec<_>>>()
+    });
+    let mut files =
+        files.map_err(|reason| mistake(format!("cannot list {}: {reason}", folder.display())))?;
+    files.retain(|path| {
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        ending.is_some_and(|ending| DESCRIPTIONS.contains(&ending))
+    });
+    files.push(clone.join(HUMANOID));
+    Ok(files)
 }
 
 /// The path of the WebAssembly module, which the script of the crate `site` compiles.
@@ -124,21 +139,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_of_the_page_are_written() {
+    fn robots_with_a_button_are_written() {
         let clone = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let written = samples(&clone).expect("a folder of robots");
+        let names = written.iter().filter_map(|path| path.file_name()?.to_str());
+        let names: Vec<&str> = names.collect();
         let start = SCRIPT.split("const SAMPLES = [").nth(1).expect("samples");
         let list = start.split("];").next().expect("an end");
-        let named: Vec<&str> = list
-            .lines()
+        let buttons: Vec<&str> = (list.lines())
             .filter_map(|line| line.split('"').nth(1))
             .collect();
-        let written: Vec<&str> = SAMPLES
-            .iter()
-            .filter_map(|path| path.rsplit('/').next())
-            .collect();
-        assert_eq!(named, written);
-        for sample in SAMPLES {
-            assert!(clone.join(sample).is_file(), "{sample}");
+        assert!(buttons.len() > 3);
+        for button in buttons {
+            assert!(names.contains(&button), "{button}");
+        }
+        for path in &written {
+            assert!(path.is_file(), "{}", path.display());
         }
     }
 

@@ -440,6 +440,18 @@ async function links(browser, address) {
   await page.ask(`(() => { const typed = document.querySelector(".sliders .typed"); typed.value = "1.5 rad"; typed.dispatchEvent(new Event("change")); })()`);
   check((await page.ask("homogen.q()[0]")) === 1.5, "a typed number");
   await page.until(`location.hash.includes("q=1.5,")`);
+  // Links of the documentation.
+  const pages = ["robots/README.md", "runtime/src/front.md"].flatMap((path) => readFileSync(join(root, path), "utf8").match(/localhost:8000\/#robot=[^)]+/g));
+  check(pages.length > 20, `${pages.length} links`);
+  for (const hash of new Set(pages.map((link) => link.split("/")[1]))) {
+    const linked = await browser.open(address + hash, WIDE);
+    await linked.until("site.error() !== null || site.values()?.mass_matrix");
+    check((await linked.ask("site.error()")) === null && linked.complaints.length === 0, `${hash}: ${await linked.ask("site.error()")}`);
+    await linked.send("Page.close");
+  }
+  const unknown = await browser.open(`${address}#robot=nobody.urdf`, WIDE);
+  await unknown.until("site.error() !== null");
+  check(/no robot nobody.urdf/.test(await unknown.ask("site.error()")), "a robot that does not exist");
 }
 
 async function times(browser, address) {

@@ -1,12 +1,12 @@
 // The page: takes a description, opens it with the chosen options, and shows the robot with its functions, one after
 // the other. `window.site` is an interface for scripts.
 
-// Engines with the same robot: one for what is looked at, and others that expand the other functions meanwhile. Each takes
-// the memory of all that it has expanded.
+// Engines with the same robot: one for what is looked at, and others that expand the other functions meanwhile: two even
+// on two processors, for the first one waits most of the time. Each takes the memory of all that it has expanded.
 const front = new Engine();
-const backs = Array.from({ length: Math.max(1, Math.min(3, (navigator.hardwareConcurrency || 2) - 1)) }, () => new Engine());
+const backs = Array.from({ length: Math.max(2, Math.min(3, (navigator.hardwareConcurrency || 2) - 1)) }, () => new Engine());
 
-// The samples of the page: names of files in `robots`, and options.
+// Robots with a button: names of files in `robots`, and options. Links open the others in that folder, too.
 const SAMPLES = [
   ["two_link.urdf", "two links", []],
   ["panda_class.urdf", "Panda", [["tip", "link8"]]],
@@ -323,6 +323,11 @@ function expand(id, wanted) {
 
 async function sample([name, , options], q = null) {
   const answer = await fetch(`robots/${name}`);
+  if (!answer.ok) {
+    by("messages").replaceChildren(...messagesOf({ errors: [{ line: null, message: `this page has no robot ${name}` }] }, "", () => {}));
+    warm();
+    return;
+  }
   await take(name, new Uint8Array(await answer.arrayBuffer()), { options, q, sample: true });
 }
 
@@ -445,8 +450,7 @@ document.addEventListener("paste", (event) => {
 });
 
 const address = ofAddress();
-const linked = SAMPLES.find(([name]) => name === address.robot);
-if (linked) sample([linked[0], "", address.options], address.q);
+if (address.robot && /^\w[\w.]*$/.test(address.robot)) sample([address.robot, "", address.options], address.q);
 else warm();
 
 window.site = {

@@ -165,6 +165,20 @@ fn options_that_change_the_bits_are_refused() {
     }
 }
 
+/// Processors with numbers of half precision round those, too, and the others as before; x87 rounds none.
+#[test]
+fn numbers_must_be_rounded_to_their_types() {
+    let folder = Folder::new("rounded");
+    folder.write_c(&Robot::shipped("two_link"), Real::F64);
+    let redefined = ["-Wno-builtin-macro-redefined", "-U__FLT_EVAL_METHOD__"];
+    let options = |method: &'static str| [redefined[0], redefined[1], method];
+    for compiler in C::all().iter().filter(|compiler| compiler.is_gcc()) {
+        compiler.accept(&folder, &options("-D__FLT_EVAL_METHOD__=16"));
+        let message = compiler.refusal(&folder, &options("-D__FLT_EVAL_METHOD__=2"));
+        assert!(message.contains("-mfpmath=sse"), "{message}");
+    }
+}
+
 /// With qualifiers of a graphics processor's functions, which call only each other.
 #[test]
 fn the_code_compiles_for_a_gpu() {

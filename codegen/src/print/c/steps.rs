@@ -237,7 +237,8 @@ pub(super) fn definitions(module: &Module, prefix: &str, rule: Integrator) -> St
     let mut text = texts.stage();
     let bodies = [texts.step(), texts.step_derivatives(), texts.step_hessian()];
     for (k, ((_, head), body)) in heads(&texts).into_iter().zip(bodies).enumerate() {
-        if k == 1 {
+        // Derivatives of one stage alone are at the start.
+        if k == 1 && (texts.s > 1 || has_hessian(module)) {
             text.push_str(&texts.stage_derivatives());
             text.push_str(&texts.step_along());
         }

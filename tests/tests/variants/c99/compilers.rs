@@ -195,6 +195,13 @@ impl C {
         cfg!(all(target_arch = "x86_64", target_os = "linux")) && self.is_gcc() && is_new
     }
 
+    /// Checks that the source compiles with options.
+    pub fn accept(&self, folder: &Folder, options: &[&str]) {
+        let mut command = self.command();
+        command.args(options).arg("-fsyntax-only");
+        succeed(command.arg(folder.path("arm.c")));
+    }
+
     /// The message when options make the source refuse to compile.
     pub fn refusal(&self, folder: &Folder, options: &[&str]) -> String {
         let mut command = self.command();

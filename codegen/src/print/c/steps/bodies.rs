@@ -83,32 +83,38 @@ HOMOGEN_FN static void {name}(int i, const {t} q[{n}], const {t} qd[{n}], {t} dt
         )
     }
 
+    /// Length of rows that compilers divide into vectors without a rest.
+    const fn row_length(&self) -> usize {
+        (3 * self.n).next_multiple_of(4)
+    }
+
     /// Derivatives of the state of a stage.
     pub(super) fn stage_derivatives(&self) -> String {
         let Self { t, n, s, .. } = self;
         let (name, table) = (self.own("stage_derivatives"), self.table());
-        let (double, triple) = (2 * n, 3 * n);
+        let (double, row) = (2 * n, self.row_length());
         format!(
             "
 /* Derivatives of that state by q, qd and tau of the start. */
-HOMOGEN_FN static void {name}(int i, {t} dt, {t} qdd[{s}][{n}][{triple}], {t} at[{double}][{triple}])
+HOMOGEN_FN static void {name}(int i, {t} dt, {t} along[{s}][{n}][{row}], {t} at[{double}][{row}])
 {{
 {table}    int j, k, c;
     for (k = 0; k < {n}; ++k) {{
-        for (c = 0; c < {triple}; ++c) {{
-            at[k][c] = 0;
-            at[{n} + k][c] = 0;
-        }}
-        at[k][k] = 1;
-        at[k][{n} + k] = time[i] * dt;
-        at[{n} + k][{n} + k] = 1;
+        {t} position[{row}] = {{0}}, velocity[{row}] = {{0}};
+        position[k] = 1;
+        position[{n} + k] = time[i] * dt;
+        velocity[{n} + k] = 1;
         for (j = 0; j < i; ++j) {{
             const {t} x = dt * dt * of_q[i][j];
             const {t} v = dt * of_qd[i][j];
-            for (c = 0; c < {triple}; ++c) {{
-                at[k][c] += x * qdd[j][k][c];
-                at[{n} + k][c] += v * qdd[j][k][c];
+            for (c = 0; c < {row}; ++c) {{
+                position[c] += x * along[j][k][c];
+                velocity[c] += v * along[j][k][c];
             }}
+        }}
+        for (c = 0; c < {row}; ++c) {{
+            at[k][c] = position[c];
+            at[{n} + k][c] = velocity[c];
         }}
     }}
 }}
@@ -116,56 +122,68 @@ HOMOGEN_FN static void {name}(int i, {t} dt, {t} qdd[{s}][{n}][{triple}], {t} at
         )
     }
 
+    /// Calls for accelerations and their derivatives by q, qd and tau.
+    fn derivatives(&self, state: [&str; 3], results: [&str; 4], indent: &str) -> String {
+        if self.has(BOTH) {
+            return self.call(BOTH, state, &results);
+        }
+        let (value, derivatives) = results.split_at(1);
+        let value = self.call(VALUE, state, value);
+        let derivatives = self.call(DERIVATIVES, state, derivatives);
+        format!("{value}\n{indent}{derivatives}")
+    }
+
     /// All stages with their derivatives.
     pub(super) fn step_along(&self) -> String {
         let Self { t, n, s, .. } = self;
-        let (double, triple) = (2 * n, 3 * n);
+        let (double, row, table) = (2 * n, self.row_length(), self.table());
         let further = [
             format!("{t} at_q[{}][{n}]", s + 1),
             format!("{t} at_qd[{}][{n}]", s + 1),
             format!("{t} by[{s}][3][{n}][{n}]"),
-            format!("{t} at[{}][{double}][{triple}]", s + 1),
+            format!("{t} along[{s}][{n}][{row}]"),
         ];
         let (name, parameters) = (self.own("step_along"), self.parameters(&further));
-        let [stage, derivatives] = ["stage", "stage_derivatives"].map(|name| self.own(name));
-        let state = ["at_q[i]", "at_qd[i]", ""];
-        let by = ["by[i][0]", "by[i][1]", "by[i][2]"];
-        let calls = if self.has(BOTH) {
-            self.call(BOTH, state, &["qdd[i]", by[0], by[1], by[2]])
-        } else {
-            let [value, derivatives] = [
-                self.call(VALUE, state, &["qdd[i]"]),
-                self.call(DERIVATIVES, state, &by),
-            ];
-            format!("{value}\n        {derivatives}")
-        };
+        let stage = self.own("stage");
+        let by = ["qdd[i]", "by[i][0]", "by[i][1]", "by[i][2]"];
+        let calls = self.derivatives(["at_q[i]", "at_qd[i]", ""], by, "        ");
         format!(
             "
-/* The stages and the end with their derivatives, and those of forward dynamics at the stages by q, qd and tau. */
+/* The stages and the end. Derivatives of the accelerations of each stage: `by` by its own q, qd and tau, `along` by those
+ * of the start, in the same rows. */
 HOMOGEN_FN static void {name}({parameters})
 {{
-    {t} qdd[{s}][{n}];
-    {t} along[{s}][{n}][{triple}];
-    int i, k, r, c;
+{table}    {t} qdd[{s}][{n}];
+    int i, j, k, r, c;
     for (i = 0; i < {s}; ++i) {{
         {stage}(i, q, qd, dt, qdd, at_q[i], at_qd[i]);
-        {derivatives}(i, dt, along, at[i]);
         {calls}
         for (r = 0; r < {n}; ++r) {{
+            {t} sum[{row}] = {{0}};
             for (c = 0; c < {n}; ++c) {{
-                along[i][r][c] = 0;
-                along[i][r][{n} + c] = 0;
-                along[i][r][{double} + c] = by[i][2][r][c];
+                sum[c] = by[i][0][r][c];
+                sum[{n} + c] = by[i][1][r][c] + time[i] * dt * by[i][0][r][c];
+                sum[{double} + c] = by[i][2][r][c];
             }}
-            for (k = 0; k < {n}; ++k) {{
-                for (c = 0; c < {triple}; ++c) {{
-                    along[i][r][c] += by[i][0][r][k] * at[i][k][c] + by[i][1][r][k] * at[i][{n} + k][c];
+            for (j = 0; j < i; ++j) {{
+                const {t} x = dt * dt * of_q[i][j];
+                const {t} v = dt * of_qd[i][j];
+                if (x == 0 && v == 0) {{
+                    continue;
                 }}
+                for (k = 0; k < {n}; ++k) {{
+                    const {t} by_stage = x * by[i][0][r][k] + v * by[i][1][r][k];
+                    for (c = 0; c < {row}; ++c) {{
+                        sum[c] += by_stage * along[j][k][c];
+                    }}
+                }}
+            }}
+            for (c = 0; c < {row}; ++c) {{
+                along[i][r][c] = sum[c];
             }}
         }}
     }}
     {stage}({s}, q, qd, dt, qdd, at_q[{s}], at_qd[{s}]);
-    {derivatives}({s}, dt, along, at[{s}]);
 }}
 "
         )
@@ -174,38 +192,77 @@ HOMOGEN_FN static void {name}({parameters})
     /// Locals of the stages beside others, and the call that fills them.
     fn along_with(&self, locals: &str) -> String {
         let Self { t, n, s, .. } = self;
-        let (double, triple, all) = (2 * n, 3 * n, s + 1);
+        let (row, all) = (self.row_length(), s + 1);
         let robot = (!self.module.parameters.is_empty()).then_some("robot");
         let actions = (self.module.spaces.actions() > 0).then_some("actions");
         let passed = robot.into_iter().chain(["q", "qd", "tau"]).chain(actions);
-        let passed = passed.chain(["dt", "at_q", "at_qd", "by", "at"]);
+        let passed = passed.chain(["dt", "at_q", "at_qd", "by", "along"]);
         let passed = passed.collect::<Vec<_>>().join(", ");
         let name = self.own("step_along");
         format!(
             "    {t} at_q[{all}][{n}], at_qd[{all}][{n}];
     {t} by[{s}][3][{n}][{n}];
-    {t} at[{all}][{double}][{triple}];
+    {t} along[{s}][{n}][{row}];
     {locals}
     {name}({passed});
 "
         )
     }
 
-    pub(super) fn step_derivatives(&self) -> String {
-        let Self { n, s, .. } = self;
-        let double = 2 * n;
-        let along = self.along_with("int k, r, c;");
+    /// The derivatives of a rule of one stage, at the start of the step.
+    fn derivatives_of_one_stage(&self) -> String {
+        let Self { t, n, .. } = self;
+        let Table { of_q, of_qd, .. } = Table::of(self.rule);
+        let coefficient = |row: &[f64]| literal(row[0], self.module.scalar);
+        let (x, v) = (coefficient(of_q[1]), coefficient(of_qd[1]));
+        let stage = self.own("stage");
+        let results = ["qdd[0]", "dq", "dqd", "dtau"];
+        let calls = self.derivatives(["q", "qd", ""], results, "    ");
         format!(
-            "{along}    for (k = 0; k < {n}; ++k) {{
+            "    const {t} x = dt * dt * {x};
+    const {t} v = dt * {v};
+    {t} qdd[1][{n}];
+    {t} dq[{n}][{n}], dqd[{n}][{n}], dtau[{n}][{n}];
+    int k, c;
+    {calls}
+    {stage}(1, q, qd, dt, qdd, next_q, next_qd);
+    for (k = 0; k < {n}; ++k) {{
+        for (c = 0; c < {n}; ++c) {{
+            a[k][c] = x * dq[k][c];
+            a[k][{n} + c] = x * dqd[k][c];
+            a[{n} + k][c] = v * dq[k][c];
+            a[{n} + k][{n} + c] = v * dqd[k][c];
+            b[k][c] = x * dtau[k][c];
+            b[{n} + k][c] = v * dtau[k][c];
+        }}
+        a[k][k] += 1;
+        a[k][{n} + k] += dt;
+        a[{n} + k][{n} + k] += 1;
+    }}
+"
+        )
+    }
+
+    pub(super) fn step_derivatives(&self) -> String {
+        if self.s == 1 {
+            return self.derivatives_of_one_stage();
+        }
+        let Self { t, n, s, .. } = self;
+        let (double, row) = (2 * n, self.row_length());
+        let derivatives = self.own("stage_derivatives");
+        let along = self.along_with(&format!("{t} at[{double}][{row}];\n    int k, r, c;"));
+        format!(
+            "{along}    {derivatives}({s}, dt, along, at);
+    for (k = 0; k < {n}; ++k) {{
         next_q[k] = at_q[{s}][k];
         next_qd[k] = at_qd[{s}][k];
     }}
     for (r = 0; r < {double}; ++r) {{
         for (c = 0; c < {double}; ++c) {{
-            a[r][c] = at[{s}][r][c];
+            a[r][c] = at[r][c];
         }}
         for (c = 0; c < {n}; ++c) {{
-            b[r][c] = at[{s}][r][{double} + c];
+            b[r][c] = at[r][{double} + c];
         }}
     }}
 "
@@ -214,12 +271,13 @@ HOMOGEN_FN static void {name}({parameters})
 
     pub(super) fn step_hessian(&self) -> String {
         let Self { t, n, s, .. } = self;
-        let (double, triple) = (2 * n, 3 * n);
-        let table = self.of_rates();
+        let (double, triple, row) = (2 * n, 3 * n, self.row_length());
+        let (table, derivatives) = (self.of_rates(), self.own("stage_derivatives"));
         let along = self.along_with(&format!(
             "{t} w[{s}][{n}];
     {t} q_q[{n}][{n}], q_qd[{n}][{n}], qd_qd[{n}][{n}], q_tau[{n}][{n}];
     {t} half[{triple}][{triple}];
+    {t} at[{double}][{row}];
     int i, j, k, r, c;"
         ));
         let call = self.call(
@@ -248,6 +306,7 @@ HOMOGEN_FN static void {name}({parameters})
                 }}
             }}
         }}
+        {derivatives}(i, dt, along, at);
         {call}
         /* The Hessian of the stage times its derivatives. */
         for (r = 0; r < {n}; ++r) {{
@@ -258,16 +317,16 @@ HOMOGEN_FN static void {name}({parameters})
             }}
             for (k = 0; k < {n}; ++k) {{
                 for (c = 0; c < {triple}; ++c) {{
-                    half[r][c] += q_q[r][k] * at[i][k][c] + q_qd[r][k] * at[i][{n} + k][c];
-                    half[{n} + r][c] += q_qd[k][r] * at[i][k][c] + qd_qd[r][k] * at[i][{n} + k][c];
-                    half[{double} + r][c] += q_tau[k][r] * at[i][k][c];
+                    half[r][c] += q_q[r][k] * at[k][c] + q_qd[r][k] * at[{n} + k][c];
+                    half[{n} + r][c] += q_qd[k][r] * at[k][c] + qd_qd[r][k] * at[{n} + k][c];
+                    half[{double} + r][c] += q_tau[k][r] * at[k][c];
                 }}
             }}
         }}
         for (r = 0; r < {triple}; ++r) {{
             for (k = 0; k < {double}; ++k) {{
                 for (c = 0; c < {triple}; ++c) {{
-                    hessian[r][c] += at[i][k][r] * half[k][c];
+                    hessian[r][c] += at[k][r] * half[k][c];
                 }}
             }}
         }}

@@ -1,12 +1,13 @@
 //! Index of a list by the content of its entries.
 //!
 //! In: a hash of an entry, and a comparison. Out: the number of the entry that is equal, if there is one. Every operation
-//! of every program that is tried begins with this question, mostly in procedural macros without optimization, so that
-//! this is a plain table with open addressing. It keeps the hashes, so that no other entry is looked at.
+//! of every program that is tried begins with this question, and every length of a bound, mostly in procedural macros
+//! without optimization, so that this is a plain table with open addressing. It keeps the hashes, so that no other entry
+//! is looked at.
 
 /// Numbers of entries, each in the first free slot at or behind the one of its hash.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Index {
+pub struct Index {
     /// The length is a power of two, and at most half is in use.
     slots: Vec<Slot>,
     used: usize,
@@ -19,9 +20,16 @@ struct Slot {
     after: u32,
 }
 
+/// A hash of two words: the upper bits of products, which depend on all bits.
+pub const fn spread(first: u64, second: u64) -> u32 {
+    const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15; // 2⁶⁴ / φ, odd
+    let word = first.wrapping_mul(FACTOR) ^ second;
+    ((word ^ (word >> 32)).wrapping_mul(FACTOR) >> 32) as u32
+}
+
 impl Index {
     /// The number of the entry with this hash for which `is` is true.
-    pub(super) fn find(&self, hash: u32, is: impl Fn(u32) -> bool) -> Option<u32> {
+    pub fn find(&self, hash: u32, is: impl Fn(u32) -> bool) -> Option<u32> {
         if self.slots.is_empty() {
             return None;
         }
@@ -37,7 +45,7 @@ impl Index {
     }
 
     /// Adds an entry that is not in the index yet.
-    pub(super) fn insert(&mut self, number: u32, hash: u32) {
+    pub fn insert(&mut self, number: u32, hash: u32) {
         if 2 * (self.used + 1) > self.slots.len() {
             let length = (2 * self.slots.len()).max(64);
             let before = std::mem::replace(&mut self.slots, vec![Slot::default(); length]);

@@ -43,6 +43,7 @@ pub mod description;
 pub mod error;
 pub mod formulation;
 pub mod function;
+mod index;
 pub mod processor;
 #[doc(hidden)]
 pub mod quaternion;

@@ -8,15 +8,16 @@ use std::path::{Path, PathBuf};
 
 /// Each folder with those it may name besides itself: first the shared types, then the stages in the order of `expand`,
 /// then the front ends.
-const FOLDERS: [(&str, &[&str]); 36] = [
+const FOLDERS: [(&str, &[&str]); 37] = [
     ("wording", &[]),
     ("list", &[]),
     ("template", &[]),
+    ("index", &[]),
     ("random", &[]),
     ("real", &[]),
     ("error", &["wording"]),
     ("space", &["list"]),
-    ("expression", &["list", "space"]),
+    ("expression", &["list", "index", "space"]),
     ("number", &["error", "expression"]),
     ("name", &["error"]),
     ("matrix", &["expression"]),
@@ -34,7 +35,10 @@ const FOLDERS: [(&str, &[&str]); 36] = [
         "dense",
         &["list", "space", "expression", "joint", "closure"],
     ),
-    ("schedule", &["real", "space", "expression", "processor"]),
+    (
+        "schedule",
+        &["index", "real", "space", "expression", "processor"],
+    ),
     (
         "function",
         &[

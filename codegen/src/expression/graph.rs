@@ -10,18 +10,18 @@
 //! * k x ± l x is (k ± l) x, and so where one of k and l is 1;
 //! * no rule applies across a [`Node::Taken`]: the nodes above it are the same, whatever it holds.
 
-mod index;
+mod sparse;
 #[cfg(test)]
 mod tests;
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 
 use super::double::Double;
 use super::label::Label;
 use super::term::Term;
+use crate::index::{Index, spread};
 use crate::space::Variable;
-use index::Index;
+use sparse::Sparse;
 
 /// The number of a node in a graph.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -81,12 +81,12 @@ pub struct Graph {
 struct Inner {
     nodes: Vec<Node>,
     /// The value of each constant node.
-    values: Vec<Option<Double>>,
-    labels: Vec<Option<Label>>,
+    values: Sparse<Double>,
+    labels: Sparse<Label>,
     /// The nodes that depend on an input.
     varying: Index,
     /// The constants by their value, so that 0.5 × 0.5 and 0.25 are one node.
-    constants: HashMap<(u64, u64), Expr>,
+    constants: Index,
 }
 
 impl Graph {
@@ -111,7 +111,7 @@ impl Graph {
     /// The value of a constant expression.
     #[must_use]
     pub fn value(&self, expr: Expr) -> Option<Double> {
-        self.inner.borrow().values[expr.index()]
+        self.inner.borrow().value(expr)
     }
 
     /// The number of nodes.
@@ -129,7 +129,7 @@ impl Graph {
     /// The label of an expression, if it is an entry of a quantity.
     #[must_use]
     pub fn label(&self, expr: Expr) -> Option<Label> {
-        self.inner.borrow().labels[expr.index()]
+        self.inner.borrow().labels.get(expr.index())
     }
 
     /// Labels an expression as an entry of a quantity. The first label stays. Inputs and numbers take none; the
@@ -140,10 +140,10 @@ impl Graph {
         let named = matches!(
             inner.nodes[expr.index()],
             Node::Input(_) | Node::Literal(_) | Node::Sin(_) | Node::Cos(_)
-        ) || inner.values[expr.index()].is_some();
-        let slot = &mut inner.labels[expr.index()];
-        if !named && slot.is_none() {
-            *slot = Some(if negative { label.opposite() } else { label });
+        ) || inner.is_constant(expr);
+        if !named && !inner.labels.has(expr.index()) {
+            let label = if negative { label.opposite() } else { label };
+            inner.labels.set(expr.index(), label);
         }
     }
 
@@ -247,9 +247,8 @@ impl Node {
         }
     }
 
-    /// A hash for the index: the upper bits of a product, which depend on all bits of the node.
+    /// A hash for the index.
     fn spread(self) -> u32 {
-        const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15; // 2⁶⁴ / φ, odd
         let (kind, a, b): (u64, u32, u32) = match self {
             // Numbers are found by their value.
             Self::Literal(_) => (0, 0, 0),
@@ -266,9 +265,14 @@ impl Node {
             Self::Cos(a) => (11, a.0, 0),
             Self::Taken(a, by) => (12, a.0, by.into()),
         };
-        let word = ((u64::from(a) << 32) | u64::from(b)).wrapping_mul(FACTOR) ^ (kind << 56);
-        ((word ^ (word >> 32)).wrapping_mul(FACTOR) >> 32) as u32
+        spread((u64::from(a) << 32) | u64::from(b), kind << 56)
     }
+}
+
+/// A hash of a number for the index.
+fn spread_of(value: Double) -> u32 {
+    let (hi, lo) = value.bits();
+    spread(hi, lo)
 }
 
 /// The operands of a node, one after the other.
@@ -304,7 +308,7 @@ impl Inner {
     /// expression; every other node is identified by its operands.
     fn intern(&mut self, node: Node, value: Option<Double>) -> Expr {
         let known = match value {
-            Some(value) => self.constants.get(&value.bits()).copied(),
+            Some(value) => self.constant(value),
             None => self.find(node),
         };
         if let Some(known) = known {
@@ -315,7 +319,7 @@ impl Inner {
         self.values.push(value);
         self.labels.push(None);
         if let Some(value) = value {
-            self.constants.insert(value.bits(), expr);
+            self.constants.insert(expr.0, spread_of(value));
         } else {
             self.varying.insert(expr.0, node.spread());
         }
@@ -328,8 +332,21 @@ impl Inner {
         if value < 0.0 { self.neg(expr) } else { expr }
     }
 
+    /// The expression of a number.
+    fn constant(&self, value: Double) -> Option<Expr> {
+        let is = |number: u32| {
+            let other = self.values.get(number as usize);
+            other.is_some_and(|other| other.bits() == value.bits())
+        };
+        self.constants.find(spread_of(value), is).map(Expr)
+    }
+
     fn value(&self, expr: Expr) -> Option<Double> {
-        self.values[expr.index()]
+        self.values.get(expr.index())
+    }
+
+    fn is_constant(&self, expr: Expr) -> bool {
+        self.values.has(expr.index())
     }
 
     fn is_zero(&self, expr: Expr) -> bool {
@@ -419,8 +436,8 @@ impl Inner {
     /// before other rules, constants keep digits that a sum of products loses.
     fn multiples(&mut self, a: Expr, b: Expr) -> Option<(Expr, Expr, Expr)> {
         let split = |inner: &Self, expr: Expr| match inner.nodes[expr.index()] {
-            _ if inner.value(expr).is_some() => None,
-            Node::Mul(factor, rest) if inner.value(factor).is_some() => Some((Some(factor), rest)),
+            _ if inner.is_constant(expr) => None,
+            Node::Mul(factor, rest) if inner.is_constant(factor) => Some((Some(factor), rest)),
             _ => Some((None, expr)),
         };
         let ((k, x), (l, y)) = (split(self, a)?, split(self, b)?);
@@ -450,7 +467,7 @@ impl Inner {
         match (self.value(a), self.value(b), self.nodes[b.index()]) {
             (Some(x), Some(y), _) => self.intern(Node::Mul(a, b), Some(x * y)),
             // A constant times a product that has one already.
-            (Some(_), None, Node::Mul(factor, rest)) if self.value(factor).is_some() => {
+            (Some(_), None, Node::Mul(factor, rest)) if self.is_constant(factor) => {
                 let factor = self.product(a, factor);
                 self.product(factor, rest)
             }
@@ -484,7 +501,7 @@ impl Inner {
         }
         let of = match self.nodes[a.index()] {
             // Constants are never negative here.
-            Node::Mul(factor, of) if self.value(factor).is_some() => of,
+            Node::Mul(factor, of) if self.is_constant(factor) => of,
             _ => a,
         };
         let sign = self.intern(Node::Sign(of), None);
@@ -519,7 +536,7 @@ impl Inner {
 
     /// Constants first, then by age.
     fn ordered(&self, a: Expr, b: Expr) -> (Expr, Expr) {
-        let key = |expr: Expr| (self.value(expr).is_none(), expr);
+        let key = |expr: Expr| (!self.is_constant(expr), expr);
         if key(b) < key(a) { (b, a) } else { (a, b) }
     }
 }

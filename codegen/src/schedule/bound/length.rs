@@ -4,7 +4,6 @@
 //! their errors that rotations do not increase. Ranges of single entries would grow by √2 with each rotation, and by
 //! 128 for seven joints there and back.
 
-use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
 use super::combination::{Column, Combination, ROWS};
@@ -14,8 +13,9 @@ use super::known::Known;
 use super::norm::{both, norm, root};
 use super::quaternion::{Entry, stretch};
 use super::value::Value;
+use crate::index::{Index, spread};
 use crate::real::Real;
-use crate::schedule::Operand;
+use crate::schedule::{Operand, number};
 
 /// √(a² + b² + …) of exact values, and of their errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -97,7 +97,15 @@ const MOST: usize = 8;
 
 /// Known lengths, by the steps of the entries.
 #[derive(Default)]
-pub struct Lengths(HashMap<[u32; ENTRIES], Length>);
+pub struct Lengths {
+    all: Vec<([u32; ENTRIES], Length)>,
+    index: Index,
+}
+
+/// A hash of the steps of some entries.
+fn spread_of([a, b, c]: [u32; ENTRIES]) -> u32 {
+    spread((u64::from(a) << 32) | u64::from(b), c.into())
+}
 
 /// Placeholder for an absent entry.
 const NOTHING: u32 = u32::MAX;
@@ -137,18 +145,21 @@ impl Lengths {
         // The latest first.
         let steps = &mut set[..count];
         steps.sort_unstable_by(|a, b| b.cmp(a));
-        if let Some(&length) = self.0.get(&set) {
-            return length.beside(leaves);
+        let hash = spread_of(set);
+        let is = |at: u32| self.all[at as usize].0 == set;
+        if let Some(at) = self.index.find(hash, is) {
+            return self.all[at as usize].1.beside(leaves);
         }
         let steps = &set[..count];
-        let entries = steps.iter().map(|&k| known.steps[k as usize].entry);
-        if let Some(entries) = entries.collect::<Option<Vec<Entry>>>()
-            && Entry::are_in_line(&entries)
-        {
-            length.size = length.size.min(stretch(known.scalar()));
+        let entry = |step: &u32| known.steps[*step as usize].entry;
+        if steps.iter().all(|step| entry(step).is_some()) {
+            let entries: Vec<Entry> = steps.iter().filter_map(entry).collect();
+            if Entry::are_in_line(&entries) {
+                length.size = length.size.min(stretch(known.scalar()));
+            }
         }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
-        if !twice && self.0.len() < MOST * known.steps.len() {
+        if !twice && self.all.len() < MOST * known.steps.len() {
             let turned =
                 |step: &u32| matches!(known.steps[*step as usize].form, Form::ByRotation(_));
             let turned = steps.iter().any(turned);
@@ -158,7 +169,14 @@ impl Lengths {
             if first || !turned {
                 length = length.least(self.combined(known, steps, depth - 1));
             }
-            self.0.insert(set, length);
+            // The recursion may have found this length, too.
+            let is = |at: u32| self.all[at as usize].0 == set;
+            if let Some(at) = self.index.find(hash, is) {
+                self.all[at as usize].1 = length;
+            } else {
+                self.index.insert(number(self.all.len()), hash);
+                self.all.push((set, length));
+            }
         }
         length.beside(leaves)
     }

@@ -22,7 +22,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::print::arrays::Order;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
-use homogen_codegen::request::setting::{SCOPE, SOURCE};
+use homogen_codegen::request::setting::{C, SCOPE, SOURCE};
 use homogen_page::firmware::{self, Board};
 use homogen_page::project::{self, Project};
 
@@ -75,6 +75,8 @@ struct Cmake {
     /// [default: angular-first]
     #[arg(long, value_enum)]
     order: Option<Halves>,
+    #[command(flatten)]
+    asked: Asked<C>,
 }
 
 /// A language that CMake compiles.
@@ -85,6 +87,11 @@ enum Compiled {
 }
 
 impl Cmake {
+    fn run(&self, input: &mut dyn Read) -> Outcome {
+        let request = self.asked.and(Request::default());
+        self.wrapped.run(self.project()?, request, input)
+    }
+
     fn project(&self) -> Result<Project, Errors> {
         match (self.language, self.order) {
             (Compiled::C, None) => Ok(Project::Cmake),
@@ -144,19 +151,19 @@ impl Target {
 impl New {
     pub(super) fn run(&self, input: &mut dyn Read) -> Outcome {
         match &self.what {
-            What::Crate(wrapped) => wrapped.run(Project::Crate, input),
-            What::Cmake(cmake) => cmake.wrapped.run(cmake.project()?, input),
-            What::Python(wrapped) => wrapped.run(Project::Python, input),
+            What::Crate(wrapped) => wrapped.run(Project::Crate, Request::default(), input),
+            What::Cmake(cmake) => cmake.run(input),
+            What::Python(wrapped) => wrapped.run(Project::Python, Request::default(), input),
             What::Firmware(firmware) => firmware.run(),
         }
     }
 }
 
 impl Wrapped {
-    fn run(&self, project: Project, input: &mut dyn Read) -> Outcome {
+    fn run(&self, project: Project, request: Request, input: &mut dyn Read) -> Outcome {
         let request = Request {
             scalar: self.scalar.map_or(Real::F64, Real::from),
-            ..Request::default()
+            ..request
         };
         let builder = self.generated.builder(request, input)?;
         let (files, module) = project.files(&builder)?;

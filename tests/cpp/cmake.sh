@@ -72,6 +72,9 @@ project c robots/two_link.urdf $functions
 package=quadruped
 main quadruped.h "gravity[0]" "double q[19], gravity[18]; quadruped_neutral(q); quadruped_gravity(q, gravity);"
 project floating robots/quadruped.urdf --floating --functions gravity,forward_dynamics
+package=panda_class
+main panda_class.h "a[7][0]" "const double zero[7] = {0}; double q[7], qd[7], a[14][14], b[14][7]; panda_class_step_derivatives(zero, zero, zero, 0.001, q, qd, a, b);"
+project steps robots/panda_class.urdf --tip link8 --steps rk4 --casadi --section 300 --functions forward_dynamics,forward_dynamics+forward_dynamics_derivatives
 package=two_link ending=cpp
 main two_link.hpp "two_link::gravity(q)[0]" "const std::array<double, 2> q = {0.3, -0.7};"
 project cpp robots/two_link.urdf --language cpp $functions

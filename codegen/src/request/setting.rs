@@ -91,6 +91,8 @@ pub const FILE: u8 = 1 << 5;
 
 /// Options of the file that describes the robot.
 pub const SOURCE: u8 = 1 << 6;
+/// Those options of a file that a project in C has, too.
+pub const C: u8 = 1 << 7;
 
 /// A row with default values.
 const SETTING: Setting = Setting {
@@ -169,13 +171,13 @@ pub const SETTINGS: [Setting; 39] = [
         help: "Compute once what depends on fields alone", ..SETTING },
     Setting { key: "batch", form: SettingForm::Switch(|asked| &mut asked.batch), example: "batch", group: FILE, needs: Some("runtime"),
         help: "Functions of slices of states in addition", ..SETTING },
-    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the maximum number of statements of one compiled function"), example: "section = 2000", group: FILE, value: "COUNT",
+    Setting { key: "section", form: SettingForm::Count(|asked| &mut asked.section, "the maximum number of statements of one compiled function"), example: "section = 2000", group: FILE | C, value: "COUNT",
         help: "Maximum number of statements of one compiled function: longer ones are cut into sections that are called in order [default: 2000, of functions with more than 8000; with batches 500, of functions with more than 4000]", ..SETTING },
-    Setting { key: "casadi", form: SettingForm::Switch(|asked| &mut asked.for_c.casadi), group: FILE,
+    Setting { key: "casadi", form: SettingForm::Switch(|asked| &mut asked.for_c.casadi), group: FILE | C,
         help: "In C, add CasADi's external interface, with the derivatives that are generated", ..SETTING },
-    Setting { key: "steps", form: SettingForm::Steps, group: FILE, value: "RULE",
+    Setting { key: "steps", form: SettingForm::Steps, group: FILE | C, value: "RULE",
         help: "In C, add time steps of forward dynamics, with the derivatives that are generated: semi-implicit, euler or rk4", ..SETTING },
-    Setting { key: "acados", form: SettingForm::Switch(|asked| &mut asked.for_c.acados), group: FILE, needs: Some("steps"),
+    Setting { key: "acados", form: SettingForm::Switch(|asked| &mut asked.for_c.acados), group: FILE | C, needs: Some("steps"),
         help: "In C, add these steps as discrete dynamics of acados", ..SETTING },
     Setting { key: "crate", form: SettingForm::Runtime, example: r#"crate = "::homogen""#, name: Some("runtime"), ..SETTING },
 ];

@@ -276,7 +276,8 @@ HOMOGEN_FN static void {name}({parameters})
         let along = self.along_with(&format!(
             "{t} w[{s}][{n}];
     {t} q_q[{n}][{n}], q_qd[{n}][{n}], qd_qd[{n}][{n}], q_tau[{n}][{n}];
-    {t} half[{triple}][{triple}];
+    {t} half[{double}][{row}];
+    {t} all[{triple}][{row}] = {{{{0}}}};
     {t} at[{double}][{row}];
     int i, j, k, r, c;"
         ));
@@ -286,12 +287,7 @@ HOMOGEN_FN static void {name}({parameters})
             &["q_q", "q_qd", "qd_qd", "q_tau"],
         );
         format!(
-            "{table}{along}    for (r = 0; r < {triple}; ++r) {{
-        for (c = 0; c < {triple}; ++c) {{
-            hessian[r][c] = 0;
-        }}
-    }}
-    for (i = 0; i < {s}; ++i) {{
+            "{table}{along}    for (i = 0; i < {s}; ++i) {{
         for (k = 0; k < {n}; ++k) {{
             w[i][k] = dt * dt * of_q[{s}][i] * weights[k] + dt * of_qd[{s}][i] * weights[{n} + k];
         }}
@@ -308,32 +304,40 @@ HOMOGEN_FN static void {name}({parameters})
         }}
         {derivatives}(i, dt, along, at);
         {call}
-        /* The Hessian of the stage times its derivatives. */
+        /* The Hessian of the stage times its derivatives, and these on the other side. */
         for (r = 0; r < {n}; ++r) {{
-            for (c = 0; c < {triple}; ++c) {{
-                half[r][c] = c < {double} ? 0 : q_tau[r][c - {double}];
-                half[{n} + r][c] = 0;
-                half[{double} + r][c] = 0;
+            {t} of_q_r[{row}] = {{0}}, of_qd_r[{row}] = {{0}}, of_tau_r[{row}] = {{0}};
+            for (c = 0; c < {n}; ++c) {{
+                of_q_r[{double} + c] = q_tau[r][c];
             }}
             for (k = 0; k < {n}; ++k) {{
-                for (c = 0; c < {triple}; ++c) {{
-                    half[r][c] += q_q[r][k] * at[k][c] + q_qd[r][k] * at[{n} + k][c];
-                    half[{n} + r][c] += q_qd[k][r] * at[k][c] + qd_qd[r][k] * at[{n} + k][c];
-                    half[{double} + r][c] += q_tau[k][r] * at[k][c];
+                for (c = 0; c < {row}; ++c) {{
+                    of_q_r[c] += q_q[r][k] * at[k][c] + q_qd[r][k] * at[{n} + k][c];
+                    of_qd_r[c] += q_qd[k][r] * at[k][c] + qd_qd[r][k] * at[{n} + k][c];
+                    of_tau_r[c] += q_tau[k][r] * at[k][c];
                 }}
+            }}
+            for (c = 0; c < {row}; ++c) {{
+                half[r][c] = of_q_r[c];
+                half[{n} + r][c] = of_qd_r[c];
+                all[{double} + r][c] += of_tau_r[c];
             }}
         }}
         for (r = 0; r < {triple}; ++r) {{
+            {t} sum[{row}] = {{0}};
             for (k = 0; k < {double}; ++k) {{
-                for (c = 0; c < {triple}; ++c) {{
-                    hessian[r][c] += at[k][r] * half[k][c];
+                for (c = 0; c < {row}; ++c) {{
+                    sum[c] += at[k][r] * half[k][c];
                 }}
             }}
-        }}
-        for (r = 0; r < {n}; ++r) {{
-            for (c = 0; c < {triple}; ++c) {{
-                hessian[{double} + r][c] += half[{double} + r][c];
+            for (c = 0; c < {row}; ++c) {{
+                all[r][c] += sum[c];
             }}
+        }}
+    }}
+    for (r = 0; r < {triple}; ++r) {{
+        for (c = 0; c < {triple}; ++c) {{
+            hessian[r][c] = all[r][c];
         }}
     }}
 "

@@ -132,6 +132,11 @@ def _batched(values, places, *, operation):
         mapped = jax.vmap(partial(_by_plain, operation=operation), in_axes=(of_fields, *places))
         return mapped(fields, *values), [0] * len(operation.shapes)
     ranks = [len(own) for _, own in operation.arguments]
+    return _compute.bind(fields, *_moved(values, places, ranks), operation=operation), [0] * len(operation.shapes)
+
+
+def _moved(values, places, ranks):
+    """Values whose axis of a batch, if they have one, is the first of as many leading axes as the longest has."""
     axes = max(value.ndim - (place is not None) - rank for value, place, rank in zip(values, places, ranks))
     moved = []
     for value, place, rank in zip(values, places, ranks):
@@ -140,7 +145,7 @@ def _batched(values, places, *, operation):
             missing = axes - (value.ndim - 1 - rank)
             value = value.reshape(value.shape[0], *[1] * missing, *value.shape[1:])
         moved.append(value)
-    return _compute.bind(fields, *moved, operation=operation), [0] * len(operation.shapes)
+    return moved
 
 
 def _pushed(primals, tangents, *, operation):
@@ -148,19 +153,97 @@ def _pushed(primals, tangents, *, operation):
     fields, *values = primals
     of_fields, *of_values = tangents
     found = _compute.bind(*primals, operation=operation)
-    rule = DERIVATIVES.get(operation.name) if operation.robot._is_euclidean else None
-    if rule is None or type(of_fields) is not ad.Zero:
+    has_rule = operation.robot._is_euclidean and operation.name in DERIVATIVES
+    if not has_rule or type(of_fields) is not ad.Zero:
         made = tuple(map(ad.instantiate_zeros, tangents))
         _, changes = jax.jvp(partial(_by_plain, operation=operation), tuple(primals), made)
         return found, changes
-    given = [None if type(tangent) is ad.Zero else tangent for tangent in of_values]
+    along = tuple(type(tangent) is not ad.Zero for tangent in of_values)
+    given = [tangent for tangent, is_given in zip(of_values, along) if is_given]
+    change = _change.bind if operation.name in GRADIENTS else _changed
+    return found, [change(fields, *values, *given, operation=operation, along=along)]
 
-    def other(name, *arguments, frame=None, order=None):
+
+def _other(operation, fields):
+    """Calls of other functions of the robot."""
+
+    def call(name, *arguments, frame=None, order=None):
         several = _compute.bind(fields, *arguments, operation=operation.other(name, frame, order))
         return several if len(several) > 1 else several[0]
 
-    change = rule(operation, other, values, given)
-    return found, [np.broadcast_to(change, found[0].shape)]
+    return call
+
+
+def _leading_of_change(arguments, operation, along):
+    """The leading axes of a change: those of values and of tangents, of which JAX has batches where it has one value."""
+    own = operation.arguments
+    own = [*own, *(argument for argument, is_given in zip(own, along) if is_given)]
+    return leading(own, [array.shape for array in arguments])
+
+
+def _parted(arguments, operation, along):
+    """Values, and the tangents along some of them; `None` for the others."""
+    count = len(operation.arguments)
+    tangents = iter(arguments[count:])
+    return arguments[:count], [next(tangents) if is_given else None for is_given in along]
+
+
+def _changed(fields, *arguments, operation, along):
+    """The change of the result, by matrices of derivatives."""
+    values, tangents = _parted(arguments, operation, along)
+    change = DERIVATIVES[operation.name](operation, _other(operation, fields), values, tangents)
+    return np.broadcast_to(change, (*_leading_of_change(arguments, operation, along), *operation.shapes[0][1]))
+
+
+def _changed_by_plain(fields, *arguments, operation, along):
+    """The same by plain Python."""
+    values, tangents = _parted(arguments, operation, along)
+    axes = _leading_of_change(arguments, operation, along)
+    made = []
+    for value, tangent, (_, own) in zip(values, tangents, operation.arguments):
+        tangent = np.zeros_like(value) if tangent is None else tangent
+        made.append([np.broadcast_to(array, (*axes, *own)) for array in (value, tangent)])
+    primals, tangents = zip(*made)
+    return jax.jvp(partial(_by_plain, fields, operation=operation), primals, tangents)[1][0]
+
+
+def _type_of_change(fields, *arguments, operation, along):
+    axes = _leading_of_change(arguments, operation, along)
+    return jax.core.ShapedArray((*axes, *operation.shapes[0][1]), fields.dtype)
+
+
+def _pushed_change(primals, tangents, **given):
+    made = tuple(map(ad.instantiate_zeros, tangents))
+    return jax.jvp(partial(_changed, **given), tuple(primals), made)
+
+
+def _batched_change(values, places, *, operation, along):
+    fields, *values = values
+    of_fields, *places = places
+    given = {"operation": operation, "along": along}
+    if of_fields is not None:
+        return jax.vmap(partial(_changed_by_plain, **given), in_axes=(of_fields, *places))(fields, *values), 0
+    ranks = [len(own) for _, own in operation.arguments]
+    ranks += [rank for rank, is_given in zip(ranks, along) if is_given]
+    return _change.bind(fields, *_moved(values, places, ranks), **given), 0
+
+
+def _pulled(cotangent, fields, *arguments, operation, along):
+    """The gradients by the tangents: products of the cotangent and the derivatives, without a matrix of these."""
+    values, tangents = _parted(arguments, operation, along)
+    nothing = [None] * (1 + len(values))
+    if type(cotangent) is ad.Zero:
+        return [*nothing, *(None for is_given in along if is_given)]
+    found = GRADIENTS[operation.name](operation, _other(operation, fields), values, cotangent)
+    pairs = [(gradient, tangent) for gradient, tangent in zip(found, tangents) if tangent is not None]
+    return [*nothing, *(_summed(gradient, tangent.aval.shape) for gradient, tangent in pairs)]
+
+
+def _summed(gradient, shape):
+    """The sum over axes along which an argument was broadcast."""
+    gradient = gradient.sum(tuple(range(gradient.ndim - len(shape))))
+    axes = [k for k, (own, wanted) in enumerate(zip(gradient.shape, shape)) if own != wanted]
+    return gradient.sum(tuple(axes), keepdims=True)
 
 
 _compute = core.Primitive("homogen")
@@ -172,6 +255,16 @@ ad.primitive_jvps[_compute] = _pushed
 mlir.register_lowering(_compute, mlir.lower_fun(_by_plain, multiple_results=True))
 mlir.register_lowering(_compute, mlir.lower_fun(_by_code, multiple_results=True), platform="cpu")
 
+# The change of a result along tangents: linear in them, so that JAX goes back through it by products of a vector and the
+# derivatives.
+_change = core.Primitive("homogen_change")
+_change.def_abstract_eval(_type_of_change)
+_change.def_impl(jax.jit(lambda *values, **given: _change.bind(*values, **given), static_argnames=("operation", "along")))
+batching.primitive_batchers[_change] = _batched_change
+ad.primitive_jvps[_change] = _pushed_change
+ad.primitive_transposes[_change] = _pulled
+mlir.register_lowering(_change, mlir.lower_fun(_changed, multiple_results=False))
+
 
 def _along(*pairs):
     """The sum of matrices times tangents, of those that are not zero."""
@@ -179,13 +272,23 @@ def _along(*pairs):
     return sum(terms[1:], terms[0])
 
 
-def _wrenches(operation, other, q, wrenches):
-    """Jᵀ times the change of each external wrench."""
+def _jacobians(operation, other, q):
+    """The Jacobian of each external wrench."""
     options = operation.robot._recipe.options
     name = "spatial_jacobian" if any(key == "external_in_frame_0" for key, _ in options) else "body_jacobian"
-    links = [link for key, link in options if key == "external"]
-    terms = [np.einsum("...ij,...i->...j", other(name, q, frame=link), wrenches[..., k, :]) for k, link in enumerate(links)]
+    return [other(name, q, frame=link) for key, link in options if key == "external"]
+
+
+def _wrenches(operation, other, q, wrenches):
+    """Jᵀ times the change of each external wrench."""
+    jacobians = enumerate(_jacobians(operation, other, q))
+    terms = [np.einsum("...ij,...i->...j", jacobian, wrenches[..., k, :]) for k, jacobian in jacobians]
     return sum(terms[1:], terms[0])
+
+
+def _pulled_wrenches(operation, other, q, weights):
+    """J times weights for each external wrench."""
+    return np.stack([_along((jacobian, weights)) for jacobian in _jacobians(operation, other, q)], axis=-2)
 
 
 def _inverse_dynamics(operation, other, values, tangents):
@@ -247,6 +350,33 @@ DERIVATIVES = {
     "potential_energy": _potential_energy,
     "center_of_mass": _center_of_mass,
     "forward_kinematics": _forward_kinematics,
+}
+
+
+def _weighted_torques(operation, other, values, weights):
+    q, qd, qdd, *actions = values
+    found = other("inverse_dynamics_vjp", q, qd, qdd, weights, *actions)
+    return [*found, *(-_pulled_wrenches(operation, other, q, weights) for _ in actions)]
+
+
+def _weighted_accelerations(operation, other, values, weights):
+    q, qd, tau, *actions = values
+    found = other("forward_dynamics_vjp", q, qd, tau, weights, *actions)
+    return [*found, *(_pulled_wrenches(operation, other, q, found[2]) for _ in actions)]
+
+
+def _weighted_bias(operation, other, values, weights):
+    q, qd = values
+    links = sum(key == "external" for key, _ in operation.robot._recipe.options)
+    actions = [np.zeros((links, 6), q.dtype)] * bool(links)
+    return other("inverse_dynamics_vjp", q, qd, np.zeros_like(qd), weights, *actions)[:2]
+
+
+#: For some functions the gradients by the arguments of the sum of the results times weights.
+GRADIENTS = {
+    "inverse_dynamics": _weighted_torques,
+    "forward_dynamics": _weighted_accelerations,
+    "bias": _weighted_bias,
 }
 
 

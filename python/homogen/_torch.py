@@ -72,7 +72,18 @@ class Operation:
         """The result of another function of the robot, of arrays."""
         function = getattr(self.robot, name)
         options = {"order": self.order} if "order" in function.parameters()[1] else {}
+        shapes = [shape for _, shape in function.arrays()[1]]
+        if len(shapes) > 1:
+            options["out"] = _side_by_side(arrays[0].shape[0], shapes, arrays[0].dtype)
         return function(*arrays, **options)
+
+
+def _side_by_side(count, shapes, number):
+    """Arrays in one block: when it is freed, the allocator keeps it for the next ones, and of several it returns some to the
+    system, whose new pages would take as long as the computation."""
+    ends = np.cumsum([count * math.prod(shape) for shape in shapes])
+    parts = np.split(np.empty(ends[-1], number), ends[:-1])
+    return [part.reshape(count, *shape) for part, shape in zip(parts, shapes)]
 
 
 def same_type(values):
@@ -132,11 +143,15 @@ def _pull(tensors: Sequence[torch.Tensor], gradient: torch.Tensor, key: str) -> 
         np.broadcast_to(tensor.detach().numpy(), (*axes, *shape)).reshape(count, *shape)
         for tensor, shape in zip((*tensors, gradient), (*own, operation.shapes[0][1]))
     ]
-    found = [np.empty((count, *shape), array.dtype) for shape, array in zip(own, arrays)]
-    for start in range(0, count, _CACHED):
-        some = slice(start, start + _CACHED)
-        for whole, part in zip(found, DERIVATIVES[operation.name](operation, *(array[some] for array in arrays))):
-            whole[some] = part
+    rule = DERIVATIVES[operation.name]
+    if count <= _CACHED or (operation.name in BY_VECTORS and "actions" not in dict(operation.arguments)):
+        found = rule(operation, *arrays)
+    else:
+        found = [np.empty((count, *shape), array.dtype) for shape, array in zip(own, arrays)]
+        for start in range(0, count, _CACHED):
+            some = slice(start, start + _CACHED)
+            for whole, part in zip(found, rule(operation, *(array[some] for array in arrays))):
+                whole[some] = part
     return [torch.from_numpy(array.reshape(*axes, *shape)) for array, shape in zip(found, own)]
 
 
@@ -266,6 +281,9 @@ DERIVATIVES = {
     "center_of_mass": _center_of_mass,
     "forward_kinematics": _forward_kinematics,
 }
+
+#: Those whose gradients take no matrices, but for external wrenches.
+BY_VECTORS = {"inverse_dynamics", "forward_dynamics", "bias"}
 
 
 def plain(robot, name, frame, order):

@@ -169,6 +169,46 @@ def test_jax_transforms_functions(jax, arm):
         dynamics(q, qd)
 
 
+def test_jax_goes_back_without_matrices_of_derivatives(jax, arm):
+    q, qd, qdd = states(arm, ["q", "qd", "qdd"], 6, float)
+    for name in ("inverse_dynamics", "forward_dynamics"):
+        function = getattr(arm.jax, name)
+
+        def work(*given, function=function):
+            return (function(*given) * qd).sum()
+
+        # An argument without leading axes has the sum of all gradients.
+        gradient = jax.grad(work, (0, 1, 2))
+        found = gradient(q[0], qd, qdd)
+        wanted = getattr(arm, f"{name}_vjp")(np.broadcast_to(q[0], q.shape), qd, qdd, qd)
+        for one, other in zip(found, [wanted[0].sum(0), *wanted[1:]], strict=True):
+            assert np.allclose(one, other, rtol=1e-9, atol=1e-9 * np.abs(other).max()), name
+        assert "[6,7,7]" not in str(jax.make_jaxpr(gradient)(q, qd, qdd))
+    hessian = arm.inverse_dynamics_hessian(q[0], qd[0], qdd[0], qd[1])
+
+    def weighted(q):
+        return arm.jax.inverse_dynamics(q, qd[0], qdd[0]) @ qd[1]
+
+    for second in (jax.jacfwd(jax.jacrev(weighted)), jax.jacrev(jax.jacfwd(weighted)), jax.jacrev(jax.jacrev(weighted))):
+        found = second(q[0])
+        assert np.allclose(found, hessian[0], rtol=1e-9, atol=1e-9 * np.abs(hessian[0]).max())
+
+
+def test_jax_has_gradients_for_several_values_of_a_field(jax):
+    of = homogen.load(ROBOTS / "two_link.urdf", fields={"load": "mass_of:fore"})
+    q, qd, qdd = np.array([[0.3, -0.4], [0.1, 0.2], [0.5, -0.6]])
+
+    def energy(q, load):
+        return of.jax.inverse_dynamics(q, qd, qdd, load=load) @ qd
+
+    found = jax.vmap(jax.grad(energy), (None, 0))(q, np.array([1.0, 2.5]))
+    for load, gradient in zip([1.0, 2.5], found, strict=True):
+        of.load = load
+        assert np.allclose(gradient, of.inverse_dynamics_vjp(q, qd, qdd, qd).dq)
+    changes = jax.vmap(jax.jacfwd(energy), (None, 0))(q, np.array([1.0, 2.5]))
+    assert np.allclose(changes, found)
+
+
 def test_jax_differentiates_by_fields(jax):
     of = homogen.load(ROBOTS / "two_link.urdf", fields={"load": "mass_of:fore"})
     q = np.array([0.3, -0.4])

@@ -231,11 +231,11 @@ def _batched_change(values, places, *, operation, along):
 def _pulled(cotangent, fields, *arguments, operation, along):
     """The gradients by the tangents: products of the cotangent and the derivatives, without a matrix of these."""
     values, tangents = _parted(arguments, operation, along)
-    nothing = [None] * (1 + len(values))
     if type(cotangent) is ad.Zero:
-        return [*nothing, *(None for is_given in along if is_given)]
+        return [None] * (1 + len(arguments))
     found = GRADIENTS[operation.name](operation, _other(operation, fields), values, cotangent)
     pairs = [(gradient, tangent) for gradient, tangent in zip(found, tangents) if tangent is not None]
+    nothing = [None] * (1 + len(values))
     return [*nothing, *(_summed(gradient, tangent.aval.shape) for gradient, tangent in pairs)]
 
 
@@ -309,12 +309,15 @@ def _forward_dynamics(operation, other, values, tangents):
     return _along(*pairs)
 
 
-def _bias(operation, other, values, tangents):
+def _without_accelerations(operation, values):
+    """The arguments of inverse dynamics that give the bias: external wrenches enter inverse dynamics alone."""
     q, qd = values
-    # External wrenches enter inverse dynamics alone.
     links = sum(key == "external" for key, _ in operation.robot._recipe.options)
-    actions = [np.zeros((links, 6), q.dtype)] * bool(links)
-    dq, dqd = other("inverse_dynamics_derivatives", q, qd, np.zeros_like(qd), *actions)
+    return [q, qd, np.zeros_like(qd), *[np.zeros((links, 6), q.dtype)] * bool(links)]
+
+
+def _bias(operation, other, values, tangents):
+    dq, dqd = other("inverse_dynamics_derivatives", *_without_accelerations(operation, values))
     return _along((dq, tangents[0]), (dqd, tangents[1]))
 
 
@@ -366,10 +369,8 @@ def _weighted_accelerations(operation, other, values, weights):
 
 
 def _weighted_bias(operation, other, values, weights):
-    q, qd = values
-    links = sum(key == "external" for key, _ in operation.robot._recipe.options)
-    actions = [np.zeros((links, 6), q.dtype)] * bool(links)
-    return other("inverse_dynamics_vjp", q, qd, np.zeros_like(qd), weights, *actions)[:2]
+    q, qd, qdd, *actions = _without_accelerations(operation, values)
+    return other("inverse_dynamics_vjp", q, qd, qdd, weights, *actions)[:2]
 
 
 #: For some functions the gradients by the arguments of the sum of the results times weights.

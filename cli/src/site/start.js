@@ -40,10 +40,15 @@ const textOf = (bytes) => new TextDecoder().decode(bytes.length > 2_000_000 ? by
 // Operation counts of the functions of the description with the options before, by name.
 let before = new Map();
 
+// Says why a description is not opened.
+function refuse(message) {
+  by("messages").replaceChildren(...messagesOf({ errors: [{ line: null, message }] }, "", () => {}));
+}
+
 // Opens another description.
 async function take(name, bytes, { options = [], q = null, sample = false } = {}) {
   if (bytes.length > LARGEST) {
-    by("messages").replaceChildren(...messagesOf({ errors: [{ line: null, message: `${name} is larger than 64 MB` }] }, "", () => {}));
+    refuse(`${name} is larger than 64 MB`);
     return;
   }
   await ready;
@@ -324,7 +329,7 @@ function expand(id, wanted) {
 async function sample([name, , options], q = null) {
   const answer = await fetch(`robots/${name}`);
   if (!answer.ok) {
-    by("messages").replaceChildren(...messagesOf({ errors: [{ line: null, message: `this page has no robot ${name}` }] }, "", () => {}));
+    refuse(`this page has no robot ${name}`);
     warm();
     return;
   }

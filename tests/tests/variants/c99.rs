@@ -170,8 +170,10 @@ fn options_that_change_the_bits_are_refused() {
 fn numbers_must_be_rounded_to_their_types() {
     let folder = Folder::new("rounded");
     folder.write_c(&Robot::shipped("two_link"), Real::F64);
-    let redefined = ["-Wno-builtin-macro-redefined", "-U__FLT_EVAL_METHOD__"];
-    let options = |method: &'static str| [redefined[0], redefined[1], method];
+    let options = |method: &'static str| {
+        let undefined = "-U__FLT_EVAL_METHOD__";
+        ["-Wno-builtin-macro-redefined", undefined, method]
+    };
     for compiler in C::all().iter().filter(|compiler| compiler.is_gcc()) {
         compiler.accept(&folder, &options("-D__FLT_EVAL_METHOD__=16"));
         let message = compiler.refusal(&folder, &options("-D__FLT_EVAL_METHOD__=2"));

@@ -3,10 +3,10 @@
 //! In: entries, most of them nothing. Out: the same, at four bytes for each that has nothing: a graph has as many nodes as
 //! a robot's programs have operations, and few of them are constants or have labels.
 
-/// What some entries of a list have.
+/// A list of which few entries have something.
 #[derive(Clone, Debug)]
 pub(super) struct Sparse<T> {
-    /// For each entry the number of what it has, plus one; zero if it has nothing.
+    /// For each entry an index in `all`, plus one; zero if it has nothing.
     after: Vec<u32>,
     all: Vec<T>,
 }
@@ -20,7 +20,7 @@ impl<T: Copy> Sparse<T> {
         }
     }
 
-    /// What an entry has.
+    /// The content of an entry.
     pub(super) fn get(&self, entry: usize) -> Option<T> {
         let number = self.after[entry].checked_sub(1)?;
         Some(self.all[number as usize])

@@ -151,12 +151,11 @@ impl Lengths {
             return self.all[at as usize].1.beside(leaves);
         }
         let steps = &set[..count];
-        let entry = |step: &u32| known.steps[*step as usize].entry;
-        if steps.iter().all(|step| entry(step).is_some()) {
-            let entries: Vec<Entry> = steps.iter().filter_map(entry).collect();
-            if Entry::are_in_line(&entries) {
-                length.size = length.size.min(stretch(known.scalar()));
-            }
+        let entries = steps.iter().map(|&k| known.steps[k as usize].entry);
+        if let Some(entries) = entries.collect::<Option<Vec<Entry>>>()
+            && Entry::are_in_line(&entries)
+        {
+            length.size = length.size.min(stretch(known.scalar()));
         }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
         if !twice && self.all.len() < MOST * known.steps.len() {
@@ -169,14 +168,9 @@ impl Lengths {
             if first || !turned {
                 length = length.least(self.combined(known, steps, depth - 1));
             }
-            // The recursion may have found this length, too.
-            let is = |at: u32| self.all[at as usize].0 == set;
-            if let Some(at) = self.index.find(hash, is) {
-                self.all[at as usize].1 = length;
-            } else {
-                self.index.insert(number(self.all.len()), hash);
-                self.all.push((set, length));
-            }
+            // The recursion has replaced an entry by earlier ones, and so has not found this set.
+            self.index.insert(number(self.all.len()), hash);
+            self.all.push((set, length));
         }
         length.beside(leaves)
     }

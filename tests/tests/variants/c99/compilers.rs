@@ -195,18 +195,22 @@ impl C {
         cfg!(all(target_arch = "x86_64", target_os = "linux")) && self.is_gcc() && is_new
     }
 
-    /// Checks that the source compiles with options.
-    pub fn accept(&self, folder: &Folder, options: &[&str]) {
+    /// The command that compiles the source with options, and writes nothing.
+    fn check(&self, folder: &Folder, options: &[&str]) -> Command {
         let mut command = self.command();
         command.args(options).arg("-fsyntax-only");
-        succeed(command.arg(folder.path("arm.c")));
+        command.arg(folder.path("arm.c"));
+        command
+    }
+
+    /// Checks that the source compiles with options.
+    pub fn accept(&self, folder: &Folder, options: &[&str]) {
+        succeed(&mut self.check(folder, options));
     }
 
     /// The message when options make the source refuse to compile.
     pub fn refusal(&self, folder: &Folder, options: &[&str]) -> String {
-        let mut command = self.command();
-        command.args(options).arg("-fsyntax-only");
-        let output = output(command.arg(folder.path("arm.c")));
+        let output = output(&mut self.check(folder, options));
         assert!(
             !output.status.success(),
             "{self} compiles it with {options:?}"

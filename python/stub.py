@@ -83,16 +83,6 @@ class Robot:
         self, pose: ArrayLike, start: ArrayLike | None = None, *, frame: str | None = None, orientation_tolerance: float = 1e-6,
         position_tolerance: float = 1e-6, length_scale: float = 0.5, restarts: int = 31,
     ) -> results.InverseKinematics: ...
-    def inverse_dynamics_jvp(
-        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, q_change: ArrayLike | None = None,
-        qd_change: ArrayLike | None = None, qdd_change: ArrayLike | None = None, actions: ArrayLike | None = None, *,
-        order: _Order | None = None,
-    ) -> results.Jvp: ...
-    def forward_dynamics_jvp(
-        self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, q_change: ArrayLike | None = None,
-        qd_change: ArrayLike | None = None, tau_change: ArrayLike | None = None, actions: ArrayLike | None = None, *,
-        order: _Order | None = None,
-    ) -> results.Jvp: ...
     def compile(self, *names: str, dtype: DTypeLike = ..., many: bool = True, wait: bool = True) -> None: ...
     def check(self) -> str: ...
     def count(self, *functions: str, frames: Sequence[str] = ()) -> dict[str, Any]: ...
@@ -105,6 +95,7 @@ class Robot:
         scalar: Literal["f64", "f32"] = "f64",
         frames: Sequence[str] = (),
         name: str | None = None,
+        casadi: bool = False,
     ) -> str | None: ...
     def show(self, *functions: str, output: str | PathLike[str] | None = None) -> Path: ...
     # Fields, by the names that `homogen.load` was called with.
@@ -117,7 +108,7 @@ STEPS = {"integrate": ["q", "v"], "difference": ["q0", "q1"], "normalize": ["q"]
 
 def method(name, arguments, parts, of_frame, has_order, is_number):
     """A function as a method."""
-    words = ["self", *(f"{argument}: ArrayLike" for argument in arguments), "*"]
+    words = ["self", *map(parameter, arguments), "*"]
     if "actions" in arguments:
         words[words.index("actions: ArrayLike")] = "actions: ArrayLike = ..."
     if of_frame:
@@ -129,6 +120,11 @@ def method(name, arguments, parts, of_frame, has_order, is_number):
     place = f"tuple[{', '.join(['_Floats'] * len(parts))}]" if parts else "_Floats"
     words.append(f"out: {place} | None = None")
     return f"    def {name}({', '.join(words)}) -> {result}: ...\n"
+
+
+def parameter(argument):
+    """An argument, of which changes may be left out."""
+    return f"{argument}: ArrayLike" + (" | None = None" if argument.endswith("_change") else "")
 
 
 def title(name):

@@ -22,13 +22,15 @@ const ROBOTS: [(&str, &str, bool); 5] = [
     ("quadruped", "hr_foot", false),
 ];
 
-/// The functions that are not compared: second derivatives and gradients, which are as long as all others together.
+/// The functions that are not compared: second derivatives, and gradients and changes, which are as long as all others together.
 /// `tests/signed/run.sh` runs the tests of them that files bring along.
-const NOT_COMPARED: [Function; 5] = [
+const NOT_COMPARED: [Function; 7] = [
     Function::InverseDynamicsVjp,
+    Function::InverseDynamicsJvp,
     Function::InverseDynamicsHessian,
     Function::ForwardDynamicsParameterDerivatives,
     Function::ForwardDynamicsVjp,
+    Function::ForwardDynamicsJvp,
     Function::ForwardDynamicsHessian,
 ];
 

@@ -347,6 +347,9 @@ fn first_wrong(
         Truth::Solution(Given::Gradient) => {
             return solved::first_unlike(&dense.driven()?.gradient(), found);
         }
+        Truth::Solution(Given::Change) => {
+            return solved::first_unlike(&dense.driven()?.change(), found);
+        }
         Truth::Solution(Given::Hessian) => {
             let direction = direction(dense, function);
             let contracted = sums_of_rows(found, &direction);

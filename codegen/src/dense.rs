@@ -8,6 +8,7 @@ mod approximate;
 mod configuration;
 mod constrained;
 mod matrix;
+mod products;
 mod robot;
 mod solved;
 
@@ -15,8 +16,8 @@ use std::cell::OnceCell;
 
 pub(crate) use approximate::{Approximate, ROUNDOFF};
 pub(crate) use matrix::Matrix;
+pub(crate) use products::row_times;
 pub(crate) use robot::{Body, BodyId, Closed, Columns, DegreeOfFreedom, Moved, Robot};
-pub(crate) use solved::row_times;
 
 use crate::expression::{Double, Input};
 use crate::list::{self, Id, List, Square};
@@ -460,15 +461,6 @@ impl Dense {
         let Gradient { q, qd, qdd } = along(Direction::Coordinates(direction));
         let of_rates = along(Direction::Rates(direction)).qd;
         [q, qd, of_rates, qdd]
-    }
-
-    /// (∂τ/∂q)ᵀ λ, (∂τ/∂q̇)ᵀ λ and M λ, of the whole motion with the external wrenches.
-    pub(crate) fn torque_gradient(&self) -> Vec<Approximate> {
-        let weights = self.state.of_velocities(Variable::Weights);
-        let [by_q, by_qd] = self.torque_derivatives();
-        let parts = [&by_q, &by_qd, self.mass_matrix()];
-        let parts = parts.map(|matrix| row_times(&weights, matrix));
-        parts.into_iter().flatten().collect()
     }
 
     /// The Coriolis matrix C.

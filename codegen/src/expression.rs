@@ -9,11 +9,13 @@ mod double;
 mod evaluate;
 mod graph;
 mod label;
+mod substitute;
 mod term;
 
-pub use derivative::{along, gradient};
+pub use derivative::{along, along_known, gradient};
 pub use double::Double;
 pub use evaluate::{Arithmetic, Evaluation, evaluate};
 pub use graph::{Expr, Graph, Input, Node, Operands};
 pub use label::{Block, Component, Label, Numeral, Of, Quantity};
+pub use substitute::substitute;
 pub use term::Term;

@@ -216,6 +216,42 @@ fn assert_hessians(name: &str, chain: &Chain) {
     );
 }
 
+/// Asserts that Jacobian–vector products are values, and products of the matrices of first derivatives with changes.
+fn assert_changes(name: &str, chain: &Chain) {
+    let inverse = [Function::InverseDynamicsDerivatives, Function::MassMatrix];
+    let forward = [Function::ForwardDynamicsDerivatives];
+    for (of, matrices, last, product) in [
+        (
+            Function::InverseDynamics,
+            &inverse[..],
+            Variable::QddChange,
+            Function::InverseDynamicsJvp,
+        ),
+        (
+            Function::ForwardDynamics,
+            &forward[..],
+            Variable::TauChange,
+            Function::ForwardDynamicsJvp,
+        ),
+    ] {
+        let size = chain.spaces().velocities.len();
+        let matrices = matrices.iter().flat_map(|&of| values(chain, of));
+        let matrices: Vec<Double> = matrices.collect();
+        let changes = [Variable::QChange, Variable::QdChange, last];
+        let mut sums = vec![Double::ZERO; size];
+        for (matrix, change) in matrices.chunks(size * size).zip(changes) {
+            for (sum, row) in sums.iter_mut().zip(matrix.chunks(size)) {
+                for (&entry, k) in row.iter().zip(chain.spaces().velocities.ids()) {
+                    *sum = *sum + entry * number(chain, input(change, k));
+                }
+            }
+        }
+        let what = format!("{name}: {}", product.name());
+        let expected = [values(chain, of), sums].concat();
+        assert_same(&what, &values(chain, product), &expected);
+    }
+}
+
 /// Asserts that vector–Jacobian products are products with the matrices of first derivatives.
 fn assert_products(name: &str, chain: &Chain) {
     let velocities = chain.spaces().velocities.ids();
@@ -283,6 +319,7 @@ fn arms_have_the_derivatives_of_the_graph() {
         assert_dynamics(file, &chain);
         assert_hessians(file, &chain);
         assert_products(file, &chain);
+        assert_changes(file, &chain);
         assert_rates(file, &chain);
     }
 }
@@ -297,5 +334,6 @@ fn a_floating_quadruped_has_the_derivatives_of_the_graph() {
     assert_dynamics("quadruped", &chain);
     assert_hessians("quadruped", &chain);
     assert_products("quadruped", &chain);
+    assert_changes("quadruped", &chain);
     assert_rates("quadruped", &chain);
 }

@@ -3,8 +3,9 @@
 //! In: an array, a matrix, one of the typed matrices or a struct of several. Out: its numbers, row by row, in `f64`.
 
 use homogen::{
-    Acceleration, AccelerationDerivatives, AccelerationGradient, AccelerationHessian, Action,
-    Momentum, Point, Pose, Real, Screw, TorqueDerivatives, TorqueGradient, TorqueHessian, Velocity,
+    Acceleration, AccelerationChange, AccelerationDerivatives, AccelerationGradient,
+    AccelerationHessian, Action, Momentum, Point, Pose, Real, Screw, TorqueChange,
+    TorqueDerivatives, TorqueGradient, TorqueHessian, Velocity,
 };
 
 /// The numbers of a result, row by row.
@@ -87,6 +88,20 @@ impl<T: Entries, const N: usize> Entries for TorqueGradient<N, T> {
         for part in [&self.dq, &self.dqd, &self.dqdd] {
             part.push(numbers);
         }
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for TorqueChange<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        self.value.push(numbers);
+        self.change.push(numbers);
+    }
+}
+
+impl<T: Entries, const N: usize> Entries for AccelerationChange<N, T> {
+    fn push(&self, numbers: &mut Vec<f64>) {
+        self.value.push(numbers);
+        self.change.push(numbers);
     }
 }
 

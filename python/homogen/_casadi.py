@@ -1,6 +1,11 @@
-"""Functions of a robot for CasADi: plain Python on symbols, which CasADi differentiates and prints as C itself."""
+"""Functions of a robot for CasADi: plain Python on symbols, which CasADi differentiates and prints as C itself, or code in C
+with generated derivatives."""
 
-from ._library import Library, flat, imported
+import tempfile
+from pathlib import Path
+
+from . import _engine
+from ._library import STEPS, Library, flat, imported
 
 
 class Casadi(Library):
@@ -27,6 +32,31 @@ class Casadi(Library):
         matrices = [_matrix(casadi, list(flat(result)), shape) for result, (_, shape) in zip(found, shapes)]
         inputs = [argument for argument, _ in arguments]
         return casadi.Function(name, [*symbols, *fields.values()], matrices, [*inputs, *fields], [result for result, _ in shapes])
+
+
+    def external(self, name, flags=("-O2", "-ffp-contract=off")):
+        """A function as code in C with its generated derivatives, first and second ones, which the C compiler of this machine
+        compiles; it is called as the others are, and a problem of CasADi with it is faster than with symbols.
+
+        flags: of the compiler
+
+        Fields are one argument, `p`, without a derivative. Raises `AttributeError` for a name that is no function's, and
+        `OSError` where code cannot be compiled.
+        """
+        robot = self._robot
+        if name not in robot._functions or name in STEPS:
+            raise AttributeError(f"there is no function {name!r} for casadi")
+        first, second, products = map("+".join, _engine.derivatives(name) if robot._is_euclidean else ["", "", ""])
+        functions = [name, *(functions for functions in (first, second, products) if functions)]
+        with tempfile.TemporaryDirectory(prefix="homogen-") as folder:
+            source = Path(folder) / "robot.c"
+            robot.generate("c", *functions, output=source, name="robot", casadi=True)
+            options = {"flags": list(flags), "directory": f"{folder}/"}
+            try:
+                library = self._casadi.Importer(str(source), "shell", options)
+            except RuntimeError as reason:
+                raise OSError("robot.casadi.external needs a C compiler, which CasADi calls `gcc`") from reason
+            return self._casadi.external(f"robot_casadi_{name}", library)
 
 
 def _lengths(value):

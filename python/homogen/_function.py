@@ -16,7 +16,9 @@ class Function(_engine.Function):
     def __signature__(self):
         names, keywords = self.parameters()
         kind = inspect.Parameter
-        parameters = [kind(name, kind.POSITIONAL_OR_KEYWORD) for name in names]
+        needed = self.needed()
+        parameters = [kind(name, kind.POSITIONAL_OR_KEYWORD) for name in names[:needed]]
+        parameters += [kind(name, kind.POSITIONAL_OR_KEYWORD, default=None) for name in names[needed:]]
         parameters += [kind(name, kind.KEYWORD_ONLY, default=None) for name in keywords]
         return inspect.Signature(parameters)
 

@@ -291,22 +291,42 @@ def _pulled_wrenches(operation, other, q, weights):
     return np.stack([_along((jacobian, weights)) for jacobian in _jacobians(operation, other, q)], axis=-2)
 
 
+def _directions(values, tangents):
+    """The tangents of q, q̇ and q̈ or τ, zeros where there are none."""
+    return [np.zeros_like(values[1]) if tangent is None else tangent for tangent in tangents[:3]]
+
+
+def _is_batched(values, tangents):
+    """True if there are several tangents for each value: then matrices of derivatives serve all of them."""
+    return max(np.ndim(tangent) for tangent in tangents if tangent is not None) > max(map(np.ndim, values[:3]))
+
+
 def _inverse_dynamics(operation, other, values, tangents):
     q, qd, qdd, *actions = values
-    dq, dqd = other("inverse_dynamics_derivatives", *values)
-    pairs = [(dq, tangents[0]), (dqd, tangents[1]), (other("mass_matrix", q), tangents[2])]
     if actions and tangents[3] is not None:
-        identity = np.eye(operation.robot.NV, dtype=q.dtype)
-        pairs.append((-identity, _wrenches(operation, other, q, tangents[3])))
-    return _along(*pairs)
+        change = -_wrenches(operation, other, q, tangents[3])
+        if all(tangent is None for tangent in tangents[:3]):
+            return change
+    else:
+        change = 0
+    if _is_batched(values, tangents[:3]):
+        dq, dqd = other("inverse_dynamics_derivatives", *values)
+        return change + _along((dq, tangents[0]), (dqd, tangents[1]), (other("mass_matrix", q), tangents[2]))
+    return change + other("inverse_dynamics_jvp", q, qd, qdd, *_directions(values, tangents), *actions)[1]
 
 
 def _forward_dynamics(operation, other, values, tangents):
-    dq, dqd, dtau = other("forward_dynamics_derivatives", *values)
-    pairs = [(dq, tangents[0]), (dqd, tangents[1]), (dtau, tangents[2])]
-    if len(values) > 3 and tangents[3] is not None:
-        pairs.append((dtau, _wrenches(operation, other, values[0], tangents[3])))
-    return _along(*pairs)
+    q, qd, tau, *actions = values
+    forces = tangents[2]
+    if actions and tangents[3] is not None:
+        # A change of a wrench is one of torques.
+        more = _wrenches(operation, other, q, tangents[3])
+        forces = more if forces is None else forces + more
+    tangents = [*tangents[:2], forces]
+    if _is_batched(values, tangents):
+        dq, dqd, dtau = other("forward_dynamics_derivatives", *values)
+        return _along((dq, tangents[0]), (dqd, tangents[1]), (dtau, tangents[2]))
+    return other("forward_dynamics_jvp", q, qd, tau, *_directions(values, tangents), *actions)[1]
 
 
 def _without_accelerations(operation, values):
@@ -317,8 +337,8 @@ def _without_accelerations(operation, values):
 
 
 def _bias(operation, other, values, tangents):
-    dq, dqd = other("inverse_dynamics_derivatives", *_without_accelerations(operation, values))
-    return _along((dq, tangents[0]), (dqd, tangents[1]))
+    values = _without_accelerations(operation, values)
+    return _inverse_dynamics(operation, other, values, [*tangents, *[None] * (len(values) - 2)])
 
 
 def _gravity(operation, other, values, tangents):

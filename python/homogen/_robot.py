@@ -15,7 +15,6 @@ from ._background import begin
 from ._compile import compiled
 from ._function import Function
 from ._ik import inverse_kinematics
-from ._jvp import jvp
 from ._library import STEPS, Plain
 from ._progress import working
 from ._step import step
@@ -253,23 +252,6 @@ class Robot:
         tolerance = orientation_tolerance, position_tolerance
         return inverse_kinematics(self, pose, start, frame, tolerance, length_scale, restarts)
 
-    def inverse_dynamics_jvp(self, q, qd, qdd, q_change=None, qd_change=None, qdd_change=None, actions=None, *, order=None):
-        """Torques τ, and their change ∂τ/∂q δq + ∂τ/∂q̇ δq̇ + M δq̈ along a direction; what is left out of it is zero.
-
-        q_change: (..., NV), along velocities where there are quaternions
-        actions: external wrenches, of robots that have them, in this order of six numbers
-        """
-        return jvp(self, "inverse_dynamics", (q, qd, qdd), actions, (q_change, qd_change, qdd_change), order)
-
-    def forward_dynamics_jvp(self, q, qd, tau, q_change=None, qd_change=None, tau_change=None, actions=None, *, order=None):
-        """Accelerations q̈, and their change ∂q̈/∂q δq + ∂q̈/∂q̇ δq̇ + M⁻¹ δτ along a direction; what is left out of it is
-        zero.
-
-        q_change: (..., NV), along velocities where there are quaternions
-        actions: external wrenches, of robots that have them, in this order of six numbers
-        """
-        return jvp(self, "forward_dynamics", (q, qd, tau), actions, (q_change, qd_change, tau_change), order)
-
     def compile(self, *names, dtype=np.float64, many=True, wait=True):
         """Compiles functions before they are called; where none is named all of them, without those of a frame if there is
         no tip.
@@ -315,11 +297,12 @@ class Robot:
         """The code of a function in Rust, with its documentation."""
         return self._answer("inspect", f"--function={function}", *([f"--frame={frame}"] if frame else []))
 
-    def generate(self, language="rust", *functions, output=None, scalar="f64", frames=(), name=None):
+    def generate(self, language="rust", *functions, output=None, scalar="f64", frames=(), name=None, casadi=False):
         """The functions as a file: `rust`, `c`, `llvm` or `python`; all of them where none is named.
 
         output: the file, a header beside it in C; without it the text is returned
         scalar: `f64` or `f32`
+        casadi: with the interface of CasADi's external functions, in C
         """
         words = [f"--language={language}", f"--scalar={scalar}", *(f"--frames={frame}" for frame in frames)]
         if language == "python":
@@ -328,6 +311,8 @@ class Robot:
             words.append(f"--functions={','.join(functions)}")
         if name is not None:
             words.append(f"--name={name}")
+        if casadi:
+            words.append("--casadi")
         for field, target, reach in self._recipe.fields:
             words.append(f"--field={field}={target}")
             if reach is not None:

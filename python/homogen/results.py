@@ -16,9 +16,6 @@ globals().update({of.__name__: of for of in _TYPES.values()})
 #: Configurations of inverse kinematics, whether they have converged, and the remaining angles in rad and distances in m.
 InverseKinematics = namedtuple("InverseKinematics", ["q", "converged", "orientation_error", "position_error"])
 
-#: The result of a function, and its change along a direction.
-Jvp = namedtuple("Jvp", ["value", "change"])
-
 #: The state after a time step.
 NextState = namedtuple("NextState", ["q", "qd"])
 
@@ -40,7 +37,7 @@ class StepDerivatives(namedtuple("StepDerivatives", "q_by_q q_by_qd q_by_tau qd_
 
 
 #: Types of results of methods in Python.
-OTHERS = (InverseKinematics, Jvp, NextState, StepDerivatives)
+OTHERS = (InverseKinematics, NextState, StepDerivatives)
 
 __all__ = sorted([*(of.__name__ for of in OTHERS), *(of.__name__ for of in _TYPES.values())])
 

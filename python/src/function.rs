@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
 use homogen_codegen::print::arrays::{Array, Order, Signature};
-use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{IxDyn, PyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PySlice, PyTuple};
@@ -141,7 +141,8 @@ impl Function {
                 [] => String::new(),
                 units => format!(", in {}", units.join(", ")),
             };
-            format!("{}: {}{units}", array.name, shape(array))
+            let otherwise = if array.is_change { " [default: zeros]" } else { "" };
+            format!("{}: {}{units}{otherwise}", array.name, shape(array))
         };
         lines.extend(of.arguments.iter().map(line));
         lines.push(match &*of.results {
@@ -175,6 +176,13 @@ impl Function {
         ];
         let keywords = keywords.into_iter().filter(|(has, _)| *has);
         (names.collect(), keywords.map(|(_, name)| name).collect())
+    }
+
+    /// The number of arguments before the first that may be left out.
+    fn needed(&self) -> usize {
+        let arguments = &self.signature.arguments;
+        let first = arguments.iter().position(|of| of.is_change);
+        first.unwrap_or(arguments.len())
     }
 
     /// The names of arguments and of results, each with the shape of one state.
@@ -338,12 +346,31 @@ impl Function {
                 _ => return Err(self.misused(&format!("it has no keyword {key}"))),
             }
         }
+        self.fill_changes(arguments.py(), &mut values);
         let missing = values.iter().position(Option::is_none);
         if let Some(missing) = missing {
             let name = &of.arguments[missing].name;
             return Err(self.misused(&format!("{name} is missing")));
         }
         Ok((values.into_iter().flatten().collect(), options))
+    }
+
+    /// Gives zeros for changes that are left out, unless all are.
+    fn fill_changes<'py>(&self, py: Python<'py>, values: &mut [Option<Bound<'py, PyAny>>]) {
+        let pairs = || values.iter().zip(&self.signature.arguments);
+        let is_given = |value: &Option<Bound<'py, PyAny>>| {
+            value.as_ref().is_some_and(|value| !value.is_none())
+        };
+        if !pairs().any(|(value, of)| of.is_change && is_given(value)) {
+            return;
+        }
+        for (value, of) in values.iter_mut().zip(&self.signature.arguments) {
+            if of.is_change && !is_given(value) {
+                // In single precision, so that the others determine the type of the results.
+                let zeros = PyArrayDyn::<f32>::zeros(py, IxDyn(&of.shape), false);
+                *value = Some(zeros.into_any());
+            }
+        }
     }
 
     fn misused(&self, problem: &str) -> PyErr {

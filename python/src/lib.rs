@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 /// The module `homogen._engine`.
 #[pymodule]
 mod _engine {
-    use homogen_codegen::function::Function as Name;
+    use homogen_codegen::function::{First, Function as Name};
     use homogen_codegen::print::arrays::has_order;
     use homogen_codegen::request::setting::{ROBOT, SCOPE, SETTINGS, SOURCE};
     use pyo3::prelude::*;
@@ -66,6 +66,27 @@ mod _engine {
             )
         });
         rows.collect()
+    }
+
+    /// The functions that have derivatives of a function: the first ones, second ones, and products with weights.
+    #[pyfunction]
+    fn derivatives(name: &str) -> [Vec<&'static str>; 3] {
+        let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
+        let of = all.filter(|of| of.name() == name).find_map(Name::derivatives);
+        let distinct = |functions: Vec<Name>| {
+            let mut names: Vec<&str> = functions.iter().map(|of| of.name()).collect();
+            names.dedup();
+            names
+        };
+        let first = |of: &[First]| distinct(of.iter().map(|first| first.function).collect());
+        match of {
+            Some(of) => [
+                first(of.first),
+                distinct(of.second.iter().map(|second| second.function).collect()),
+                first(of.products),
+            ],
+            None => Default::default(),
+        }
     }
 
     /// The command line: standard output, standard error, and the status.

@@ -40,8 +40,8 @@ pub use robot::chain::{Chain, Frame};
 pub use robot::closed_loops::{ClosedLoopRobot, Residual, ResidualKind};
 pub use robot::constrained::ConstrainedAccelerations;
 pub use robot::derivatives::{
-    AccelerationDerivatives, AccelerationGradient, AccelerationHessian, TorqueDerivatives,
-    TorqueGradient, TorqueHessian,
+    AccelerationChange, AccelerationDerivatives, AccelerationGradient, AccelerationHessian,
+    TorqueChange, TorqueDerivatives, TorqueGradient, TorqueHessian,
 };
 pub use robot::described::Robot;
 pub use robot::jacobian::Jacobian;

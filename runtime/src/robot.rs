@@ -51,6 +51,7 @@ pub use loops::{
 /// | `tip_weighted` | the same, contracted with a wrench `wrench` |
 /// | `whole` | of the whole robot |
 /// | `weighted` | of the whole robot, contracted with weights `weights` |
+/// | `directed` | of the whole robot, along changes of its arguments: `q_change`, `qd_change`, … |
 /// | `solution` | of the whole robot, by solving linear equations |
 /// | `sized` | of the whole robot, with `P` numbers in a row of the result |
 /// | `chosen` | the same, not implemented for chains, which do not know their base parameters |
@@ -200,6 +201,10 @@ macro_rules! every_function {
             #[doc = "add `inverse_dynamics_vjp` to `generate(…)` of the robot"]
             /// The vector–Jacobian product of inverse dynamics: (∂τ/∂q)ᵀ λ, (∂τ/∂q̇)ᵀ λ and M λ.
             weighted InverseDynamicsVjp inverse_dynamics_vjp(q, qd, qdd, weights) -> $crate::TorqueGradient<N, T>;
+            /// The joint torques and forces of a motion, and their change along a direction.
+            #[doc = "add `inverse_dynamics_jvp` to `generate(…)` of the robot"]
+            /// The Jacobian–vector product of inverse dynamics: τ, and δτ = (∂τ/∂q) δq + (∂τ/∂q̇) δq̇ + M δq̈.
+            directed InverseDynamicsJvp inverse_dynamics_jvp(q, qd, qdd, q_change, qd_change, qdd_change) -> $crate::TorqueChange<N, T>;
             /// The second derivatives of λᵀτ by q, q̇ and q̈.
             #[doc = "add `inverse_dynamics_hessian` to `generate(…)` of the robot"]
             /// The Hessian of λᵀτ, with the torques of inverse dynamics and their weights λ.
@@ -212,6 +217,10 @@ macro_rules! every_function {
             #[doc = "add `forward_dynamics_vjp` to `generate(…)` of the robot"]
             /// The vector–Jacobian product of forward dynamics: (∂q̈/∂q)ᵀ λ, (∂q̈/∂q̇)ᵀ λ and M⁻¹ λ.
             weighted ForwardDynamicsVjp forward_dynamics_vjp(q, qd, tau, weights) -> $crate::AccelerationGradient<N, T>;
+            /// The joint accelerations due to torques and forces, and their change along a direction.
+            #[doc = "add `forward_dynamics_jvp` to `generate(…)` of the robot"]
+            /// The Jacobian–vector product of forward dynamics: q̈, and δq̈ = (∂q̈/∂q) δq + (∂q̈/∂q̇) δq̇ + M⁻¹ δτ.
+            directed ForwardDynamicsJvp forward_dynamics_jvp(q, qd, tau, q_change, qd_change, tau_change) -> $crate::AccelerationChange<N, T>;
             /// The second derivatives of λᵀq̈ by q, q̇ and τ.
             #[doc = "add `forward_dynamics_hessian` to `generate(…)` of the robot"]
             /// The Hessian of λᵀq̈, with the accelerations of forward dynamics and their weights λ.

@@ -11,8 +11,8 @@ use crate::states::Random;
 /// A value for every argument; a function reads those that it has.
 pub type Arguments = space::Arguments<f64>;
 
-/// Random arguments: all entries in [−4, 4) and multiples of 2⁻²¹, exact in `f32`; the wrench repeats τ, and there are
-/// no external ones.
+/// Random arguments: all entries in [−4, 4) and multiples of 2⁻²¹, exact in `f32`; changes and the wrench repeat other
+/// arguments, and there are no external wrenches.
 pub fn random(joints: usize, random: &mut Random) -> Arguments {
     of_lists(joints, joints, random)
 }
@@ -23,13 +23,27 @@ pub fn of_lists(coordinates: usize, velocities: usize, random: &mut Random) -> A
         let count = match variable {
             Variable::Q => coordinates,
             Variable::Wrench | Variable::Actions => 0,
+            change if change.is_change() => 0,
             _ => velocities,
         };
         (0..count).map(|_| 4.0 * random.unit()).collect()
     });
     let repeated = arguments[Variable::Tau].iter().copied().cycle();
     arguments[Variable::Wrench] = repeated.take(6).collect();
+    fill_changes(&mut arguments);
     arguments
+}
+
+/// Gives arguments without changes those that repeat other arguments, in the opposite order.
+pub fn fill_changes(arguments: &mut Arguments) {
+    for (change, of) in [
+        (Variable::QChange, Variable::Qdd),
+        (Variable::QdChange, Variable::Tau),
+        (Variable::QddChange, Variable::Weights),
+        (Variable::TauChange, Variable::Qd),
+    ] {
+        arguments[change] = arguments[of].iter().rev().copied().collect();
+    }
 }
 
 /// The value of an input of a program.
@@ -44,13 +58,14 @@ pub fn at<T: Clone>(arguments: &space::Arguments<T>, input: Input) -> T {
     }
 }
 
-/// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit; wrenches if there are any.
+/// `q 0x1.8p+0 … qd … qdd … tau …`, to the last bit; changes and wrenches if there are any.
 #[must_use]
 pub fn line(arguments: &Arguments) -> String {
     let mut words = Vec::new();
     for variable in Variable::ALL {
         let entries = &arguments[variable];
-        let may_lack = matches!(variable, Variable::Wrench | Variable::Actions);
+        let may_lack =
+            matches!(variable, Variable::Wrench | Variable::Actions) || variable.is_change();
         if may_lack && entries.is_empty() {
             continue;
         }

@@ -110,11 +110,18 @@ impl<T: Tested> Climb<T> {
         }
     }
 
-    /// The ranges of all inputs.
+    /// The ranges of all inputs, of changes where the function has them.
     fn ends(&self) -> Vec<(Input, [f64; 2])> {
         let index = |k: usize| u16::try_from(k).expect("few");
         let mut ends = Vec::new();
-        for of in Variable::ALL {
+        let functions = &self.generated.functions;
+        let takes = |of: &Variable| {
+            functions
+                .iter()
+                .any(|function| function.arguments().contains(of))
+        };
+        let arguments = Variable::ALL.into_iter();
+        for of in arguments.filter(|of| !of.is_change() || takes(of)) {
             let ranges = self.range.arguments[of].iter().enumerate();
             ends.extend(ranges.map(|(k, &range)| (Input::Variable(of, index(k)), range)));
         }

@@ -10,7 +10,7 @@ use homogen::{
 use crate::states::State;
 
 /// Defines, from the list of every function, a trait of those that are compared and a function that evaluates them.
-/// Solutions, whose errors depend on conditioning, functions with weights or a wrench, and results as wide as the robot has
+/// Solutions, whose errors depend on conditioning, functions with weights, a direction or a wrench, and results as wide as the robot has
 /// parameters have tests of their own.
 macro_rules! evaluated {
     (@[] [$($name:ident $method:ident($($argument:ident),*) $as_blocks:ident;)*]) => {
@@ -48,6 +48,9 @@ macro_rules! evaluated {
         evaluated!(@[$($rest)*] $found);
     };
     (@[$(#[doc = $about:literal])+ weighted $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
+        evaluated!(@[$($rest)*] $found);
+    };
+    (@[$(#[doc = $about:literal])+ directed $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {
         evaluated!(@[$($rest)*] $found);
     };
     (@[$(#[doc = $about:literal])+ tip_weighted $name:ident $method:ident $arguments:tt -> $result:ty; $($rest:tt)*] $found:tt) => {

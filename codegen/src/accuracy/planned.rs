@@ -128,7 +128,9 @@ impl<'p> Solutions<'p> {
             (Given::TorqueDerivatives, _) => {
                 Accuracy::Unknown("none is derived of an inverse that is refined")
             }
-            (Given::Regressor, _) => Accuracy::Unknown("none is derived of products with M⁻¹"),
+            (Given::Regressor | Given::Change, _) => {
+                Accuracy::Unknown("none is derived of products with M⁻¹")
+            }
             (Given::Gradient | Given::Hessian, _) => {
                 Accuracy::Unknown("none is derived of products with M⁻¹ λ")
             }

@@ -65,7 +65,17 @@ fn state(chain: &Chain, random: &mut Random) -> State {
             }
         }
     }
-    // Made of torques, so that carried tests of other functions stay what they were.
+    // The others are made of these, so that carried tests of other functions stay what they were.
+    for (change, of, size) in [
+        (Variable::QChange, Variable::Qdd, 5.0),
+        (Variable::QdChange, Variable::Tau, 10.0),
+        (Variable::QddChange, Variable::Weights, 1.0),
+        (Variable::TauChange, Variable::Qd, 2.0),
+    ] {
+        let entries = state.arguments[of].iter().rev();
+        let entries = entries.map(|entry| (entry.to_f64() / size).into());
+        state.arguments[change] = entries.collect();
+    }
     let torques = state.arguments[Variable::Tau].iter().cycle();
     let entries = torques.zip(spaces.entries(Space::Wrench)).zip(0_u32..);
     let wrench = entries.map(|((torque, _), k)| (torque.to_f64() + f64::from(k)).into());

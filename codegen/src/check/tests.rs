@@ -152,7 +152,11 @@ fn every_changed_operation_of_a_program_is_refused() {
             let (by, least) = match functions[0].truth() {
                 Truth::Value(_) | Truth::OfMass(_) | Truth::Directional(_) => (1e-9, 1e-11),
                 Truth::Solution(
-                    Given::TorqueDerivatives | Given::Regressor | Given::Gradient | Given::Hessian,
+                    Given::TorqueDerivatives
+                    | Given::Regressor
+                    | Given::Gradient
+                    | Given::Change
+                    | Given::Hessian,
                 ) => (1e-2, 1e-5),
                 Truth::Solution(_) | Truth::Constrained(_) => (1e-3, 1e-8),
             };

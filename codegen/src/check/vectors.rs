@@ -281,6 +281,7 @@ fn truth(
         }
         Truth::Solution(Given::Regressor) => dense.accelerations_by_parameters(),
         Truth::Solution(Given::Gradient) => Some(dense.driven()?.gradient()),
+        Truth::Solution(Given::Change) => Some(dense.driven()?.change()),
         Truth::Solution(Given::Hessian) => {
             let driven = dense.driven()?;
             Some(rows_of(dense.state.velocities(), |unit| {

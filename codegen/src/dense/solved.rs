@@ -3,6 +3,7 @@
 //! In: a [`Dense`]. Out: q̈, M⁻¹, and the first and second derivatives of λᵀq̈; `None` if M is singular. Those follow from
 //! derivatives of τ: with y = M⁻¹ λ, the derivative of λᵀq̈ is that of −yᵀτ at constant q̈.
 
+use super::products::{row_times, times_column};
 use super::{Approximate, Dense, ROUNDOFF};
 use crate::list::{List, Square};
 use crate::space::{Variable, VelocityId};
@@ -101,6 +102,19 @@ impl Driven<'_> {
         by_motion.chain(self.y.clone()).collect()
     }
 
+    /// q̈, and its change along those of q, q̇ and τ.
+    pub(crate) fn change(&self) -> Vec<Approximate> {
+        let entries = |of| self.dense.state.of_velocities(of);
+        let [by_q, by_qd] = &self.by_motion;
+        let of_motion = sum(
+            &times_column(by_q, &entries(Variable::QChange)),
+            &times_column(by_qd, &entries(Variable::QdChange)),
+        );
+        let forces = difference(&entries(Variable::TauChange), &of_motion);
+        let change = self.solver.solution(&forces);
+        self.accelerations.iter().copied().chain(change).collect()
+    }
+
     /// The second derivatives of λᵀq̈, of the blocks by q and q, q and q̇, q̇ and q̇, q and τ: the sum of the rows of
     /// each, times the entries of a direction.
     pub(crate) fn hessian(&self, direction: &Vector) -> Vec<Approximate> {
@@ -175,20 +189,4 @@ fn sum(a: &Vector, b: &Vector) -> Vector {
 
 fn difference(a: &Vector, b: &Vector) -> Vector {
     a.iter().zip(b).map(|(&a, &b)| a - b).collect()
-}
-
-/// The product xᵗ A.
-pub(crate) fn row_times(x: &Vector, a: &Square<VelocityId, Approximate>) -> Vector {
-    let column = |column: VelocityId| dot(x.iter().copied().zip(a.column(column)));
-    a.ids().map(column).collect()
-}
-
-/// The product A x.
-fn times_column(a: &Square<VelocityId, Approximate>, x: &Vector) -> Vector {
-    let row = |row: VelocityId| dot(x.iter().copied().zip(a.row(row)));
-    a.ids().map(row).collect()
-}
-
-fn dot(pairs: impl Iterator<Item = (Approximate, Approximate)>) -> Approximate {
-    pairs.fold(Approximate::exact(0.0), |sum, (a, b)| sum + a * b)
 }

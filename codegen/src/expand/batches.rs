@@ -181,9 +181,11 @@ mod tests {
             "forward_dynamics_batch",
             "inverse_dynamics_derivatives_batch",
             "inverse_dynamics_vjp_batch",
+            "inverse_dynamics_jvp_batch",
             "inverse_dynamics_hessian_batch",
             "forward_dynamics_derivatives_batch",
             "forward_dynamics_vjp_batch",
+            "forward_dynamics_jvp_batch",
             "forward_dynamics_hessian_batch",
             "forward_dynamics_parameter_derivatives_batch",
         ];

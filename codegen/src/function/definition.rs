@@ -37,6 +37,8 @@ pub enum Given {
     Regressor,
     /// λ; the solution is M⁻¹ λ, by which the derivatives of τ are weighted.
     Gradient,
+    /// δτ less the change of torques at constant q̈; the solutions are q̈ and its change.
+    Change,
     /// λ and ∂(M y)/∂q with y = M⁻¹ λ; the solution is y, and M⁻¹ times each row of the latter.
     Hessian,
 }

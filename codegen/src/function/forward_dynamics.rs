@@ -52,19 +52,29 @@ pub(super) fn accelerations<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<
         Forward::Articulated => {
             let (joints, external) = (scene.link_joints(), scene.external(Frame::Link));
             let gravity = scene.gravity;
-            articulated::forward_dynamics(&joints, gravity, &scene.state, Variable::Tau, &external)
+            let tau = |k| scene.state.own(Variable::Tau, k);
+            articulated::forward_dynamics(&joints, gravity, &scene.state, tau, &external)
                 .renumbered()
         }
     }
 }
 
-/// M⁻¹ λ: the accelerations that λ produces as torques and forces, at rest and without gravity.
+/// M⁻¹ λ.
 pub(super) fn of_weights<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<'g>> {
+    by_forces(scene, |k| scene.state.of_velocity(Variable::Weights, k))
+}
+
+/// The accelerations that torques and forces produce at rest and without gravity: the product with M⁻¹. They are read
+/// only when they are needed, because older terms come first in a sum.
+pub(super) fn by_forces<'g>(
+    scene: &Scene<'_, 'g>,
+    forces: impl Fn(VelocityId) -> Term<'g>,
+) -> List<VelocityId, Term<'g>> {
     match scene.algorithm.forward {
         Forward::MassMatrix { refinements } => forward_dynamics::forward_dynamics(
             &scene.mass_matrix(),
             &scene.parents(),
-            |k| scene.state.of_velocity(Variable::Weights, k),
+            forces,
             |qdd| scene.inertial(qdd),
             refinements,
         ),
@@ -74,8 +84,8 @@ pub(super) fn of_weights<'g>(scene: &Scene<'_, 'g>) -> List<VelocityId, Term<'g>
                 Vector::zero(scene.state.zero().graph()),
             );
             let rest = scene.state.at_rest();
-            articulated::forward_dynamics(&joints, nothing, &rest, Variable::Weights, &[])
-                .renumbered()
+            let forces = |k| rest.times_factor(k, forces(rest.velocity(k)));
+            articulated::forward_dynamics(&joints, nothing, &rest, forces, &[]).renumbered()
         }
     }
 }

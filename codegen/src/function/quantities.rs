@@ -136,6 +136,40 @@ pub(super) const FORCE_DERIVATIVES: Outcome = Outcome::Parts(
     ],
 );
 
+/// Joint torques and forces, and their change along a direction.
+pub(super) const FORCE_CHANGE: Outcome = Outcome::Parts(
+    "TorqueChange",
+    &[
+        Part {
+            name: "value",
+            about: "τ; N m, N.",
+            quantity: vector(|of| vec![by_one(of, "N m", "N")]),
+        },
+        Part {
+            name: "change",
+            about: "δτ; N m, N.",
+            quantity: vector(|of| vec![by_one(of, "N m", "N")]),
+        },
+    ],
+);
+
+/// Joint accelerations, and their change along a direction.
+pub(super) const ACCELERATION_CHANGE: Outcome = Outcome::Parts(
+    "AccelerationChange",
+    &[
+        Part {
+            name: "value",
+            about: "q̈; rad/s², m/s².",
+            quantity: ACCELERATIONS,
+        },
+        Part {
+            name: "change",
+            about: "δq̈; rad/s², m/s².",
+            quantity: ACCELERATIONS,
+        },
+    ],
+);
+
 /// Derivatives of λᵀτ, with λ a virtual displacement, so that λᵀτ is a work.
 pub(super) const WORK_GRADIENT: Outcome = Outcome::Parts(
     "TorqueGradient",

@@ -13,14 +13,13 @@ use crate::expression::{Block, Component, Of, Term};
 use crate::joint::Motion;
 use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
-use crate::space::Variable;
 
-/// q̈ for torques and forces, one entry a joint; `driving` is the argument that they are.
+/// q̈ for torques and forces, one entry a joint; `driving` has them for each body.
 pub fn forward_dynamics<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    driving: Variable,
+    driving: impl Fn(BodyId) -> Term<'g>,
     external: &[(BodyId, Action<Term<'g>>)],
 ) -> List<BodyId, Term<'g>> {
     let Drift {
@@ -38,7 +37,7 @@ pub fn forward_dynamics<'g>(
         let action = actions[k];
         let own = articulated[k].eliminate(joint);
         let friction = joint.actuator.resistance(state.qd(k));
-        let unbalanced = state.own(driving, k) - friction - action.along(joint.screw);
+        let unbalanced = driving(k) - friction - action.along(joint.screw);
         if let Some(parent) = joint.parent {
             let reduced = own.reduced;
             let by_pivot = unbalanced * own.inverse;

@@ -229,6 +229,21 @@ impl<'s, 'g> FreeFall<'s, 'g> {
         [by_q, by_qd]
     }
 
+    /// The change of f, one entry a velocity.
+    pub(crate) fn change(&self) -> List<VelocityId, Term<'g>> {
+        let changes = [Variable::QChange, Variable::QdChange].map(|of| self.scene.entries(of));
+        let by_each = self.derivatives();
+        let rows = self.scene.velocities().map(|row| {
+            let parts = by_each.iter().zip(&changes);
+            let terms = parts.flat_map(|(matrix, changes)| {
+                let terms = matrix.row(row).zip(changes);
+                terms.map(|(entry, &change)| entry * change)
+            });
+            terms.fold(self.scene.state.zero(), |sum, term| sum + term)
+        });
+        rows.collect()
+    }
+
     /// The derivatives of λᵀf by q and q̇.
     pub(crate) fn gradient(
         &self,

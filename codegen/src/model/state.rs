@@ -82,13 +82,13 @@ impl<'g> State<'g> {
     }
 
     /// The entry of body `k` in an argument over velocities; a force only if no other body has its velocity.
-    pub(super) fn own(&self, variable: Variable, k: BodyId) -> Term<'g> {
+    pub(crate) fn own(&self, variable: Variable, k: BodyId) -> Term<'g> {
         let (velocity, _) = self.rates[k];
         self.times_factor(k, self.of_velocity(variable, velocity))
     }
 
     /// An entry for the velocity of body `k`, times the factor of the body.
-    pub(super) fn times_factor(&self, k: BodyId, entry: Term<'g>) -> Term<'g> {
+    pub(crate) fn times_factor(&self, k: BodyId, entry: Term<'g>) -> Term<'g> {
         match self.rates[k].1 {
             Some(factor) => entry * self.graph.term(factor),
             None => entry,
@@ -96,7 +96,7 @@ impl<'g> State<'g> {
     }
 
     /// The index of body `k`'s velocity.
-    pub(super) fn velocity(&self, k: BodyId) -> VelocityId {
+    pub(crate) fn velocity(&self, k: BodyId) -> VelocityId {
         self.rates[k].0
     }
 

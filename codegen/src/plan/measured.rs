@@ -86,7 +86,11 @@ struct Solved {
 pub(super) const fn allowed(function: Function) -> f64 {
     match function.truth() {
         Truth::Solution(
-            Given::TorqueDerivatives | Given::Regressor | Given::Gradient | Given::Hessian,
+            Given::TorqueDerivatives
+            | Given::Regressor
+            | Given::Gradient
+            | Given::Change
+            | Given::Hessian,
         ) => 10.0,
         Truth::Value(_)
         | Truth::OfMass(_)

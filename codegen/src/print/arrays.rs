@@ -29,6 +29,8 @@ pub struct Array {
     pub below: Option<[f64; 4]>,
     /// The units of its numbers, each once, 1 where there is none.
     pub units: Vec<&'static str>,
+    /// True if it is zero where it is left out.
+    pub is_change: bool,
 }
 
 /// A function without its program.
@@ -62,6 +64,7 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
             len: quantity.size(spaces),
             below: below(quantity.entity),
             units: distinct(quantity.units(spaces)),
+            is_change: false,
         }
     });
     let mut about = documentation::sentences(module, &[function], frame);
@@ -218,6 +221,7 @@ fn argument(of: Variable, spaces: &Spaces) -> Array {
         len: entries.len(),
         below: None,
         units: distinct(entries.iter().map(|entry| of.unit(entry.kind))),
+        is_change: of.is_change(),
     }
 }
 

@@ -469,8 +469,8 @@ mod tests {
     fn arguments_have_their_units() {
         assert_eq!(
             arguments(&Variable::ALL, Order::AngularFirst),
-            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, \
-             Φ (c, f) in N m, N, Φ (c, f) in N m, N."
+            "q in rad or m, q̇ in rad/s or m/s, q̈ in rad/s² or m/s², τ in N m or N, δq in rad or m, \
+             δq̇ in rad/s or m/s, δq̈ in rad/s² or m/s², δτ in N m or N, Φ (c, f) in N m, N, Φ (c, f) in N m, N."
         );
         assert_eq!(
             arguments(&[Variable::Q], Order::AngularFirst),

@@ -20,6 +20,14 @@ pub enum Variable {
     /// Weights λ of results: of joint torques and forces as a virtual displacement [rad or m], of joint accelerations
     /// as torques and forces \[N m or N\].
     Weights,
+    /// Change δq of the configuration along the velocities: a direction of derivatives [rad or m].
+    QChange,
+    /// Change δq̇ of the velocities [rad/s or m/s].
+    QdChange,
+    /// Change δq̈ of the accelerations [rad/s² or m/s²].
+    QddChange,
+    /// Change δτ of the joint torques and forces \[N m or N\].
+    TauChange,
     /// Weights λ of the twist of a frame: a wrench at its origin, in the axes of frame 0 \[N m and N\].
     Wrench,
     /// External wrenches on links \[N m and N\].
@@ -28,12 +36,16 @@ pub enum Variable {
 
 impl Variable {
     /// All arguments, in the order of parameters.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 11] = [
         Self::Q,
         Self::Qd,
         Self::Qdd,
         Self::Tau,
         Self::Weights,
+        Self::QChange,
+        Self::QdChange,
+        Self::QddChange,
+        Self::TauChange,
         Self::Wrench,
         Self::Actions,
     ];
@@ -47,6 +59,10 @@ impl Variable {
             Self::Qdd => "qdd",
             Self::Tau => "tau",
             Self::Weights => "weights",
+            Self::QChange => "q_change",
+            Self::QdChange => "qd_change",
+            Self::QddChange => "qdd_change",
+            Self::TauChange => "tau_change",
             Self::Wrench => "wrench",
             Self::Actions => "actions",
         }
@@ -61,6 +77,10 @@ impl Variable {
             Self::Qdd => "q̈",
             Self::Tau => "τ",
             Self::Weights => "λ",
+            Self::QChange => "δq",
+            Self::QdChange => "δq̇",
+            Self::QddChange => "δq̈",
+            Self::TauChange => "δτ",
             Self::Wrench | Self::Actions => "Φ",
         }
     }
@@ -70,7 +90,14 @@ impl Variable {
     pub const fn space(self) -> Space {
         match self {
             Self::Q => Space::Coordinates,
-            Self::Qd | Self::Qdd | Self::Tau | Self::Weights => Space::Velocities,
+            Self::Qd
+            | Self::Qdd
+            | Self::Tau
+            | Self::Weights
+            | Self::QChange
+            | Self::QdChange
+            | Self::QddChange
+            | Self::TauChange => Space::Velocities,
             Self::Wrench => Space::Wrench,
             Self::Actions => Space::Actions,
         }
@@ -80,15 +107,15 @@ impl Variable {
     #[must_use]
     pub const fn unit(self, kind: Kind) -> &'static str {
         match (self, kind) {
-            (Self::Q, Kind::Rotation) => "rad",
-            (Self::Q, Kind::Translation) => "m",
+            (Self::Q | Self::QChange, Kind::Rotation) => "rad",
+            (Self::Q | Self::QChange, Kind::Translation) => "m",
             (_, Kind::Quaternion) | (Self::Weights, _) => "1",
-            (Self::Qd, Kind::Rotation) => "rad/s",
-            (Self::Qd, Kind::Translation) => "m/s",
-            (Self::Qdd, Kind::Rotation) => "rad/s²",
-            (Self::Qdd, Kind::Translation) => "m/s²",
-            (Self::Tau | Self::Wrench | Self::Actions, Kind::Rotation) => "N m",
-            (Self::Tau | Self::Wrench | Self::Actions, Kind::Translation) => "N",
+            (Self::Qd | Self::QdChange, Kind::Rotation) => "rad/s",
+            (Self::Qd | Self::QdChange, Kind::Translation) => "m/s",
+            (Self::Qdd | Self::QddChange, Kind::Rotation) => "rad/s²",
+            (Self::Qdd | Self::QddChange, Kind::Translation) => "m/s²",
+            (Self::Tau | Self::TauChange | Self::Wrench | Self::Actions, Kind::Rotation) => "N m",
+            (Self::Tau | Self::TauChange | Self::Wrench | Self::Actions, Kind::Translation) => "N",
             (_, Kind::Moment(_) | Kind::Actuator { .. }) => {
                 panic!("no argument is over parameters")
             }
@@ -101,6 +128,15 @@ impl Variable {
         matches!(self, Self::Wrench | Self::Actions)
     }
 
+    /// True if it is a change of another argument.
+    #[must_use]
+    pub const fn is_change(self) -> bool {
+        matches!(
+            self,
+            Self::QChange | Self::QdChange | Self::QddChange | Self::TauChange
+        )
+    }
+
     /// True if descriptions may limit it: q and q̇.
     #[must_use]
     pub const fn has_limits(self) -> bool {
@@ -108,7 +144,7 @@ impl Variable {
     }
 
     /// Magnitude that is assumed if the description has no limits: q within π rad or 1 m, q̇ within 10 rad/s or 1 m/s,
-    /// q̈ within 10 rad/s² or 10 m/s², wrenches within 100 N m and 100 N. `None` for τ.
+    /// q̈ within 10 rad/s² or 10 m/s², weights and changes within 1, wrenches within 100 N m and 100 N. `None` for τ.
     #[must_use]
     pub const fn usual(self, kind: Kind) -> Option<f64> {
         match (self, kind) {
@@ -119,6 +155,7 @@ impl Variable {
             (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Actuator { .. }) => None,
             (Self::Qd | Self::Qdd, _) => Some(10.0),
             (Self::Wrench | Self::Actions, _) => Some(100.0),
+            (Self::QChange | Self::QdChange | Self::QddChange | Self::TauChange, _) => Some(1.0),
         }
     }
 

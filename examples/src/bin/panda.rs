@@ -88,6 +88,10 @@ fn show_torques() {
         qdd: [1.0, 0.5, -0.5, 2.0, 1.5, -1.0, 3.0],
         tau: [0.0; 7],
         weights: [0.0; 7],
+        q_change: [0.0; 7],
+        qd_change: [0.0; 7],
+        qdd_change: [0.0; 7],
+        tau_change: [0.0; 7],
         wrench: [0.0; 6],
     };
     let row = |name: &str, unit: &str, numbers: &[f64], digits: usize| {

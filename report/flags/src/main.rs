@@ -66,6 +66,10 @@ struct States<const N: usize> {
     qdd: Vec<[f64; N]>,
     tau: Vec<[f64; N]>,
     weights: Vec<[f64; N]>,
+    q_change: Vec<[f64; N]>,
+    qd_change: Vec<[f64; N]>,
+    qdd_change: Vec<[f64; N]>,
+    tau_change: Vec<[f64; N]>,
     wrench: Vec<[f64; 6]>,
 }
 
@@ -73,13 +77,19 @@ impl<const N: usize> States<N> {
     fn random() -> Self {
         let mut random = Random(1);
         let [q, qd, qdd, tau, weights] = [(); 5].map(|()| random.list());
+        let wrench = random.list();
+        let [q_change, qd_change, qdd_change, tau_change] = [(); 4].map(|()| random.list());
         Self {
             q,
             qd,
             qdd,
             tau,
             weights,
-            wrench: random.list(),
+            q_change,
+            qd_change,
+            qdd_change,
+            tau_change,
+            wrench,
         }
     }
 }

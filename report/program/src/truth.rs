@@ -96,12 +96,13 @@ pub fn given(state: &[f64], coordinates: usize, input: Input) -> f64 {
     let (q, rates) = state.split_at(coordinates);
     match input {
         Input::Variable(Variable::Q, k) => q[usize::from(k)],
-        // A state lists the others in their order; its torques are weights and a wrench as well, since no function has
-        // both.
+        // A state lists the others in their order; its torques are weights, changes and a wrench as well. Where a
+        // function has both, the change is in proportion to the torques.
         Input::Variable(variable, k) => {
             let count = rates.len() / 3;
             let listed = match variable {
                 Variable::Weights | Variable::Wrench => Variable::Tau,
+                change if change.is_change() => Variable::Tau,
                 other => other,
             };
             rates[(listed as usize - 1) * count + usize::from(k) % count.max(1)]

@@ -12,8 +12,8 @@ use super::processor;
 use super::registers::Register;
 use crate::matrix::{Acceleration, Action, Momentum, Point, Pose, Screw, Velocity};
 use crate::robot::derivatives::{
-    AccelerationDerivatives, AccelerationGradient, AccelerationHessian, TorqueDerivatives,
-    TorqueGradient, TorqueHessian,
+    AccelerationChange, AccelerationDerivatives, AccelerationGradient, AccelerationHessian,
+    TorqueChange, TorqueDerivatives, TorqueGradient, TorqueHessian,
 };
 use crate::scalar::{Lane, Pack, Scalar};
 use core::array::{from_fn, from_mut};
@@ -368,9 +368,11 @@ macro_rules! of_fields {
     )*};
 }
 of_fields! {
+    TorqueChange of [P; N]: value, change;
     TorqueGradient of [P; N]: dq, dqd, dqdd;
     TorqueDerivatives of [[P; N]; N]: dq, dqd;
     TorqueHessian of [[P; N]; N]: dq_dq, dq_dqd, dqd_dqd, dq_dqdd;
+    AccelerationChange of [P; N]: value, change;
     AccelerationGradient of [P; N]: dq, dqd, dtau;
     AccelerationDerivatives of [[P; N]; N]: dq, dqd, dtau;
     AccelerationHessian of [[P; N]; N]: dq_dq, dq_dqd, dqd_dqd, dq_dtau;

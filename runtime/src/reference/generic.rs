@@ -54,7 +54,10 @@ pub use momentum::{
     center_of_mass, center_of_mass_jacobian, center_of_mass_velocity, centroidal_momentum,
     centroidal_momentum_bias, centroidal_momentum_matrix, momentum,
 };
-pub use weighted::{forward_dynamics_hessian, forward_dynamics_vjp, inverse_dynamics_vjp};
+pub use weighted::{
+    forward_dynamics_hessian, forward_dynamics_jvp, forward_dynamics_vjp, inverse_dynamics_jvp,
+    inverse_dynamics_vjp,
+};
 
 /// Σ.
 fn sum<T: RealField + Copy>(terms: impl Iterator<Item = T>) -> T {

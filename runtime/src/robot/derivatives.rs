@@ -22,6 +22,17 @@ pub struct TorqueGradient<const N: usize, T = f64> {
     pub dqdd: [T; N],
 }
 
+/// Torques of inverse dynamics, and their change along changes of q, q̇ and q̈; see [`crate::robot`].
+///
+/// Changes of q are along velocities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TorqueChange<const N: usize, T = f64> {
+    /// τ [N m, N].
+    pub value: [T; N],
+    /// δτ = (∂τ/∂q) δq + (∂τ/∂q̇) δq̇ + M δq̈ [N m, N].
+    pub change: [T; N],
+}
+
 /// Second derivatives of λᵀτ, for weights λ of the torques of inverse dynamics; see [`crate::robot`].
 ///
 /// An entry is the derivative, by the coordinate or velocity of its row, of the derivative by that of its column.
@@ -61,6 +72,17 @@ pub struct AccelerationGradient<const N: usize, T = f64> {
     pub dqd: [T; N],
     /// (∂q̈/∂τ)ᵀ λ = M⁻¹ λ [rad/s², m/s²].
     pub dtau: [T; N],
+}
+
+/// Accelerations of forward dynamics, and their change along changes of q, q̇ and τ; see [`crate::robot`].
+///
+/// Changes of q are along velocities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AccelerationChange<const N: usize, T = f64> {
+    /// q̈ [rad/s², m/s²].
+    pub value: [T; N],
+    /// δq̈ = (∂q̈/∂q) δq + (∂q̈/∂q̇) δq̇ + M⁻¹ δτ [rad/s², m/s²].
+    pub change: [T; N],
 }
 
 /// Second derivatives of λᵀq̈, for weights λ of the accelerations of forward dynamics; see [`crate::robot`].

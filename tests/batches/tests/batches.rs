@@ -9,9 +9,9 @@ use std::fmt::Debug;
 use homogen::batch::{Batch, BatchError, ColumnsError, Vectors};
 use homogen::robot::{Batched, InverseDynamics};
 use homogen::{
-    Acceleration, AccelerationDerivatives, AccelerationGradient, AccelerationHessian, Action,
-    Momentum, Point, Pose, Robot, Scalar, Screw, TorqueDerivatives, TorqueGradient, TorqueHessian,
-    Velocity, chain,
+    Acceleration, AccelerationChange, AccelerationDerivatives, AccelerationGradient,
+    AccelerationHessian, Action, Momentum, Point, Pose, Robot, Scalar, Screw, TorqueChange,
+    TorqueDerivatives, TorqueGradient, TorqueHessian, Velocity, chain,
 };
 use homogen_random::Random;
 
@@ -98,6 +98,10 @@ struct States<T, const N: usize, const Q: usize> {
     qdd: Vec<[T; N]>,
     tau: Vec<[T; N]>,
     weights: Vec<[T; N]>,
+    q_change: Vec<[T; N]>,
+    qd_change: Vec<[T; N]>,
+    qdd_change: Vec<[T; N]>,
+    tau_change: Vec<[T; N]>,
     wrench: Vec<[T; 6]>,
 }
 
@@ -111,12 +115,17 @@ fn states<T: Copy, const N: usize, const Q: usize>(number: fn(f64) -> T) -> Stat
     let mut random = Random::new(6);
     let [qd, qdd, tau, weights] = [(); 4].map(|()| list(&mut random, number));
     let wrench = list(&mut random, number);
+    let [q_change, qd_change, qdd_change, tau_change] = [(); 4].map(|()| list(&mut random, number));
     States {
         q,
         qd,
         qdd,
         tau,
         weights,
+        q_change,
+        qd_change,
+        qdd_change,
+        tau_change,
         wrench,
     }
 }
@@ -163,6 +172,8 @@ numbers! {
     Point<f64>: p => p.0;
     TorqueDerivatives<N, f64>: d => d.dq, d.dqd;
     AccelerationDerivatives<N, f64>: d => d.dq, d.dqd, d.dtau;
+    TorqueChange<N, f64>: c => c.value, c.change;
+    AccelerationChange<N, f64>: c => c.value, c.change;
     TorqueGradient<N, f64>: g => g.dq, g.dqd, g.dqdd;
     AccelerationGradient<N, f64>: g => g.dq, g.dqd, g.dtau;
     AccelerationHessian<N, f64>: h => h.dq_dq, h.dq_dqd, h.dqd_dqd, h.dq_dtau;

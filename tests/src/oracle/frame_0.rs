@@ -76,6 +76,17 @@ pub fn hessian_along(
 
 type Gradient = fn(&Robot, &Positions, [&[Big]; 3], &[f64]) -> [Vec<Big>; 3];
 
+/// The product of a matrix and a list of numbers.
+fn product(matrix: &[Vec<Big>], numbers: &[f64]) -> Vec<Big> {
+    let row = |row: &Vec<Big>| {
+        let terms = row.iter().zip(numbers);
+        terms.fold(Big::zero(), |sum, (entry, &number)| {
+            sum + entry * Big::new(number)
+        })
+    };
+    matrix.iter().map(row).collect()
+}
+
 /// The true value of a function; `frame` is the index of its frame, for functions of a frame.
 ///
 /// # Panics
@@ -286,6 +297,22 @@ pub fn evaluate(
             &arguments[Variable::Actions],
         )
         .concat(),
+        Function::InverseDynamicsJvp => {
+            let value = less_external(torques(robot, &positions, &moving(&qd, &qdd)));
+            let inertias = mass_matrix(robot, &positions);
+            let change = derivatives::torque_change(robot, &positions, [&qd, &qdd], arguments);
+            let further = product(&inertias, &arguments[Variable::QddChange]);
+            let change = change.iter().zip(&further).map(|(a, b)| a + b);
+            value.into_iter().chain(change).collect()
+        }
+        Function::ForwardDynamicsJvp => {
+            let value = evaluate(robot, Function::ForwardDynamics, frame, arguments);
+            let driven = derivatives::torque_change(robot, &positions, [&qd, &value], arguments);
+            let forces = arguments[Variable::TauChange].iter().zip(driven);
+            let forces = forces.map(|(&all, driven)| vec![Big::new(all) - driven]);
+            let change = solve(mass_matrix(robot, &positions), forces.collect());
+            value.into_iter().chain(change.concat()).collect()
+        }
         Function::InverseDynamicsHessian | Function::ForwardDynamicsHessian => {
             let count = robot.velocities();
             let units = (0..count).map(|row| {

@@ -18,7 +18,7 @@ use homogen_codegen::schedule::{Program, run};
 use homogen_codegen::space::{FrameId, Space, Variable};
 use homogen_codegen::{Function, Real};
 
-use crate::arguments::{Arguments, line};
+use crate::arguments::{Arguments, fill_changes, line};
 use crate::oracle::frame_0;
 use crate::programs::{program, program_as};
 use crate::states::Random;
@@ -42,6 +42,7 @@ fn regular(function: Function) -> f64 {
     match function {
         Function::ForwardDynamicsDerivatives
         | Function::ForwardDynamicsVjp
+        | Function::ForwardDynamicsJvp
         | Function::ForwardDynamicsHessian => 10.0 * REGULAR,
         _ => REGULAR,
     }
@@ -101,7 +102,7 @@ impl<'r> Prepared<'r> {
             }
         }
         let of_state = |state| {
-            Arguments::of(|variable| match variable {
+            let mut arguments = Arguments::of(|variable| match variable {
                 Variable::Q => coordinates(&dense, seed, 4 * state),
                 Variable::Qd => drawn(&dense.velocities, seed, 4 * state + 1),
                 Variable::Qdd => drawn(&dense.velocities, seed, 4 * state + 2),
@@ -109,8 +110,11 @@ impl<'r> Prepared<'r> {
                 Variable::Weights => drawn(&dense.velocities, !seed, 4 * state),
                 Variable::Wrench => wrench(&mut Random::new(seed ^ (state << 32) ^ 2_u64)).into(),
                 Variable::Actions => wrenches(robot, seed, state),
+                change if change.is_change() => Vec::new(),
                 other => unreachable!("no function has {other:?}"),
-            })
+            });
+            fill_changes(&mut arguments);
+            arguments
         };
         let states = (0..states as u64).map(of_state).collect();
         Ok(Self {

@@ -6,10 +6,12 @@
 use std::array::from_fn;
 
 use homogen::robot::{
-    ForwardDynamics, ForwardDynamicsDerivatives, ForwardDynamicsHessian, ForwardDynamicsVjp,
-    InverseDynamicsHessian, InverseDynamicsVjp,
+    ForwardDynamics, ForwardDynamicsDerivatives, ForwardDynamicsHessian, ForwardDynamicsJvp,
+    ForwardDynamicsVjp, InverseDynamicsHessian, InverseDynamicsJvp, InverseDynamicsVjp,
 };
-use homogen::{AccelerationGradient, AccelerationHessian, Chain, TorqueHessian, generic};
+use homogen::{
+    AccelerationGradient, AccelerationHessian, Chain, TorqueChange, TorqueHessian, generic,
+};
 use homogen_robots::for_every_robot;
 use homogen_robots::shipped::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, TwoLink,
@@ -47,8 +49,10 @@ trait Differentiable<const N: usize>:
     + ForwardDynamicsDerivatives<N>
     + ForwardDynamicsDerivatives<N, Dual>
     + ForwardDynamicsHessian<N>
+    + ForwardDynamicsJvp<N>
     + ForwardDynamicsVjp<N>
     + InverseDynamicsHessian<N>
+    + InverseDynamicsJvp<N>
     + InverseDynamicsVjp<N>
 {
 }
@@ -61,12 +65,10 @@ impl<R, const N: usize> Differentiable<N> for R where
         + ForwardDynamicsDerivatives<N>
         + ForwardDynamicsDerivatives<N, Dual>
         + ForwardDynamicsHessian<N>
-        + ForwardDynamicsVjp<N>
-        + ForwardDynamicsDerivatives<N, Dual>
-        + ForwardDynamicsHessian<N>
+        + ForwardDynamicsJvp<N>
         + ForwardDynamicsVjp<N>
         + InverseDynamicsHessian<N>
-        + InverseDynamicsVjp<N>
+        + InverseDynamicsJvp<N>
         + InverseDynamicsVjp<N>
 {
 }
@@ -119,6 +121,38 @@ fn of_torques<R: Differentiable<N>, const N: usize>(
         &[Block::new("dτ/dt", sum)],
         &[Block::new("dτ/dt", in_time.map(|dual| dual.slope))],
     );
+}
+
+/// τ and its change along a direction, compared with dual numbers and with the generic recursions.
+fn along_directions<R: Differentiable<N>, const N: usize, const F: usize>(
+    robot: &R,
+    chain: &Chain<N, F>,
+    State { q, qd, qdd }: &State<f64, N>,
+    found: &mut Worst,
+) {
+    let [by_q, by_qd, by_qdd] = &directions([q, qd, qdd]);
+    let [at, moving, driven] =
+        [(q, by_q), (qd, by_qd), (qdd, by_qdd)].map(|(x, by)| Dual::pairs(x, by));
+    let expected = robot.inverse_dynamics(&at, &moving, &driven);
+    let generated = robot.inverse_dynamics_jvp(q, qd, qdd, by_q, by_qd, by_qdd);
+    let generic = generic::inverse_dynamics_jvp(chain, q, qd, qdd, by_q, by_qd, by_qdd);
+    for TorqueChange { value, change } in [generated, generic] {
+        let of = |name, found| [Block::new(name, found)];
+        found.note(&of("τ", value), &of("τ", expected.map(|dual| dual.value)));
+        found.note(
+            &of("δτ", change),
+            &of("δτ", expected.map(|dual| dual.slope)),
+        );
+    }
+}
+
+/// Changes of q, q̇ and q̈ or τ.
+fn directions<const N: usize>([q, qd, qdd]: [&[f64; N]; 3]) -> [[f64; N]; 3] {
+    [
+        from_fn(|k| 0.5 * qd[N - 1 - k]),
+        from_fn(|k| q[k] - qdd[N - 1 - k]),
+        from_fn(|k| 0.3 * q[N - 1 - k] + qd[k]),
+    ]
 }
 
 /// The Hessian of λᵀτ, compared with first derivatives on dual numbers and with the generic recursions.
@@ -233,6 +267,28 @@ fn of_weighted_accelerations<R: Differentiable<N>, const N: usize, const F: usiz
         note(off(&[found.dq], &[expected.dq]), size * (changes + mass));
         note(off(&[found.dqd], &[expected.dqd]), size * (changes + mass));
         note(off(&[found.dtau], &[expected.dtau]), size);
+    }
+    let [by_q, by_qd, by_tau] = &directions([q, qd, qdd]);
+    let [at, faster, harder] =
+        [(q, by_q), (qd, by_qd), (&tau, by_tau)].map(|(x, by)| Dual::pairs(x, by));
+    let expected = robot.forward_dynamics(&at, &faster, &harder);
+    let size = lost
+        * mobility
+        * (changes + mass)
+        * (largest(&[*by_q]) + largest(&[*by_qd]) + largest(&[*by_tau]));
+    for found in [
+        robot.forward_dynamics_jvp(q, qd, &tau, by_q, by_qd, by_tau),
+        generic::forward_dynamics_jvp(chain, q, qd, &tau, by_q, by_qd, by_tau),
+    ] {
+        let value = expected.map(|dual| dual.value);
+        note(
+            off(&[found.value], &[value]),
+            lost * largest(&[value]) + mobility * largest(&[tau]),
+        );
+        note(
+            off(&[found.change], &[expected.map(|dual| dual.slope)]),
+            size,
+        );
     }
     for found in [
         robot.forward_dynamics_hessian(q, qd, &tau, &lambda),
@@ -380,6 +436,7 @@ macro_rules! derivatives {
                 let state = State::random(&mut random);
                 of_torques(&$robot, &state, &mut torques);
                 of_weighted_torques(&$robot, &chain, &state, &mut torques);
+                along_directions(&$robot, &chain, &state, &mut torques);
                 of_coriolis(&$robot, &state, &mut torques);
                 let found = of_accelerations(&$robot, &chain, &state);
                 let weighted = of_weighted_accelerations(&$robot, &chain, &state);

@@ -46,9 +46,11 @@ use homogen_tests::states::{Random, State};
         centroidal_momentum_bias,
         inverse_dynamics_derivatives,
         inverse_dynamics_vjp,
+        inverse_dynamics_jvp,
         inverse_dynamics_hessian,
         forward_dynamics_derivatives,
         forward_dynamics_vjp,
+        forward_dynamics_jvp,
         gravity_derivative,
         coriolis_matrix
     )

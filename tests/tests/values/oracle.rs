@@ -43,11 +43,13 @@ const TOLERANCE: f64 = 1e-50;
 /// Factor of the tolerance for derivatives, which one of the sources computes by differences.
 const BY_DIFFERENCES: f64 = 1e5;
 
-const DERIVATIVES: [Function; 5] = [
+const DERIVATIVES: [Function; 7] = [
     Function::InverseDynamicsDerivatives,
     Function::InverseDynamicsVjp,
+    Function::InverseDynamicsJvp,
     Function::ForwardDynamicsDerivatives,
     Function::ForwardDynamicsVjp,
+    Function::ForwardDynamicsJvp,
     Function::GravityDerivative,
 ];
 

@@ -85,6 +85,11 @@ const ALLOWED: [(&str, &str, &str); 31] = [
         "of a scalar of the graph",
     ),
     ("expression/graph.rs", "sin_cos", "of a double"),
+    (
+        "expression/substitute.rs",
+        "sin_cos",
+        "of a scalar of the graph",
+    ),
     ("expression/term.rs", "sin_cos", "of a scalar of the graph"),
     ("joint/manifold.rs", "sin_cos", "of a scalar of the graph"),
     (

@@ -1,6 +1,6 @@
 //! Tests of each rule of differentiation, forward and backward, against known derivatives.
 
-use super::{along, gradient};
+use super::{along, along_known, gradient};
 use crate::expression::{Double, Graph, Input, Term, evaluate};
 use crate::space::Variable;
 
@@ -119,4 +119,51 @@ fn the_second_derivative_is_the_derivative_of_the_first() {
     let second = along(&graph, &[first.expr()], unit)[0];
     let expected = 2.0 * AT[0].cos() - AT[0] * AT[0].sin();
     assert!((number(&graph, second) - expected).abs() < 1e-15);
+}
+
+/// An entry of a rotated vector takes the entry beside it, with an offset of the angle, too.
+#[test]
+fn rotated_vectors_turn_into_the_entry_beside() {
+    let [q, d, a, b] = [0, 1, 2, 3].map(|k| Input::Variable(Variable::Q, k));
+    for offset in [None, Some(0.3_f64)] {
+        let graph = Graph::new();
+        let [angle, turn, x, y] = [q, d, a, b].map(|input| graph.input(input));
+        let (sine, cosine) = angle.sin_cos();
+        let (sine, cosine) = match offset {
+            None => (sine, cosine),
+            Some(offset) => {
+                let [s, c] = [offset.sin(), offset.cos()].map(|value| graph.constant(value));
+                (sine * c + cosine * s, cosine * c - sine * s)
+            }
+        };
+        let (first, second) = (cosine * x + sine * y, cosine * y - sine * x);
+        let results = [first.expr(), second.expr()];
+        let found = along(&graph, &results, |input| (input == q).then_some(turn));
+        for (found, expected) in found.into_iter().zip([second * turn, -(first * turn)]) {
+            assert_eq!(found.expr(), expected.expr(), "{offset:?}");
+        }
+        // A change of the vector is rotated with it.
+        let moved = along(&graph, &results, |input| match input {
+            _ if input == q => Some(turn),
+            _ if input == a => Some(graph.constant(2.0)),
+            _ => None,
+        });
+        let expected = cosine * graph.constant(2.0) + second * turn;
+        assert_eq!(moved[0].expr(), expected.expr());
+    }
+}
+
+#[test]
+fn known_changes_of_expressions_replace_those_of_their_operands() {
+    let graph = Graph::new();
+    let [x, y] = [X, Y].map(|input| graph.input(input));
+    let square = x * x;
+    let result = square * y;
+    let found = along_known(&graph, &[result.expr()], |expr| match expr {
+        _ if expr == square.expr() => Some(graph.constant(5.0)),
+        _ if expr == x.expr() || expr == y.expr() => Some(graph.constant(1.0)),
+        _ => None,
+    });
+    let expected = graph.constant(5.0) * y + square;
+    assert!((number(&graph, found[0]) - number(&graph, expected)).abs() < 1e-15);
 }

@@ -43,12 +43,11 @@ impl<'c> States<'c> {
         let (spaces, range) = (chain.spaces(), Range::of(chain));
         let limited = Arguments::of(|variable| match variable {
             Variable::Q => range.turns_with_digits(),
-            // No function that solves an equation reads accelerations or weights of a twist; another one beside it may.
-            Variable::Qdd | Variable::Wrench => vec![[1.0; 2]; spaces.len(variable.space())],
+            _ if is_constant(variable) => vec![[1.0; 2]; spaces.len(variable.space())],
             Variable::Tau | Variable::Actions => {
                 vec![[-TORQUE, TORQUE]; spaces.len(variable.space())]
             }
-            Variable::Qd | Variable::Weights => range.arguments[variable].clone(),
+            _ => range.arguments[variable].clone(),
         });
         let mut any = limited.clone();
         for (entry, ends) in spaces.coordinates.iter().zip(&mut any[Variable::Q]) {
@@ -85,7 +84,7 @@ impl<'c> States<'c> {
         let mut arguments = Arguments::of(|variable| {
             let ends = ranges[variable].iter();
             ends.map(|&[lower, upper]| {
-                if matches!(variable, Variable::Qdd | Variable::Wrench) {
+                if is_constant(variable) {
                     return lower;
                 }
                 if is_near && variable == Variable::Q {
@@ -113,7 +112,7 @@ impl<'c> States<'c> {
         let mut arguments = state.clone();
         let read = Variable::ALL
             .into_iter()
-            .filter(|of| *of != Variable::Wrench);
+            .filter(|of| *of == Variable::Qdd || !is_constant(*of));
         for variable in read {
             for (entry, &[lower, upper]) in arguments[variable].iter_mut().zip(&self.any[variable])
             {
@@ -143,6 +142,12 @@ impl<'c> States<'c> {
         }
         arguments
     }
+}
+
+/// True if an argument is the same at all states: no measured result depends on it, but another function beside a
+/// measured one may read it.
+const fn is_constant(variable: Variable) -> bool {
+    matches!(variable, Variable::Qdd | Variable::Wrench) || variable.is_change()
 }
 
 /// The entries of the quaternion that begins at a coordinate.

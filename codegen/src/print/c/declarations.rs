@@ -106,7 +106,8 @@ pub(super) fn indices(text: &mut String, module: &Module, prefix: &str) {
     }
     for (space, letter) in spaces {
         let variables = Variable::ALL.into_iter();
-        let variables = variables.filter(|of| of.space() == space);
+        // Entries of a change are those of what changes.
+        let variables = variables.filter(|of| of.space() == space && !of.is_change());
         let variables: Vec<_> = variables
             .filter(|&of| of != Variable::Weights || has_argument(module, of))
             .collect();

@@ -109,6 +109,7 @@ pub(super) fn of_step(module: &Module, step: Step) -> Printed {
         len: module.spaces.len(step.result()),
         below: None,
         units: Vec::new(),
+        is_change: false,
     };
     let mut lines = documentation::of_step(module, step, None);
     let results = [result];

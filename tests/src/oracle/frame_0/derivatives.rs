@@ -4,8 +4,12 @@
 //! carries is displaced along its screw by 2⁻⁸⁴, where truncation and rounding errors are equal and some 48 decimal
 //! digits remain. By q̇: differences are exact, since torques are quadratic in q̇ but for the sign in Coulomb friction.
 
+use homogen_codegen::space::Variable;
+
 use super::motion::{JointScrew, Motion, Positions};
+use super::product;
 use super::torques::{carried, external, mass_matrix, pseudo_product, torques};
+use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::oracle::matrix::Matrix;
 use crate::oracle::motion::exponential;
@@ -54,6 +58,24 @@ pub(super) fn acceleration_gradient(
         products.iter().map(|entry| -entry).collect()
     });
     [by_q, by_qd, y]
+}
+
+/// (∂τ/∂q) δq + (∂τ/∂q̇) δq̇ under external wrenches.
+pub(super) fn torque_change(
+    robot: &Robot,
+    positions: &Positions,
+    motion: [&[Big]; 2],
+    arguments: &Arguments,
+) -> Vec<Big> {
+    let matrices = of_torques(robot, positions, motion, &arguments[Variable::Actions]);
+    let [qd, _] = motion;
+    let parts = matrices.iter().zip([Variable::QChange, Variable::QdChange]);
+    let parts = parts.map(|(matrix, of)| {
+        let rows: Vec<Vec<Big>> = matrix.chunks(qd.len()).map(<[Big]>::to_vec).collect();
+        product(&rows, &arguments[of])
+    });
+    let parts: Vec<Vec<Big>> = parts.collect();
+    parts[0].iter().zip(&parts[1]).map(|(a, b)| a + b).collect()
 }
 
 /// The derivatives of a gradient along a direction: of all its parts along a change of q, and of the second along one

@@ -1,4 +1,4 @@
-//! Sizes and errors of derivatives that are contracted with weights λ, and of products with M⁻¹.
+//! Sizes and errors of derivatives that are contracted with weights λ or along a direction, and of products with M⁻¹.
 //!
 //! Sizes of sums are those of their terms. Results of forward dynamics are compared with the true ones; their sizes are
 //! those of what the rounding of M and of τ makes of y = M⁻¹ λ and of q̈, or of y itself.
@@ -24,7 +24,7 @@ struct Solutions {
 }
 
 impl Measure {
-    /// The error of a function with weights.
+    /// The error of a function with weights or a direction.
     ///
     /// # Panics
     /// If there is no measure for it.
@@ -42,6 +42,17 @@ impl Measure {
             }
             Function::ForwardDynamicsVjp => {
                 let sizes = self.acceleration_gradient(arguments);
+                largest(found, &expected(), &|k| sizes[k])
+            }
+            Function::InverseDynamicsJvp => {
+                let (mut sizes, inertia) = (self.torques(arguments), self.inertia());
+                let change = self.change_of_torques(arguments)
+                    + inertia * self.gain * sum(&arguments[Variable::QddChange]);
+                sizes.resize(found.len(), change);
+                largest(found, &expected(), &|k| sizes[k])
+            }
+            Function::ForwardDynamicsJvp => {
+                let sizes = self.changes_of_accelerations(arguments);
                 largest(found, &expected(), &|k| sizes[k])
             }
             Function::ForwardDynamicsParameterDerivatives => {
@@ -80,11 +91,40 @@ impl Measure {
     /// Sizes of the gradient of λᵀτ by q, q̇ and q̈.
     fn torque_gradient(&self, at: &Arguments) -> [f64; 3] {
         let [by_q, by_qd] = self.changes(at);
-        let inertia = self.gain * self.gain * (self.mass * self.arm * self.arm + self.second);
+        let weights = self.gain * sum(&at[Variable::Weights]);
+        [by_q, by_qd, self.inertia()].map(|size| size * weights)
+    }
+
+    /// Size of the entries of M.
+    fn inertia(&self) -> f64 {
+        let of_bodies = self.gain * self.gain * (self.mass * self.arm * self.arm + self.second);
         let armatures = self.robot.actuators.iter();
         let armatures = armatures.map(|actuator| actuator.armature().to_f64());
-        let weights = self.gain * sum(&at[Variable::Weights]);
-        [by_q, by_qd, inertia + armatures.sum::<f64>()].map(|size| size * weights)
+        of_bodies + armatures.sum::<f64>()
+    }
+
+    /// Size of the change of torques along those of q and q̇.
+    fn change_of_torques(&self, at: &Arguments) -> f64 {
+        let [by_q, by_qd] = self.changes(at);
+        self.gain * (by_q * sum(&at[Variable::QChange]) + by_qd * sum(&at[Variable::QdChange]))
+    }
+
+    /// Sizes of accelerations, and of their changes.
+    fn changes_of_accelerations(&self, at: &Arguments) -> Vec<f64> {
+        let Solutions {
+            at,
+            inverse,
+            inverted,
+            ..
+        } = self.solutions(at);
+        let count = at[Variable::Qd].len();
+        let of_motion = self.change_of_torques(&at);
+        let forces = at[Variable::TauChange].iter();
+        let forces: Vec<f64> = forces.map(|force| of_motion + force.abs()).collect();
+        let rows = inverse.chunks(count.max(1));
+        let changes = rows.map(|row| product(row, &forces) * (1.0 + inverted));
+        let changes: Vec<f64> = changes.collect();
+        [at[Variable::Qdd].clone(), changes].concat()
     }
 
     /// Sizes of the entries of the gradient of λᵀq̈ by q, q̇ and τ.

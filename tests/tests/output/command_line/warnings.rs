@@ -104,7 +104,7 @@ fn functions_left_out_are_reported_with_the_reason() {
                   is singular";
     let note = format!(
         "note: left out: forward_dynamics, mass_matrix_inverse, forward_dynamics_derivatives, \
-         forward_dynamics_vjp, forward_dynamics_hessian and forward_dynamics_parameter_derivatives: \
+         forward_dynamics_vjp, forward_dynamics_jvp, forward_dynamics_hessian and forward_dynamics_parameter_derivatives: \
          {reason}\n  hint: give"
     );
     for command in ["count - --tip hand", "generate - --tip hand"] {
@@ -130,7 +130,7 @@ fn functions_left_out_are_reported_with_the_reason() {
 fn a_file_lists_functions_left_out_at_its_head_and_above_the_struct() {
     let answer = homogen("generate - --tip hand", &massless());
     let line = "Left out: `forward_dynamics`, `mass_matrix_inverse`, \
-                `forward_dynamics_derivatives`, `forward_dynamics_vjp`, `forward_dynamics_hessian` and \
+                `forward_dynamics_derivatives`, `forward_dynamics_vjp`, `forward_dynamics_jvp`, `forward_dynamics_hessian` and \
                 `forward_dynamics_parameter_derivatives` (<stdin>:21:16: joint \"slide\" can accelerate without any force: the mass matrix is singular).\n";
     for opening in ["// ", "/// "] {
         let count = answer.output.matches(&format!("\n{opening}{line}")).count();

@@ -42,6 +42,7 @@ fn states_of(function: Function, chain: &Chain, state: &Arguments) -> Vec<Argume
         | Function::ForwardDynamics => state[Variable::Qdd] = rest,
         Function::ForwardDynamicsDerivatives
         | Function::ForwardDynamicsVjp
+        | Function::ForwardDynamicsJvp
         | Function::ForwardDynamicsHessian
         | Function::ForwardDynamicsParameterDerivatives => {
             let solved = [Function::ForwardDynamics];

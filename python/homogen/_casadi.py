@@ -51,7 +51,7 @@ class Casadi(Library):
         with tempfile.TemporaryDirectory(prefix="homogen-") as folder:
             source = Path(folder) / "robot.c"
             robot.generate("c", *functions, output=source, name="robot", casadi=True)
-            options = {"flags": list(flags), "directory": f"{folder}/"}
+            options = {"flags": list(flags), "directory": f"{folder}/", "cleanup": False}
             try:
                 library = self._casadi.Importer(str(source), "shell", options)
             except RuntimeError as reason:

@@ -13,6 +13,10 @@ class InverseDynamicsVjp(NamedTuple):
     dqd: NDArray[np.floating[Any]]
     dqdd: NDArray[np.floating[Any]]
 
+class InverseDynamicsJvp(NamedTuple):
+    value: NDArray[np.floating[Any]]
+    change: NDArray[np.floating[Any]]
+
 class InverseDynamicsHessian(NamedTuple):
     dq_dq: NDArray[np.floating[Any]]
     dq_dqd: NDArray[np.floating[Any]]
@@ -29,6 +33,10 @@ class ForwardDynamicsVjp(NamedTuple):
     dqd: NDArray[np.floating[Any]]
     dtau: NDArray[np.floating[Any]]
 
+class ForwardDynamicsJvp(NamedTuple):
+    value: NDArray[np.floating[Any]]
+    change: NDArray[np.floating[Any]]
+
 class ForwardDynamicsHessian(NamedTuple):
     dq_dq: NDArray[np.floating[Any]]
     dq_dqd: NDArray[np.floating[Any]]
@@ -44,10 +52,6 @@ class InverseKinematics(NamedTuple):
     converged: NDArray[np.bool_]
     orientation_error: NDArray[np.floating[Any]]
     position_error: NDArray[np.floating[Any]]
-
-class Jvp(NamedTuple):
-    value: NDArray[np.floating[Any]]
-    change: NDArray[np.floating[Any]]
 
 class NextState(NamedTuple):
     q: NDArray[np.floating[Any]]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import robot, same
+from conftest import robot
 
 
 @pytest.mark.parametrize("case", ["arm", "floating", "external"])
@@ -16,7 +16,7 @@ def test_directional_derivatives_are_those_of_differences(case):
     for name in ("inverse_dynamics", "forward_dynamics"):
         function, product = getattr(of, name), getattr(of, name + "_jvp")
         found = product(q, qd, third, *changes, **options)
-        assert same(found.value, function(q, qd, third, *further))
+        assert np.allclose(found.value, function(q, qd, third, *further), rtol=1e-11)
         h = 1e-6
         ends = [
             function(of.integrate(q, s * h * changes[0]), qd + s * h * changes[1], third + s * h * changes[2], *further)
@@ -27,7 +27,7 @@ def test_directional_derivatives_are_those_of_differences(case):
         part = product(q, qd, third, qd_change=changes[1, 0], **options)
         by = getattr(of, name + "_derivatives")(q, qd, third, *further)
         assert np.allclose(part.change, by.dqd @ changes[1, 0])
-        with pytest.raises(TypeError, match="needs a direction"):
+        with pytest.raises(TypeError, match="q_change is missing"):
             product(q, qd, third, **options)
-        with pytest.raises(ValueError, match="a direction has the shape"):
+        with pytest.raises(ValueError, match="q_change has the shape"):
             product(q, qd, third, changes[0, :, :-1], **options)

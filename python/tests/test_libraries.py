@@ -3,6 +3,8 @@
 A library that is not installed is skipped, unless HOMOGEN_LIBRARIES names it.
 """
 
+import shutil
+
 import numpy as np
 import pytest
 from conftest import ROBOTS, library, robot, same, states
@@ -73,6 +75,25 @@ def test_casadi_has_no_more_operations_than_the_program(arm):
     # The others read arguments, load constants and store results.
     moves = (casadi.OP_CONST, casadi.OP_INPUT, casadi.OP_OUTPUT)
     assert sum(kind not in moves for kind in kinds) <= operations
+
+
+def test_casadi_has_external_functions_with_generated_derivatives(arm):
+    casadi = library("casadi")
+    if shutil.which("gcc") is None:
+        with pytest.raises(OSError, match="robot.casadi.external needs a C compiler"):
+            arm.casadi.external("inverse_dynamics")
+        return
+    q, qd, qdd = (array[0] for array in states(arm, ["q", "qd", "qdd"], 1, float))
+    x = [casadi.MX.sym(name, arm.NV) for name in ("q", "qd", "qdd")]
+    found = []
+    for function in (arm.casadi.external("inverse_dynamics", flags=["-O1", "-ffp-contract=off"]), arm.casadi.inverse_dynamics):
+        work = casadi.sumsqr(function(*x))
+        results = [casadi.jacobian(function(*x), x[0]), casadi.hessian(work, casadi.vertcat(*x))[0]]
+        found.append([result.full() for result in casadi.Function("of", x, results)(q, qd, qdd)])
+    for compiled, symbolic in zip(*found):
+        assert np.allclose(compiled, symbolic, rtol=1e-11, atol=1e-11 * np.abs(symbolic).max())
+    with pytest.raises(AttributeError, match="there is no function 'torque' for casadi"):
+        arm.casadi.external("torque")
 
 
 def test_casadi_takes_fields_and_wrenches():
@@ -192,6 +213,23 @@ def test_jax_goes_back_without_matrices_of_derivatives(jax, arm):
     for second in (jax.jacfwd(jax.jacrev(weighted)), jax.jacrev(jax.jacfwd(weighted)), jax.jacrev(jax.jacrev(weighted))):
         found = second(q[0])
         assert np.allclose(found, hessian[0], rtol=1e-9, atol=1e-9 * np.abs(hessian[0]).max())
+
+
+def test_jax_goes_forward_without_matrices_of_derivatives(jax):
+    for case in ("arm", "external"):
+        of = robot(case)
+        links = of._recipe.facts()["external"]
+        names = ["q", "qd", "qdd", "actions"][: 4 if links else 3]
+        values, tangents = (states(of, names, 6, float, seed) for seed in (0, 1))
+        for name in ("inverse_dynamics", "forward_dynamics"):
+            function = getattr(of.jax, name)
+            found, change = jax.jvp(function, values, tangents)
+            assert np.allclose(found, getattr(of, name)(*values))
+            h = 1e-6
+            ends = [getattr(of, name)(*(x + s * h * v for x, v in zip(values, tangents))) for s in (-1, 1)]
+            assert np.allclose(change, (ends[1] - ends[0]) / (2 * h), atol=1e-6 * np.abs(change).max())
+            along = jax.make_jaxpr(lambda values, tangents: jax.jvp(function, values, tangents)[1])(values, tangents)
+            assert f"[6,{of.NV},{of.NV}]" not in str(along)
 
 
 def test_jax_has_gradients_for_several_values_of_a_field(jax):

@@ -3,7 +3,9 @@
     python measure.py [FILE [TIP]]     robots/panda_class.urdf and link8 where nothing else is named
 
 Each figure is the least of several runs: what the machine does besides only adds. Where `pin` is installed, Pinocchio does
-the same beside it (`pip install pin`). So do PyTorch, JAX and CasADi with the functions for them. Nothing cached and cached are processes of their own, without their imports.
+the same beside it (`pip install pin`). So do PyTorch, JAX and CasADi with the functions for them, and frax, adam and MuJoCo for
+many states (`pip install frax adam-robotics mujoco`; frax needs JAX, adam PyTorch). Nothing cached and cached are processes of
+their own, without their imports.
 """
 
 import json
@@ -99,6 +101,86 @@ def libraries(of):
         show("CasADi: instructions of inverse dynamics on SX", of.casadi.inverse_dynamics.n_instructions(), "")
 
 
+def peers(of):
+    """Other libraries with many states, as far as they are installed, with their results compared."""
+    count = 100_000
+    q, qd, qdd = [of.random(0, count), *np.random.default_rng(0).uniform(-1, 1, (2, count, of.NV))]
+    gravity = [0.0, 0.0, -9.81, 0.0, 0.0, 0.0]
+
+    def shown(who, call, number, wanted):
+        off = np.abs(np.asarray(call()) - wanted).max() / np.abs(wanted).max()
+        show(f"{who}, {number} states", 1e9 * least(call, 1, 3) / number, "ns a state")
+        show("    largest difference, in parts of the largest value", 1e15 * off, "1e-15")
+
+    torques = of.inverse_dynamics(q, qd, qdd)
+    try:
+        import frax
+        import jax
+    except ImportError:
+        print("not measured: frax is not installed")
+    else:
+        jax.config.update("jax_enable_x64", True)
+        with tempfile.TemporaryDirectory() as folder:
+            robot = frax.Robot(with_inertias(folder))
+        weight = -jax.numpy.array(gravity)
+        dynamics = jax.jit(jax.vmap(lambda q, qd, qdd: robot.rnea(q, qd, qdd, weight, None)))
+        arrays = [jax.numpy.asarray(array) for array in (q, qd, qdd)]
+        shown("frax.rnea", lambda: dynamics(*arrays).block_until_ready(), count, torques)
+    try:
+        import torch
+        from adam.pytorch import KinDynComputations
+    except ImportError:
+        print("not measured: adam is not installed")
+    else:
+        few = count // 100
+        type_of = {"dtype": torch.float64}
+        model = KinDynComputations(FILE, list(of.joint_names), gravity=torch.tensor(gravity, **type_of), **type_of)
+        base, still = torch.eye(4, **type_of).expand(few, 4, 4), torch.zeros(few, 6, **type_of)
+        angles, rates, seconds = (torch.tensor(array[:few]) for array in (q, qd, qdd))
+
+        @torch.no_grad()
+        def by_mass_matrix():
+            mass = model.mass_matrix(base, angles)[:, 6:, 6:]
+            return (mass @ seconds[..., None])[..., 0] + model.bias_force(base, angles, still, rates)[:, 6:]
+
+        shown("adam on PyTorch, M q̈ and bias_force", by_mass_matrix, few, torques[:few])
+    try:
+        import mujoco
+        from mujoco import rollout
+    except ImportError:
+        print("not measured: MuJoCo is not installed")
+    else:
+        model = mujoco.MjModel.from_xml_path(FILE)
+        data = mujoco.MjData(model)
+        start = np.concatenate([np.zeros((count, 1)), q, qd], axis=1)
+        step = model.opt.timestep
+
+        def rolled():
+            reached, _ = rollout.rollout(model, [data], start, nstep=1)
+            return (reached[:, 0, 1 + of.NQ :] - qd) / step
+
+        free = of.forward_dynamics(q, qd, np.zeros_like(qd))
+        shown("mujoco.rollout, one step, one thread", rolled, count, free)
+        alone = least(lambda: of.step(q, qd, np.zeros_like(qd), step), 1, 3)
+        show(f"step, {count} states", 1e9 * alone / count, "ns a state")
+
+
+def with_inertias(folder):
+    """The file with an inertial element for each link, which frax needs."""
+    import xml.etree.ElementTree as xml
+
+    tree = xml.parse(FILE)
+    for link in tree.getroot().iter("link"):
+        if link.find("inertial") is None:
+            inertial = xml.SubElement(link, "inertial")
+            xml.SubElement(inertial, "origin", xyz="0 0 0", rpy="0 0 0")
+            xml.SubElement(inertial, "mass", value="0")
+            xml.SubElement(inertial, "inertia", **dict.fromkeys(["ixx", "ixy", "ixz", "iyy", "iyz", "izz"], "0"))
+    path = Path(folder) / "robot.urdf"
+    tree.write(path)
+    return str(path)
+
+
 def main():
     import homogen
 
@@ -137,6 +219,7 @@ def main():
         seconds = least(lambda: alone.inverse_dynamics(*columns, out=out), 1, 9)
         show("    the same by columns, one thread", 1e9 * seconds / STATES, "ns a state")
     libraries(of)
+    peers(alone)
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ mod tests {
     }
 
     /// A sum of products with an input, by the root of the input.
-    fn of<'g>([first, second, input]: [Term<'g>; 3]) -> Term<'g> {
+    fn of([first, second, input]: [Term<'_>; 3]) -> Term<'_> {
         (first * input + second) / input.sqrt()
     }
 

@@ -7,6 +7,10 @@ const ARGUMENTS = {
   qdd: { letter: "q̈", space: "velocities", noun: "Acceleration" },
   tau: { letter: "τ", space: "velocities", noun: "Force or torque" },
   weights: { letter: "λ", space: "velocities", noun: "Weight" },
+  q_change: { letter: "δq", space: "velocities", noun: "Change along the velocity" },
+  qd_change: { letter: "δq̇", space: "velocities", noun: "Change of the velocity" },
+  qdd_change: { letter: "δq̈", space: "velocities", noun: "Change of the acceleration" },
+  tau_change: { letter: "δτ", space: "velocities", noun: "Change of the force or torque" },
   wrench: { letter: "Φ", noun: "Entry of the wrench" },
 };
 
@@ -16,6 +20,10 @@ const UNITS = {
   qdd: { rotation: "rad/s²", translation: "m/s²" },
   tau: { rotation: "N m", translation: "N" },
   weights: { rotation: "rad", translation: "m" },
+  q_change: { rotation: "rad", translation: "m" },
+  qd_change: { rotation: "rad/s", translation: "m/s" },
+  qdd_change: { rotation: "rad/s²", translation: "m/s²" },
+  tau_change: { rotation: "N m", translation: "N" },
   wrench: { rotation: "N m", translation: "N" },
 };
 

@@ -20,9 +20,11 @@ function present(data, { complete = async (own) => own, explain: explained = com
   const shown = { frames: null, masses: true, bodies: robot.links.some((link) => link.shapes?.length), names: false, frame: null, ellipsoid: null };
   let pointed = { open: null, name: null, pinned: false, bodies: new Set() };
   let now = poses(skeleton, data.neutral);
-  // Arguments of functions: q of the joints, all velocities 0 or all 1, or as given; weights 1; a wrench is a unit force along z; all others 0.
+  // Arguments of functions: q of the joints, all velocities 0 or all 1, or as given; weights and changes 1; a wrench is a unit force along
+  // z; all others 0.
   const rates = (rate) => skeleton.velocities.map(() => rate);
-  let given = { q: data.neutral, qd: rates(0), qdd: rates(0), tau: rates(0), weights: rates(1), wrench: [0, 0, 0, 0, 0, 1] };
+  const changes = () => Object.fromEntries(["q_change", "qd_change", "qdd_change", "tau_change"].map((name) => [name, rates(1)]));
+  let given = { q: data.neutral, qd: rates(0), qdd: rates(0), tau: rates(0), weights: rates(1), ...changes(), wrench: [0, 0, 0, 0, 0, 1] };
   const canvas = by("picture");
 
   let waiting = false;

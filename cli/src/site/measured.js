@@ -21,7 +21,9 @@ function randomStates({ coordinates, velocities }) {
   const rates = () => velocities.map(() => within(-1, 1));
   return Array.from({ length: SAMPLES_OF_ERRORS }, () => {
     const q = coordinates.map(({ kind, range }) => within(...(kind === "quaternion" ? [-1, 1] : range || (kind === "rotation" ? [-Math.PI, Math.PI] : [-1, 1]))));
-    return { q, qd: rates(), qdd: rates(), tau: rates(), weights: rates(), wrench: Array.from({ length: 6 }, () => within(-1, 1)) };
+    const [qd, qdd, tau, weights] = [rates(), rates(), rates(), rates()];
+    const wrench = Array.from({ length: 6 }, () => within(-1, 1));
+    return { q, qd, qdd, tau, weights, q_change: rates(), qd_change: rates(), qdd_change: rates(), tau_change: rates(), wrench };
   });
 }
 

@@ -44,19 +44,17 @@ pub fn along_known<'g>(
     let mut turns: Vec<Option<Turn<'g>>> = vec![None; graph.len()];
     for expr in needed {
         let node = graph.node(expr);
-        let turned = || turned(graph, node, &changes, &turns);
-        let (change, turn) = match (known(expr), turned()) {
-            (Some(change), _) => (Some(change), None),
-            (None, Some((change, turn))) => (Some(change), turn),
-            (None, None) => {
-                let slopes = slopes(graph, expr, node).into_iter();
-                let parts =
-                    slopes.filter_map(|(of, slope)| Some(slope.times(changes[of.index()]?)));
-                (parts.reduce(|sum, part| sum + part), None)
-            }
+        let change = if let Some(known) = known(expr) {
+            Some(known)
+        } else if let Some((change, turn)) = turned(graph, node, &changes, &turns) {
+            turns[expr.index()] = turn;
+            Some(change)
+        } else {
+            let slopes = slopes(graph, expr, node).into_iter();
+            let parts = slopes.filter_map(|(of, slope)| Some(slope.times(changes[of.index()]?)));
+            parts.reduce(|sum, part| sum + part)
         };
         changes[expr.index()] = change.filter(|change| !change.is_zero());
-        turns[expr.index()] = turn;
     }
     let results = results.iter();
     let zero = || graph.constant(0.0);

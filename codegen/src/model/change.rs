@@ -64,7 +64,7 @@ impl<'g> Changes<'g> {
         changes
     }
 
-    /// Adds that of an expression. Constants have none, and entries that are opposites are one expression.
+    /// Adds that of an expression. Constants have none.
     fn add(&mut self, of: Term<'g>, change: Term<'g>) {
         if of.value().is_none() {
             self.0.insert(of.expr(), change);

@@ -59,7 +59,7 @@ const SCRIPT: &str = view!(include_str!("show/main.js"));
 
 /// SHA-256 of the script and of the style sheet, in base 64: the page forbids all others. A test compares them, and
 /// prints the correct ones.
-const SCRIPT_HASH: &str = "Bn/dCE4JkuiCvNEGKwubSyRuXLNfjZnGsCsTbUBGUWc=";
+const SCRIPT_HASH: &str = "GSCMjr2U+oPS1LOyfhdy+fbqHd2Newkx+jE77z1fjwU=";
 const STYLE_HASH: &str = "EZ41wpWxxdiq7VbW1QjP3bio5MhdE8Ppc0rj96n9JgQ=";
 
 /// Write a page for a browser: the robot as a skeleton to move, the description, and every function with its operation

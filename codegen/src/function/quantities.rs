@@ -107,7 +107,7 @@ pub(super) const ENERGY: Outcome = Outcome::One(Quantity {
 });
 
 /// Joint torques and forces.
-pub(super) const FORCES: Outcome = Outcome::One(vector(|of| vec![by_one(of, "N m", "N")]));
+pub(super) const FORCES: Outcome = Outcome::One(TORQUES);
 
 /// Joint accelerations.
 pub(super) const SECOND_RATES: Outcome = Outcome::One(ACCELERATIONS);
@@ -143,12 +143,12 @@ pub(super) const FORCE_CHANGE: Outcome = Outcome::Parts(
         Part {
             name: "value",
             about: "τ; N m, N.",
-            quantity: vector(|of| vec![by_one(of, "N m", "N")]),
+            quantity: TORQUES,
         },
         Part {
             name: "change",
             about: "δτ; N m, N.",
-            quantity: vector(|of| vec![by_one(of, "N m", "N")]),
+            quantity: TORQUES,
         },
     ],
 );
@@ -297,6 +297,8 @@ pub(super) const STIFFNESS: Outcome = Outcome::One(STIFFNESSES);
 
 /// Matrix that gives torques and forces from velocities.
 pub(super) const DAMPING: Outcome = Outcome::One(DAMPINGS);
+
+const TORQUES: Quantity = vector(|of| vec![by_one(of, "N m", "N")]);
 
 const ACCELERATIONS: Quantity = vector(|of| vec![by_one(of, "rad/s²", "m/s²")]);
 

@@ -76,6 +76,17 @@ def test_pictures_are_drawn():
     plot.close("all")
 
 
+def test_identification_finds_what_the_measurements_are_made_with(monkeypatch, capsys):
+    library("torch")
+    monkeypatch.setattr(sys, "argv", ["identify.py", "--states=500", "--noise=1e-6"])
+    scope = runpy.run_path(str(EXAMPLES / "identify.py"), run_name="__main__")
+    rows = [line.replace("[", " ").replace("]", " ") for line in capsys.readouterr().out.splitlines()]
+    assert len(rows) == 5
+    found, true = (np.array(rows[0].split(word)[1].split("true")[0].split(), float) for word in ("found", "true"))
+    assert np.allclose(found, true, atol=2e-4) and np.allclose(true, scope["OFFSETS"])
+    assert abs(float(rows[2].split("found")[1].split()[0]) - scope["MASS"]) < 1e-3
+
+
 def test_the_arm_of_mppi_moves(monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["mppi.py", "--rollouts=512", "--steps=50"])
     runpy.run_path(str(EXAMPLES / "mppi.py"), run_name="__main__")

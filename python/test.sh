@@ -19,7 +19,7 @@ if [ "${1:-}" = --libraries ]; then
     shift
     profile=release
     libraries=(casadi ipykernel jax matplotlib mujoco nbclient numba pin roboticstoolbox-python sympy torch)
-    tests=(test_plain.py test_libraries.py test_guide.py test_notebooks.py test_cuda.py)
+    tests=(test_plain.py test_libraries.py test_pinocchio.py test_guide.py test_notebooks.py test_cuda.py)
 fi
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

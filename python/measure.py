@@ -1,6 +1,9 @@
 """Measures the package: from a file to the first torques, one state, and many.
 
-    python measure.py [FILE [TIP]]     robots/panda_class.urdf and link8 where nothing else is named
+    python measure.py [FILE [TIP [HUMANOID]]]
+
+FILE and TIP are robots/panda_class.urdf and link8 where nothing else is named; HUMANOID, which gets a floating base, is that of
+the tests. Batches in Rust: `cargo run --release -p homogen-examples --bin batch`.
 
 Each figure is the least of several runs: what the machine does besides only adds. Where `pin` is installed, Pinocchio does
 the same beside it (`pip install pin`). So do PyTorch, JAX and CasADi with the functions for them, and frax, adam and MuJoCo for
@@ -24,6 +27,7 @@ if str(Path(__file__).resolve().parent) in sys.path:
 
 FILE = sys.argv[1] if len(sys.argv) > 1 else str(Path(__file__).parents[1] / "robots" / "panda_class.urdf")
 TIP = sys.argv[2] if len(sys.argv) > 2 else "link8"
+HUMANOID = sys.argv[3] if len(sys.argv) > 3 else str(Path(__file__).parents[1] / "tests" / "robots" / "humanoid.urdf")
 STATES = 1_000_000
 
 FIRST = """
@@ -39,6 +43,19 @@ print(json.dumps([loaded - began, time.perf_counter() - began]))
 """
 
 
+HUMANOIDS = """
+import json, sys, time
+import numpy as np
+import homogen
+began = time.perf_counter()
+of = homogen.load(sys.argv[1], floating=True)
+rest = np.zeros(of.NV)
+of.inverse_dynamics(of.neutral(), rest, rest)
+of.inverse_dynamics_derivatives(of.neutral(), rest, rest)
+print(json.dumps([time.perf_counter() - began]))
+"""
+
+
 def least(call, repeats, rounds):
     """The seconds of one call."""
     best = float("inf")
@@ -50,11 +67,11 @@ def least(call, repeats, rounds):
     return best
 
 
-def first(cache):
+def first(cache, program=FIRST, arguments=(FILE, TIP), runs=7):
     """The seconds of loading, and of loading with the first call, in a process of its own."""
     environment = {**os.environ, "HOMOGEN_CACHE": cache}
-    words = [sys.executable, "-W", "ignore", "-c", FIRST, FILE, TIP]
-    runs = [json.loads(subprocess.run(words, check=True, capture_output=True, env=environment).stdout) for _ in range(7)]
+    words = [sys.executable, "-W", "ignore", "-c", program, *arguments]
+    runs = [json.loads(subprocess.run(words, check=True, capture_output=True, env=environment).stdout) for _ in range(runs)]
     return [min(column) for column in zip(*runs)]
 
 
@@ -190,6 +207,9 @@ def main():
     with tempfile.TemporaryDirectory() as cache:
         first(cache)
         show("load and the first inverse dynamics, cached", 1e3 * first(cache)[1], "ms")
+
+    [both] = first("", HUMANOIDS, [HUMANOID], 2)
+    show("humanoid: load, inverse dynamics and derivatives", both, "s")
 
     of = homogen.load(FILE, tip=TIP)
     alone = homogen.load(FILE, tip=TIP, threads=1)

@@ -8,7 +8,7 @@ mod alike;
 pub(crate) mod articulated;
 mod axis_rotation;
 mod carry;
-mod change;
+pub(crate) mod change;
 mod composite;
 mod constrained;
 mod derivatives;
@@ -300,22 +300,6 @@ impl<'s, 'g> Scene<'s, 'g> {
     pub(crate) fn entries(&self, of: Variable) -> List<VelocityId, Term<'g>> {
         let entry = |k| self.state.of_velocity(of, k);
         self.velocities().map(entry).collect()
-    }
-
-    /// The change of τ along those of q, q̇ and q̈.
-    pub(crate) fn torque_change(
-        &self,
-        torques: &List<VelocityId, Term<'g>>,
-    ) -> List<VelocityId, Term<'g>> {
-        change::of(self, torques)
-    }
-
-    /// The change of τ along those of q and q̇, at constant accelerations.
-    pub(crate) fn torque_change_at(
-        &self,
-        qdd: &List<VelocityId, Term<'g>>,
-    ) -> List<VelocityId, Term<'g>> {
-        change::at_constant_accelerations(self, qdd)
     }
 
     /// The derivatives of λᵀτ by q, q̇ and q̈ at the given q̈ and λ, with the external wrenches.

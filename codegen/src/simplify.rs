@@ -6,7 +6,7 @@
 
 pub mod rules;
 
-use crate::expression::{Expr, Graph, Node, Term};
+use crate::expression::{Expr, Graph, Term};
 
 /// The graph being made, and the number of future uses of its nodes.
 pub struct Site<'g> {
@@ -46,20 +46,7 @@ pub fn simplify(graph: &Graph, results: &[Expr]) -> (Graph, Vec<Expr>) {
     let mut terms: Vec<Option<Term<'_>>> = vec![None; graph.len()];
     for expr in needed {
         let at = |expr: Expr| terms[expr.index()].expect("children come before parents");
-        let plain = match graph.node(expr) {
-            Node::Literal(bits) => made.constant(f64::from_bits(bits)),
-            Node::Input(input) => made.input(input),
-            Node::Neg(a) => -at(a),
-            Node::Add(a, b) => at(a) + at(b),
-            Node::Sub(a, b) => at(a) - at(b),
-            Node::Mul(a, b) => at(a) * at(b),
-            Node::Div(a, b) => at(a) / at(b),
-            Node::Sqrt(a) => at(a).sqrt(),
-            Node::Sign(a) => at(a).sign(),
-            Node::Sin(a) => at(a).sin_cos().0,
-            Node::Cos(a) => at(a).sin_cos().1,
-            Node::Taken(a, by) => at(a).taken_by(by),
-        };
+        let plain = Term::of_node(&made, graph.node(expr), at);
         let term = rules::apply(&site, plain);
         if let Some(label) = graph.label(expr) {
             made.set_label(term.expr(), label);

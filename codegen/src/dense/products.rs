@@ -19,22 +19,25 @@ impl Dense {
     /// τ of the whole motion with the external wrenches, and its change along those of q, q̇ and q̈.
     pub(crate) fn torque_change(&self) -> Vec<Approximate> {
         let [by_q, by_qd] = self.torque_derivatives();
-        let parts = [
+        let change = self.along(&[
             (&by_q, Variable::QChange),
             (&by_qd, Variable::QdChange),
             (self.mass_matrix(), Variable::QddChange),
-        ];
-        let nothing: List<VelocityId, _> =
-            List::filled(Approximate::exact(0.0), self.state.velocities());
-        let change = parts.into_iter().fold(nothing, |sum, (matrix, of)| {
+        ]);
+        let torques = self.less_external(self.torques(Motion::Accelerated));
+        torques.into_iter().chain(change).collect()
+    }
+
+    /// The sum of products of matrices with arguments.
+    pub(super) fn along(&self, parts: &[(&Square<VelocityId, Approximate>, Variable)]) -> Vector {
+        let nothing = List::filled(Approximate::exact(0.0), self.state.velocities());
+        parts.iter().fold(nothing, |sum: Vector, &(matrix, of)| {
             let part = times_column(matrix, &self.state.of_velocities(of));
             sum.iter()
                 .zip(part)
                 .map(|(&sum, part)| sum + part)
                 .collect()
-        });
-        let torques = self.less_external(self.torques(Motion::Accelerated));
-        torques.into_iter().chain(change).collect()
+        })
     }
 }
 

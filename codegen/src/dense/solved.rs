@@ -104,13 +104,10 @@ impl Driven<'_> {
 
     /// q̈, and its change along those of q, q̇ and τ.
     pub(crate) fn change(&self) -> Vec<Approximate> {
-        let entries = |of| self.dense.state.of_velocities(of);
         let [by_q, by_qd] = &self.by_motion;
-        let of_motion = sum(
-            &times_column(by_q, &entries(Variable::QChange)),
-            &times_column(by_qd, &entries(Variable::QdChange)),
-        );
-        let forces = difference(&entries(Variable::TauChange), &of_motion);
+        let of_motion = [(by_q, Variable::QChange), (by_qd, Variable::QdChange)];
+        let tau = self.dense.state.of_velocities(Variable::TauChange);
+        let forces = difference(&tau, &self.dense.along(&of_motion));
         let change = self.solver.solution(&forces);
         self.accelerations.iter().copied().chain(change).collect()
     }

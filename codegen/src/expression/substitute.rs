@@ -21,22 +21,12 @@ pub fn substitute<'g>(
     let mut changed: Vec<Option<Term<'g>>> = vec![None; graph.len()];
     for expr in needed {
         let node = graph.node(expr);
-        let depends = |of: Expr| changed[of.index()].is_some();
-        let at = |of: Expr| changed[of.index()].unwrap_or_else(|| graph.term(of));
-        changed[expr.index()] = match node {
-            Node::Input(input) => term(input),
-            _ if !node.operands().any(depends) => None,
-            Node::Literal(_) => None,
-            Node::Neg(a) => Some(-at(a)),
-            Node::Add(a, b) => Some(at(a) + at(b)),
-            Node::Sub(a, b) => Some(at(a) - at(b)),
-            Node::Mul(a, b) => Some(at(a) * at(b)),
-            Node::Div(a, b) => Some(at(a) / at(b)),
-            Node::Sqrt(a) => Some(at(a).sqrt()),
-            Node::Sign(a) => Some(at(a).sign()),
-            Node::Sin(a) => Some(at(a).sin_cos().0),
-            Node::Cos(a) => Some(at(a).sin_cos().1),
-            Node::Taken(a, by) => Some(at(a).taken_by(by)),
+        changed[expr.index()] = if let Node::Input(input) = node {
+            term(input)
+        } else {
+            let depends = node.operands().any(|of| changed[of.index()].is_some());
+            let at = |of: Expr| changed[of.index()].unwrap_or_else(|| graph.term(of));
+            depends.then(|| Term::of_node(graph, node, at))
         };
     }
     let results = results.iter();

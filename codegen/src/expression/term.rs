@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
-use super::graph::{Expr, Graph};
+use super::graph::{Expr, Graph, Node};
 use super::label::Label;
 
 /// An expression together with its graph.
@@ -52,6 +52,25 @@ impl<'g> Term<'g> {
     /// Labels it as an entry of a quantity.
     pub fn label(self, label: Label) {
         self.graph.set_label(self.expr, label);
+    }
+
+    /// A node's operation on other terms, of which `at` has one for each operand. The node may be of another graph.
+    #[must_use]
+    pub fn of_node(graph: &'g Graph, node: Node, at: impl Fn(Expr) -> Self) -> Self {
+        match node {
+            Node::Literal(bits) => graph.constant(f64::from_bits(bits)),
+            Node::Input(input) => graph.input(input),
+            Node::Neg(a) => -at(a),
+            Node::Add(a, b) => at(a) + at(b),
+            Node::Sub(a, b) => at(a) - at(b),
+            Node::Mul(a, b) => at(a) * at(b),
+            Node::Div(a, b) => at(a) / at(b),
+            Node::Sqrt(a) => at(a).sqrt(),
+            Node::Sign(a) => at(a).sign(),
+            Node::Sin(a) => at(a).sin_cos().0,
+            Node::Cos(a) => at(a).sin_cos().1,
+            Node::Taken(a, by) => at(a).taken_by(by),
+        }
     }
 
     /// Sine and cosine.

@@ -6,7 +6,7 @@ use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_jvp, quantities};
 use crate::expression::Term;
 use crate::list::List;
-use crate::model::{FreeFall, Scene};
+use crate::model::{FreeFall, Scene, change};
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -44,15 +44,15 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let falling = FreeFall::of(scene);
     let scene = falling.scene();
     let relative = forward_dynamics::accelerations(scene);
-    let driven = scene.torque_change_at(&relative);
+    let driven = change::at_constant_accelerations(scene, &relative);
     let changes = scene.entries(Variable::TauChange);
     let forces = changes
         .iter()
         .zip(driven)
         .map(|(&all, driven)| all - driven);
     let forces: List<VelocityId, _> = forces.collect();
-    let change = forward_dynamics::by_forces(scene, |k| forces[k]);
-    let change = change
+    let relative_change = forward_dynamics::by_forces(scene, |k| forces[k]);
+    let change = relative_change
         .iter()
         .zip(falling.change())
         .map(|(&a, fall)| a + fall);

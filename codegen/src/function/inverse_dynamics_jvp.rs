@@ -4,7 +4,7 @@ use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{self, Size, Tally};
 use crate::expression::Term;
-use crate::model::Scene;
+use crate::model::{Scene, change};
 use crate::space::Variable;
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -39,6 +39,6 @@ pub(super) fn dense(size: Size) -> Tally {
 
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let torques = scene.driving(&scene.qdd());
-    let change = scene.torque_change(&torques);
+    let change = change::of(scene, &torques);
     [torques, change].map(Vec::from).concat()
 }

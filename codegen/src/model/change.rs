@@ -3,8 +3,8 @@
 //! In: a scene whose arguments have changes. Out: δτ. The recursions are those of τ, so that δτ shares all that τ
 //! computes: a rotation of a change is two products, and that of what the rotation turns is in τ already.
 //!
-//! Of a joint without axes of its own the displacement M changes by M Λ, with the change Λ of its velocities: through
-//! its quaternion it would take more operations, and bounds would not know that its length stays 1.
+//! The displacement M of a joint without axes of its own changes by M Λ, with the change Λ of its velocities: through its
+//! quaternion that would take more operations, and bounds would not know that its length stays 1.
 
 use std::collections::BTreeMap;
 
@@ -19,14 +19,14 @@ use crate::space::{CoordinateId, Variable, VelocityId};
 type Torques<'g> = List<VelocityId, Term<'g>>;
 
 /// The change of torques along those of q, q̇ and q̈.
-pub(super) fn of<'g>(scene: &Scene<'_, 'g>, torques: &Torques<'g>) -> Torques<'g> {
+pub(crate) fn of<'g>(scene: &Scene<'_, 'g>, torques: &Torques<'g>) -> Torques<'g> {
     let mut changes = Changes::of_motion(scene);
     changes.add_argument(scene, [Variable::Qdd, Variable::QddChange]);
     changes.along(scene, torques).into()
 }
 
 /// The change of torques along those of q and q̇, at constant accelerations.
-pub(super) fn at_constant_accelerations<'g>(
+pub(crate) fn at_constant_accelerations<'g>(
     scene: &Scene<'_, 'g>,
     accelerations: &Torques<'g>,
 ) -> Torques<'g> {

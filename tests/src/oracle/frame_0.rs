@@ -76,15 +76,15 @@ pub fn hessian_along(
 
 type Gradient = fn(&Robot, &Positions, [&[Big]; 3], &[f64]) -> [Vec<Big>; 3];
 
-/// The product of a matrix and a list of numbers.
-fn product(matrix: &[Vec<Big>], numbers: &[f64]) -> Vec<Big> {
-    let row = |row: &Vec<Big>| {
+/// The product of a matrix, by rows, and a list of numbers.
+fn product(matrix: &[Big], numbers: &[f64]) -> Vec<Big> {
+    let row = |row: &[Big]| {
         let terms = row.iter().zip(numbers);
         terms.fold(Big::zero(), |sum, (entry, &number)| {
             sum + entry * Big::new(number)
         })
     };
-    matrix.iter().map(row).collect()
+    matrix.chunks(numbers.len().max(1)).map(row).collect()
 }
 
 /// The true value of a function; `frame` is the index of its frame, for functions of a frame.
@@ -299,7 +299,7 @@ pub fn evaluate(
         .concat(),
         Function::InverseDynamicsJvp => {
             let value = less_external(torques(robot, &positions, &moving(&qd, &qdd)));
-            let inertias = mass_matrix(robot, &positions);
+            let inertias = mass_matrix(robot, &positions).concat();
             let change = derivatives::torque_change(robot, &positions, [&qd, &qdd], arguments);
             let further = product(&inertias, &arguments[Variable::QddChange]);
             let change = change.iter().zip(&further).map(|(a, b)| a + b);

@@ -68,13 +68,8 @@ pub(super) fn torque_change(
     arguments: &Arguments,
 ) -> Vec<Big> {
     let matrices = of_torques(robot, positions, motion, &arguments[Variable::Actions]);
-    let [qd, _] = motion;
-    let parts = matrices.iter().zip([Variable::QChange, Variable::QdChange]);
-    let parts = parts.map(|(matrix, of)| {
-        let rows: Vec<Vec<Big>> = matrix.chunks(qd.len()).map(<[Big]>::to_vec).collect();
-        product(&rows, &arguments[of])
-    });
-    let parts: Vec<Vec<Big>> = parts.collect();
+    let changes = [Variable::QChange, Variable::QdChange].map(|of| &arguments[of]);
+    let parts = [0, 1].map(|k| product(&matrices[k], changes[k]));
     parts[0].iter().zip(&parts[1]).map(|(a, b)| a + b).collect()
 }
 

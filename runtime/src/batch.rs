@@ -109,6 +109,10 @@ macro_rules! batch {
             /// # Errors
             ///
             /// A slice is not as long as `q`. No result is written then.
+            #[allow(
+                clippy::too_many_arguments,
+                reason = "a function with changes has three more than the one that it differentiates"
+            )]
             pub fn $method<T: Number, $(const $size: usize),*>(
                 &self,
                 $($argument: &[robot::list_of!($argument)],)*

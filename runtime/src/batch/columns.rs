@@ -147,6 +147,10 @@ macro_rules! batch {
             ///
             /// A column is not as long as the first of `q`, or the number of columns of `results` is not the number of
             /// numbers in a result. No result is written then.
+            #[allow(
+                clippy::too_many_arguments,
+                reason = "a function with changes has three more than the one that it differentiates"
+            )]
             pub fn $method<T: Number, $(const $size: usize),*>(
                 &self,
                 $($argument: columns_of!($argument, &[T]),)*

@@ -141,7 +141,11 @@ impl Function {
                 [] => String::new(),
                 units => format!(", in {}", units.join(", ")),
             };
-            let otherwise = if array.is_change { " [default: zeros]" } else { "" };
+            let otherwise = if array.is_change {
+                " [default: zeros]"
+            } else {
+                ""
+            };
             format!("{}: {}{units}{otherwise}", array.name, shape(array))
         };
         lines.extend(of.arguments.iter().map(line));

@@ -72,7 +72,9 @@ mod _engine {
     #[pyfunction]
     fn derivatives(name: &str) -> [Vec<&'static str>; 3] {
         let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
-        let of = all.filter(|of| of.name() == name).find_map(Name::derivatives);
+        let of = all
+            .filter(|of| of.name() == name)
+            .find_map(Name::derivatives);
         let distinct = |functions: Vec<Name>| {
             let mut names: Vec<&str> = functions.iter().map(|of| of.name()).collect();
             names.dedup();

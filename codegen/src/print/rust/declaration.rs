@@ -81,6 +81,7 @@ pub(super) fn allowed(dialect: &Dialect) -> TokenStream {
             clippy::large_stack_arrays,
             clippy::possible_missing_comma,
             clippy::similar_names,
+            clippy::too_many_arguments,
             clippy::too_many_lines,
             clippy::trivially_copy_pass_by_ref,
             clippy::unreadable_literal,

@@ -225,6 +225,7 @@ fn the_methods_of_a_struct_that_exists() {
     clippy::large_stack_arrays,
     clippy::possible_missing_comma,
     clippy::similar_names,
+    clippy::too_many_arguments,
     clippy::too_many_lines,
     clippy::trivially_copy_pass_by_ref,
     clippy::unreadable_literal,

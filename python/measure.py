@@ -1,9 +1,10 @@
 """Measures the package: from a file to the first torques, one state, and many.
 
-    python measure.py [FILE [TIP [HUMANOID]]]
+    python measure.py [--wheel WHEEL] [FILE [TIP [HUMANOID]]]
 
 FILE and TIP are robots/panda_class.urdf and link8 where nothing else is named; HUMANOID, which gets a floating base, is that of
-the tests. Batches in Rust: `cargo run --release -p homogen-examples --bin batch`.
+the tests. With a WHEEL of the package, its installation in a fresh environment is measured, downloads included. Where cargo is
+installed, the batch in Rust of as many states of that arm is beside ours, built without flags; where FILE is named, it is not.
 
 Each figure is the least of several runs: what the machine does besides only adds. Where `pin` is installed, Pinocchio does
 the same beside it (`pip install pin`). So do PyTorch, JAX and CasADi with the functions for them, and frax, adam and MuJoCo for
@@ -11,8 +12,10 @@ many states (`pip install frax adam-robotics mujoco`; frax needs JAX, adam PyTor
 their own, without their imports.
 """
 
+import argparse
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -25,10 +28,17 @@ import numpy as np
 if str(Path(__file__).resolve().parent) in sys.path:
     sys.path.remove(str(Path(__file__).resolve().parent))
 
-FILE = sys.argv[1] if len(sys.argv) > 1 else str(Path(__file__).parents[1] / "robots" / "panda_class.urdf")
-TIP = sys.argv[2] if len(sys.argv) > 2 else "link8"
-HUMANOID = sys.argv[3] if len(sys.argv) > 3 else str(Path(__file__).parents[1] / "tests" / "robots" / "humanoid.urdf")
+REPOSITORY = Path(__file__).resolve().parents[1]
+PANDA = str(REPOSITORY / "robots" / "panda_class.urdf")
 STATES = 1_000_000
+
+parser = argparse.ArgumentParser(description="Measures the package for Python.")
+parser.add_argument("file", nargs="?", default=PANDA)
+parser.add_argument("tip", nargs="?", default="link8")
+parser.add_argument("humanoid", nargs="?", default=str(REPOSITORY / "tests" / "robots" / "humanoid.urdf"))
+parser.add_argument("--wheel")
+given = parser.parse_args()
+FILE, TIP, HUMANOID = given.file, given.tip, given.humanoid
 
 FIRST = """
 import json, sys, time
@@ -77,6 +87,26 @@ def first(cache, program=FIRST, arguments=(FILE, TIP), runs=7):
 
 def show(what, value, unit):
     print(f"{what:58} {value:10.3f} {unit}")
+
+
+def installation(wheel):
+    """The seconds that pip takes in an environment of its own, with neither cargo nor a compiler on the path."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.executable, "-m", "venv", folder], check=True)
+        alone = {**os.environ, "PATH": f"{folder}/bin"}
+        words = [f"{folder}/bin/pip", "install", "--quiet", "--disable-pip-version-check", "--no-cache-dir", wheel]
+        began = time.perf_counter()
+        subprocess.run(words, check=True, env=alone)
+        return time.perf_counter() - began
+
+
+def batches_in_rust():
+    """Nanoseconds a state of Rust's batch on one thread: pairs of a row's name and its time, of one run."""
+    words = ["cargo", "run", "--quiet", "--release", "-p", "homogen-examples", "--bin", "batch", "--", str(STATES)]
+    alone = {**os.environ, "RAYON_NUM_THREADS": "1"}
+    said = subprocess.run(words, check=True, cwd=REPOSITORY, env=alone, capture_output=True, text=True).stdout
+    rows = [line.split() for line in said.splitlines()]
+    return [(f"    Rust's {row[1]}, float{row[0][1:]}, one thread", float(row[5])) for row in rows if row[2:5] == ["on", "all", "cores"]]
 
 
 def libraries(of):
@@ -201,6 +231,8 @@ def with_inertias(folder):
 def main():
     import homogen
 
+    if given.wheel:
+        show("pip install of the wheel", installation(given.wheel), "s")
     load, compiled = first("")
     show("load", 1e3 * load, "ms")
     show("load and the first inverse dynamics, nothing cached", 1e3 * compiled, "ms")
@@ -236,8 +268,14 @@ def main():
             seconds = least(lambda: robot.inverse_dynamics(*states, out=out), 1, 9)
             show(f"inverse dynamics, {STATES} states, {np.dtype(dtype)}, {who}", 1e9 * seconds / STATES, "ns a state")
         columns = [np.asfortranarray(array) for array in states]
+        out = np.asfortranarray(out)
         seconds = least(lambda: alone.inverse_dynamics(*columns, out=out), 1, 9)
         show("    the same by columns, one thread", 1e9 * seconds / STATES, "ns a state")
+    if FILE != PANDA or not shutil.which("cargo"):
+        print("not measured: Rust's batch, without cargo or of another file")
+    else:
+        for what, time_of_one in batches_in_rust():
+            show(what, time_of_one, "ns a state")
     libraries(of)
     peers(alone)
 

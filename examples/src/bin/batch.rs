@@ -1,8 +1,9 @@
 //! The inverse dynamics of an arm in batches: nanoseconds a state, in registers of every length, on one core and
 //! on all.
 //!
-//! In: the Panda-class arm of `robots/`. Out: a table of times and of their ratios to one state at a time, from one
-//! run in which the programs take turns.
+//! In: the Panda-class arm of `robots/`, and the number of states on all cores, 32768 where none is named. Out: a table of
+//! times and of their ratios to one state at a time, from one run in which the programs take turns. With
+//! `RAYON_NUM_THREADS=1` the rows of all cores are those of one thread.
 
 use std::cell::RefCell;
 use std::time::Duration;
@@ -26,11 +27,14 @@ struct Panda;
 /// The largest number of states that a batch does not split between cores.
 const FEW: usize = 512;
 
-/// States for all cores.
+/// States for all cores, where no number is named.
 const MANY: usize = 1 << 15;
 
 fn main() {
-    let single = random::<7>(MANY, 1);
+    let named = std::env::args().nth(1);
+    let many = named.map_or(MANY, |number| number.parse().expect("a number of states"));
+    assert!(many >= FEW, "at least {FEW} states");
+    let single = random::<7>(many, 1);
     let double: Vec<_> = single.iter().map(State::widen).collect();
     println!("inverse dynamics, Panda class       ns a state  ratio  10⁶ states/s\n");
     table("f64", &double);
@@ -64,19 +68,19 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
         );
         done.expect("as long");
     };
-    let columns = [&q, &qd, &qdd].map(|states| columns(&states[..FEW]));
-    let [q_columns, qd_columns, qdd_columns] =
-        (columns.each_ref()).map(|columns| columns.each_ref().map(Vec::as_slice));
+    let columns = [&q, &qd, &qdd].map(|states| columns(states));
     let tau_columns = RefCell::new(columns[0].clone());
-    let by_columns = |most: Vectors| {
+    let by_columns = |most: Vectors, states: usize| {
+        let [q, qd, qdd] =
+            (columns.each_ref()).map(|of| of.each_ref().map(|column| &column[..states]));
         let mut tau = tau_columns.borrow_mut();
-        let mut tau = tau.each_mut().map(Vec::as_mut_slice);
+        let mut tau = tau.each_mut().map(|column| &mut column[..states]);
         let batch = Batch::of(&Panda).at_most(most).columns();
-        let done = batch.inverse_dynamics(q_columns, qd_columns, qdd_columns, &mut tau);
+        let done = batch.inverse_dynamics(q, qd, qdd, &mut tau);
         done.expect("as long");
     };
-    let all_cores = || batch(Vectors::Bits512, MANY);
-    let programs: [(&str, usize, &dyn Fn()); 6] = [
+    let many = states.len();
+    let programs: [(&str, usize, &dyn Fn()); 7] = [
         ("one state at a time", FEW, &one_by_one),
         ("batch, up to 256 bits", FEW, &|| {
             batch(Vectors::Bits256, FEW);
@@ -85,12 +89,17 @@ fn table<T: Number>(number: &str, states: &[State<T, 7>]) {
             batch(Vectors::Bits512, FEW);
         }),
         ("columns, up to 256 bits", FEW, &|| {
-            by_columns(Vectors::Bits256);
+            by_columns(Vectors::Bits256, FEW);
         }),
         ("columns, up to 512 bits", FEW, &|| {
-            by_columns(Vectors::Bits512);
+            by_columns(Vectors::Bits512, FEW);
         }),
-        ("batch on all cores", MANY, &all_cores),
+        ("batch on all cores", many, &|| {
+            batch(Vectors::Bits512, many);
+        }),
+        ("columns on all cores", many, &|| {
+            by_columns(Vectors::Bits512, many);
+        }),
     ];
     let batches = programs.map(|(_, _, program)| program);
     let times = alternate(301, 1, Duration::from_micros(50), &batches);

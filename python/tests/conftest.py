@@ -14,6 +14,9 @@ REPOSITORY = Path(os.environ.get("HOMOGEN_REPOSITORY", Path(__file__).parents[2]
 ROBOTS = REPOSITORY / "robots"
 HOMOGEN = os.environ.get("HOMOGEN")
 
+#: True in the long form of the tests.
+LONG = bool(os.environ.get("HOMOGEN_LONG"))
+
 #: Libraries that are installed, by the names of their modules.
 DEMANDED = os.environ.get("HOMOGEN_LIBRARIES", "").replace("pin", "pinocchio").replace("-python", "").split(",")
 
@@ -69,7 +72,7 @@ SLOW = {
 
 def functions(of):
     """The functions that a robot has, by name, without those of configurations and, of many joints, the slow ones."""
-    is_short = of.NV > 10 and not os.environ.get("HOMOGEN_LONG")
+    is_short = of.NV > 10 and not LONG
     for name in dir(of):
         if is_short and name in SLOW:
             continue

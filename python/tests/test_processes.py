@@ -185,7 +185,7 @@ def test_the_lock_of_the_interpreter_is_free_meanwhile():
 
     interval = sys.getswitchinterval()
     # A thread that computes in Python would keep the lock for so long.
-    sys.setswitchinterval(10)
+    sys.setswitchinterval(2)
     try:
         thread = threading.Thread(target=work)
         thread.start()

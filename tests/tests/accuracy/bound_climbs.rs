@@ -211,12 +211,13 @@ fn bounds_on_trees_of_29_to_48_joints_hold_and_are_tight_within_1000() {
 /// All functions except solutions, in every unit of their results.
 #[test]
 fn bounds_on_arms_hold_and_are_tight_within_100() {
-    for label in [
+    let labels = [
         "panda_class/0",
+        "stanford_general/0",
         "ur5_class/0",
         "puma560_general/0",
-        "stanford_general/0",
-    ] {
+    ];
+    for label in labels.into_iter().take(effort(2, 4)) {
         let Subject {
             description,
             request,

@@ -30,12 +30,12 @@ use homogen_tests::tested::F64;
 
 /// States of each robot.
 fn states() -> usize {
-    effort(4, 10)
+    effort(2, 10)
 }
 
 /// States of a robot that was compared before without actuators or external wrenches.
 fn few_states() -> usize {
-    effort(2, 4)
+    effort(1, 4)
 }
 
 const TOLERANCE: f64 = 1e-50;

@@ -12,12 +12,12 @@ use homogen_tests::trees::prepared::TOLERANCE;
 use homogen_tests::trees::ranks::Ranked;
 use homogen_tests::trees::{numbered, of_seed, try_ranks, try_seed};
 
-/// Robots that are drawn: every second one is compared, in the long form all of them.
+/// Robots that are drawn: every fourth one is compared, in the long form all of them.
 const ROBOTS: u64 = 150;
 
 /// The robots that are compared.
 fn compared() -> impl Iterator<Item = u64> {
-    (0..ROBOTS).step_by(effort(2, 1))
+    (0..ROBOTS).step_by(effort(4, 1))
 }
 
 const RUN: u64 = 0;

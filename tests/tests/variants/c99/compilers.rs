@@ -83,9 +83,39 @@ const MORE: [C; 2] = [
     },
 ];
 
-/// Options for large files, in which optimisation takes a minute: the bits do not depend on it, only the time. The last
-/// option of this kind counts. Small files, and large ones in the long form, are optimised.
-pub const QUICKLY: &[&str] = &["-O0"];
+/// How much compilers work on the files of a robot: the bits do not depend on it, only the time.
+#[derive(Clone, Copy)]
+pub enum Effort {
+    /// Optimised: small files, and large ones in the long form.
+    Optimised,
+    /// Large files, whose optimisation takes a minute.
+    Quick,
+}
+
+impl Effort {
+    /// Options of C. The last one of this kind counts.
+    pub fn of_c(self) -> &'static [&'static str] {
+        match self {
+            Self::Optimised => &[],
+            Self::Quick => &["-O0"],
+        }
+    }
+
+    fn of_rust(self) -> &'static str {
+        match self {
+            Self::Optimised => "opt-level=1",
+            Self::Quick => "opt-level=0",
+        }
+    }
+
+    /// States with which each function is called.
+    pub fn states(self) -> usize {
+        match self {
+            Self::Optimised => 10_000,
+            Self::Quick => 2_000,
+        }
+    }
+}
 
 const FLAGS: [&str; 9] = [
     "-std=c99",
@@ -234,21 +264,14 @@ pub fn ptx(folder: &Folder) -> Option<String> {
 }
 
 /// Compiles the Rust file and a program that calls all of its functions.
-pub fn rust(folder: &Folder, robot: &Robot, real: Real) -> Program {
+pub fn rust(folder: &Folder, robot: &Robot, real: Real, effort: Effort) -> Program {
     folder.write("arm.rs", &robot.rust(real));
     folder.write("main.rs", &programs::rust(robot, real));
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let program = folder.path("main_rust");
     let mut command = Command::new(rustc);
-    command.args([
-        "--edition",
-        "2021",
-        "-C",
-        "opt-level=1",
-        "-A",
-        "warnings",
-        "-o",
-    ]);
+    command.args(["--edition", "2021", "-A", "warnings"]);
+    command.args(["-C", effort.of_rust(), "-o"]);
     succeed(command.arg(&program).arg(folder.path("main.rs")));
     Program {
         program,

@@ -2,10 +2,13 @@
 //!
 //! In: descriptions. Out: robots with requests, and their files.
 
+use std::cell::OnceCell;
+
 use homogen_codegen::description::{Description, Name, read_file, read_text};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::Sines;
+use homogen_codegen::module::Module;
 use homogen_codegen::print::c::Source;
 use homogen_codegen::request::{Parameter, Request};
 use homogen_codegen::space::{Spaces, Variable};
@@ -34,6 +37,8 @@ pub struct Robot {
     pub fields: Vec<(String, usize)>,
     description: Description,
     request: Request,
+    /// Modules in `f32` and in `f64`, each expanded once for both languages.
+    modules: [OnceCell<Module>; 2],
 }
 
 /// The end effector of a robot with more than one end.
@@ -82,6 +87,7 @@ impl Robot {
             fields: fields.collect(),
             description,
             request,
+            modules: Default::default(),
         }
     }
 
@@ -268,18 +274,23 @@ impl Robot {
         builder.request(self.request(real)).name("Arm")
     }
 
-    /// Its file in Rust.
+    fn module(&self, real: Real) -> &Module {
+        let [single, double] = &self.modules;
+        let module = if real == Real::F32 { single } else { double };
+        module.get_or_init(|| {
+            let module = self.builder(real).c_module();
+            module.unwrap_or_else(|errors| panic!("{errors}"))
+        })
+    }
+
+    /// Its file in Rust, without a processor.
     pub fn rust(&self, real: Real) -> String {
-        let source = self.builder(real).to_source();
-        source
-            .unwrap_or_else(|errors| panic!("{errors}"))
-            .to_string()
+        self.builder(real).source(self.module(real)).to_string()
     }
 
     /// Its files in C, with `arm.h` for the header.
     pub fn source(&self, real: Real) -> Source {
-        let source = self.builder(real).to_c("arm.h");
-        source.unwrap_or_else(|errors| panic!("{errors}"))
+        self.builder(real).c(self.module(real), "arm.h")
     }
 
     /// The number of inputs of a state: those of each argument, then those of each field.

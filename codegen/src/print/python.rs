@@ -50,14 +50,17 @@ pub struct Writing<'a> {
 
 /// The package; [`Real::Generic`] is printed as `float64`.
 #[must_use]
-pub fn print(listing: &Module, item: &Item, writing: &Writing<'_>) -> Package {
-    let Writing { module, options } = *writing;
-    let class = Class::of(listing, item, module, options);
-    let head = documentation::head(listing, &format!("Options: {options}."));
+pub fn print(module: &Module, item: &Item, writing: &Writing<'_>) -> Package {
+    let Writing {
+        module: import_name,
+        options,
+    } = *writing;
+    let class = Class::of(module, item, import_name, options);
+    let head = documentation::head(module, &format!("Options: {options}."));
     let here = quote! { crate };
     let rust = [
         ("lib", class::class(&class)),
-        ("robot", rust::lanes(listing, item, &here)),
+        ("robot", rust::lanes(module, item, &here)),
     ];
     let rust = rust.map(|(name, tokens)| {
         let text = Source::new(commented("//", &head), &tokens).to_string();
@@ -68,23 +71,32 @@ pub fn print(listing: &Module, item: &Item, writing: &Writing<'_>) -> Package {
         ("batch", include_str!("python/package/batch.rs")),
         ("number", include_str!("python/package/number.rs")),
         ("pack", include_str!("python/package/pack.rs")),
-        ("turned", turned(listing.scalar)),
+        ("turned", turned(module.scalar)),
     ];
     let copied = copied.map(|(name, text)| (format!("src/{name}.rs"), text.to_owned()));
     let own = [
-        ("Cargo.toml".to_owned(), project::cargo(module, &head)),
-        ("pyproject.toml".to_owned(), project::python(module, &head)),
+        ("Cargo.toml".to_owned(), project::cargo(import_name, &head)),
+        (
+            "pyproject.toml".to_owned(),
+            project::python(import_name, &head),
+        ),
         ("README.md".to_owned(), project::readme(&class)),
-        ("src/processor.rs".to_owned(), processor(listing.scalar)),
-        ("src/real.rs".to_owned(), real(listing.scalar)),
+        ("src/processor.rs".to_owned(), processor(module.scalar)),
+        ("src/real.rs".to_owned(), real(module.scalar)),
         ("src/functions.rs".to_owned(), class::functions(&class)),
-        (format!("python/{module}/__init__.py"), stub::init(&class)),
-        (format!("python/{module}/__init__.pyi"), stub::stub(&class)),
-        (format!("python/{module}/py.typed"), String::new()),
+        (
+            format!("python/{import_name}/__init__.py"),
+            stub::init(&class),
+        ),
+        (
+            format!("python/{import_name}/__init__.pyi"),
+            stub::stub(&class),
+        ),
+        (format!("python/{import_name}/py.typed"), String::new()),
     ];
     let files = own.into_iter().chain(copied).chain(rust);
     Package {
-        module: module.to_owned(),
+        module: import_name.to_owned(),
         class: class.name,
         files: files.collect(),
     }

@@ -36,8 +36,8 @@ pub(super) fn functions(class: &Class<'_>) -> String {
 
 /// The module and the class.
 pub(super) fn class(class: &Class<'_>) -> TokenStream {
-    let module = format_ident!("_{}", class.module);
-    let (name, python_module) = (&class.name, class.module);
+    let module = format_ident!("_{}", class.import_name);
+    let (name, python_module) = (&class.name, class.import_name);
     let robot = &class.robot;
     let about = doc(&class.about);
     let methods = class.methods.iter();
@@ -117,7 +117,7 @@ fn method(class: &Class<'_>, method: &Method) -> TokenStream {
     let returned = match &method.tuple {
         None => quote! { #(#results.into_python())* },
         Some(tuple) => {
-            let module = class.module;
+            let module = class.import_name;
             quote! {
                 static TUPLE: pyo3::sync::PyOnceLock<Py<PyType>> = pyo3::sync::PyOnceLock::new();
                 let tuple = TUPLE.import(py, #module, #tuple)?;
@@ -217,7 +217,7 @@ fn whole(class: &Class<'_>) -> TokenStream {
 
 /// Attributes that do not depend on a state.
 fn attributes(class: &Class<'_>) -> TokenStream {
-    let spaces = &class.listing.spaces;
+    let spaces = &class.module.spaces;
     let counts = [
         ("NQ", "Number of coordinates.", Space::Coordinates),
         ("NV", "Number of degrees of freedom.", Space::Velocities),
@@ -293,9 +293,9 @@ pub(super) fn vectors(class: &Class<'_>) -> Vec<(&'static str, &'static str, Vec
     let neutral = (
         "neutral",
         "The configuration at which every joint is where it was placed: zeros, and quaternions 0, 0, 0, 1.",
-        neutral(class.listing).numbers,
+        neutral(class.module).numbers,
     );
-    let base = class.listing.base_parameters().map(|values| {
+    let base = class.module.base_parameters().map(|values| {
         let about = "Values of the base parameters by the description; kg, kg m, kg m².";
         ("base_parameters", about, values.to_vec())
     });

@@ -17,10 +17,10 @@ use crate::request::Parameter;
 use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
 
 /// Class of a robot.
-pub(super) struct Class<'l> {
-    pub listing: &'l Module,
+pub(super) struct Class<'m> {
+    pub module: &'m Module,
     /// Name for `import`.
-    pub module: &'l str,
+    pub import_name: &'m str,
     /// Name in Python.
     pub name: String,
     /// Name of the struct in Rust.
@@ -29,7 +29,7 @@ pub(super) struct Class<'l> {
     pub about: Vec<String>,
     pub methods: Vec<Method>,
     /// Fields with their names in Python.
-    pub fields: Vec<(String, &'l Parameter)>,
+    pub fields: Vec<(String, &'m Parameter)>,
     /// Attributes with names of entries: attribute, documentation and space.
     pub names: Vec<(&'static str, &'static str, Space)>,
 }
@@ -70,21 +70,21 @@ pub(super) const fn dtype(real: Real) -> &'static str {
     }
 }
 
-impl<'l> Class<'l> {
-    pub fn of(listing: &'l Module, item: &Item, module: &'l str, options: &str) -> Self {
-        let mut names = in_module(module);
+impl<'m> Class<'m> {
+    pub fn of(module: &'m Module, item: &Item, import_name: &'m str, options: &str) -> Self {
+        let mut names = in_module(import_name);
         let name = names.alone(&item.ident.unraw().to_string());
-        let of_methods = of_methods(listing);
-        let methods = listing.functions.iter().zip(&of_methods);
+        let of_methods = of_methods(module);
+        let methods = module.functions.iter().zip(&of_methods);
         // The neutral configuration is an attribute.
-        let steps = Step::of(listing)
+        let steps = Step::of(module)
             .iter()
             .filter(|step| **step != Step::Neutral);
-        let steps = steps.map(|&step| Method::of_step(step, &listing.spaces));
+        let steps = steps.map(|&step| Method::of_step(step, &module.spaces));
         let methods: Vec<_> = methods
             .map(|(generated, name)| {
                 let mut tuple = |wish: &str| names.alone(&type_name(wish));
-                Method::of(listing, generated, name, &mut tuple)
+                Method::of(module, generated, name, &mut tuple)
             })
             .chain(steps)
             .collect();
@@ -99,18 +99,18 @@ impl<'l> Class<'l> {
         for word in rust::KEYWORDS {
             attributes.take(word);
         }
-        let fields = listing.parameters.iter();
+        let fields = module.parameters.iter();
         let fields = fields.map(|field| (attributes.fresh(&field.name()), field));
         Self {
-            listing,
             module,
+            import_name,
             name,
             robot: item.ident.clone(),
-            about: documentation::of_robot(listing, &format!("Options: {options}.")),
+            about: documentation::of_robot(module, &format!("Options: {options}.")),
             fields: fields.collect(),
             names: NAMES
                 .into_iter()
-                .filter(|(.., space)| is_ranged_over(listing, *space))
+                .filter(|(.., space)| is_ranged_over(module, *space))
                 .collect(),
             methods,
         }
@@ -118,12 +118,12 @@ impl<'l> Class<'l> {
 
     /// Name of its scalar type in NumPy.
     pub fn dtype(&self) -> &'static str {
-        dtype(self.listing.scalar)
+        dtype(self.module.scalar)
     }
 
     /// Lower and upper limit of each entry of a space, infinite where the description has none.
     pub fn limits(&self, space: Space) -> Vec<[f64; 2]> {
-        let entries = self.listing.spaces.entries(space).iter();
+        let entries = self.module.spaces.entries(space).iter();
         let unknown = [f64::NEG_INFINITY, f64::INFINITY];
         entries
             .map(|entry| entry.range.unwrap_or(unknown))
@@ -134,12 +134,12 @@ impl<'l> Class<'l> {
 impl Method {
     /// Method of a requested function.
     fn of(
-        listing: &Module,
+        module: &Module,
         generated: &GeneratedFunction,
         name: &Ident,
         tuple: &mut dyn FnMut(&str) -> String,
     ) -> Self {
-        let spaces = &listing.spaces;
+        let spaces = &module.spaces;
         let is_alone = generated.functions.len() == 1;
         let returned = |name: String, field: String, about, quantity: Quantity| Returned {
             name: ident(&name),
@@ -177,7 +177,7 @@ impl Method {
         let arguments = generated.arguments(spaces).into_iter();
         let mut method = Self {
             name: name.clone(),
-            about: documentation::of_function(listing, generated, None, None),
+            about: documentation::of_function(module, generated, None, None),
             arguments: arguments
                 .map(|argument| (argument.name(), last_of_argument(argument, spaces)))
                 .collect(),
@@ -342,8 +342,8 @@ const OWN: [&str; 12] = [
 ];
 
 /// True if arguments or results range over a space.
-fn is_ranged_over(listing: &Module, space: Space) -> bool {
-    let mut functions = listing
+fn is_ranged_over(module: &Module, space: Space) -> bool {
+    let mut functions = module
         .functions
         .iter()
         .flat_map(|generated| &generated.functions);

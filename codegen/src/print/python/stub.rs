@@ -18,7 +18,7 @@ pub(super) fn init(class: &Class<'_>) -> String {
     if class.methods.iter().any(|method| method.tuple.is_some()) {
         text.push_str("from typing import NamedTuple as _NamedTuple\n\nimport numpy as _np\n\n");
     }
-    let native = format!("from ._{} import {}\n", class.module, class.name);
+    let native = format!("from ._{} import {}\n", class.import_name, class.name);
     text.push_str(&native);
     for (method, tuple) in tuples(class) {
         let base = "_NamedTuple";
@@ -89,11 +89,13 @@ fn head() -> String {
 
 /// Documentation of the module.
 pub(super) fn of_module(class: &Class<'_>) -> Vec<String> {
-    let Class { module, name, .. } = class;
+    let Class {
+        import_name, name, ..
+    } = class;
     let mut lines = vec![
         "Kinematics and dynamics of one robot, as straight-line code.".to_owned(),
         String::new(),
-        format!("from {module} import {name}"),
+        format!("from {import_name} import {name}"),
         String::new(),
         "Every function takes one state or arrays of them, of any leading shape (...); leading axes are".to_owned(),
         "broadcast as in NumPy. Arrays are read in place if they are aligned, contiguous in C order".to_owned(),

@@ -21,12 +21,12 @@ use crate::wording::visible;
 
 /// Text after the items: tests, and the origins of inertial numbers.
 #[must_use]
-pub fn appendix(listing: &Module, item: &Item, library: &Library) -> String {
+pub fn appendix(module: &Module, item: &Item, library: &Library) -> String {
     let mut text = String::new();
     if let Library::Core(_) = library {
-        text.push_str(&tests(listing, item));
+        text.push_str(&tests(module, item));
     }
-    let origins = review::origins(listing);
+    let origins = review::origins(module);
     if !origins.is_empty() {
         text.push('\n');
     }
@@ -38,8 +38,8 @@ pub fn appendix(listing: &Module, item: &Item, library: &Library) -> String {
 }
 
 /// Module with a test for each function.
-fn tests(listing: &Module, item: &Item) -> String {
-    let vectors = listing
+fn tests(module: &Module, item: &Item) -> String {
+    let vectors = module
         .review
         .as_ref()
         .map_or(&[][..], |review| &review.vectors);
@@ -47,13 +47,13 @@ fn tests(listing: &Module, item: &Item) -> String {
     if vectors.is_empty() {
         return text;
     }
-    let number = match listing.scalar {
+    let number = match module.scalar {
         Real::F32 => "f32",
         Real::F64 | Real::Generic => "f64",
     };
     let robot = item.ident.to_string();
     // No struct has this name, so that the remaining words are names of the module.
-    let mut own = words(&calls(listing, vectors, "Self", number));
+    let mut own = words(&calls(module, vectors, "Self", number));
     let (name, used) = if own.clone().alone(&robot) == robot {
         (robot.clone(), robot)
     } else {
@@ -61,14 +61,14 @@ fn tests(listing: &Module, item: &Item) -> String {
         let used = format!("{robot} as {name}");
         (name, used)
     };
-    let module = format!("{}vectors", c::prefix(&item.ident.unraw().to_string()));
+    let of_tests = format!("{}vectors", c::prefix(&item.ident.unraw().to_string()));
     let words = [
-        ("@module@", &*module),
+        ("@module@", &*of_tests),
         ("@used@", &used),
         ("@number@", number),
     ];
     text.push_str(&template::filled(TESTS, &words));
-    text.push_str(&calls(listing, vectors, &name, number));
+    text.push_str(&calls(module, vectors, &name, number));
     text.push_str("}\n");
     text
 }
@@ -88,19 +88,15 @@ fn words(calls: &str) -> Names {
 }
 
 /// Tests, one for each function.
-fn calls(listing: &Module, vectors: &[Vector], robot: &str, number: &str) -> String {
+fn calls(module: &Module, vectors: &[Vector], robot: &str, number: &str) -> String {
     let mut text = String::new();
-    let functions = listing
-        .functions
-        .iter()
-        .zip(of_methods(listing))
-        .enumerate();
+    let functions = module.functions.iter().zip(of_methods(module)).enumerate();
     for (function, (generated, method)) in functions {
         let own = vectors.iter().filter(|vector| vector.function == function);
         let calls: String = own
             .map(|vector| {
                 call(
-                    listing,
+                    module,
                     (generated, vector),
                     (robot, &method.to_string()),
                     number,
@@ -117,7 +113,7 @@ fn calls(listing: &Module, vectors: &[Vector], robot: &str, number: &str) -> Str
 
 /// Statements that call a method and compare its results.
 fn call(
-    listing: &Module,
+    module: &Module,
     (generated, vector): (&GeneratedFunction, &Vector),
     (robot, method): (&str, &str),
     number: &str,
@@ -128,7 +124,7 @@ fn call(
         let _ = writeln!(text, "        {line}");
     };
     let written = |numbers: &[f64]| -> Vec<String> {
-        let each = numbers.iter().map(|&value| of_type(value, listing.scalar));
+        let each = numbers.iter().map(|&value| of_type(value, module.scalar));
         each.collect()
     };
     for (argument, numbers) in &vector.arguments {
@@ -151,7 +147,7 @@ fn call(
             "];",
         ));
     }
-    let fields = listing.parameters.iter().zip(&vector.fields);
+    let fields = module.parameters.iter().zip(&vector.fields);
     let fields: Vec<String> = fields
         .map(|(parameter, values)| match &*written(values) {
             [value] => format!("{}: {value}", parameter.field),
@@ -175,7 +171,7 @@ fn call(
     ));
     let (mut expected, mut tolerances) = (&*vector.expected, &*vector.tolerances);
     for (place, quantity) in results(generated) {
-        let size = quantity.size(&listing.spaces);
+        let size = quantity.size(&module.spaces);
         let (own, rest) = expected.split_at(size.min(expected.len()));
         let (most, others) = tolerances.split_at(size.min(tolerances.len()));
         (expected, tolerances) = (rest, others);

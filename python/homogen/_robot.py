@@ -10,7 +10,7 @@ from typing import final
 
 import numpy as np
 
-from . import _engine, results
+from . import _engine, _midpoint, results
 from ._background import begin
 from ._compile import compiled
 from ._function import Function
@@ -233,6 +233,23 @@ class Robot:
         With quaternions, rows and columns of q are along velocities.
         """
         return step(self, integrator, q, qd, tau, dt, () if actions is None else (actions,), True)
+
+    def midpoint_residual(self, q, qd, next_qd, tau, dt, actions=None):
+        """The torques and forces that velocities `next_qd` after `dt` seconds need by the implicit midpoint rule, less τ; zero
+        for those of the rule: q⁺ = q ⊕ Δt w with w = (q̇ + q̇⁺)/2, and inverse dynamics at q ⊕ Δt w/2, w and (q̇⁺ − q̇)/Δt
+        needs τ.
+
+        actions: constant external wrenches, of robots that have them
+        """
+        return _midpoint.residual(self, q, qd, next_qd, tau, dt, () if actions is None else (actions,))
+
+    def midpoint_derivatives(self, q, qd, next_qd, dt, actions=None):
+        """The derivatives of `midpoint_residual` by q along velocities, by q̇ and by q̇⁺; that by τ is −1."""
+        return _midpoint.derivatives(self, q, qd, next_qd, dt, () if actions is None else (actions,))
+
+    def midpoint_configuration(self, q, qd, next_qd, dt):
+        """The configuration after a step by the implicit midpoint rule, q ⊕ Δt (q̇ + q̇⁺)/2."""
+        return _midpoint.configuration(self, q, qd, next_qd, dt)
 
     def inverse_kinematics(
         self, pose, start=None, *, frame=None, orientation_tolerance=1e-6, position_tolerance=1e-6, length_scale=0.5, restarts=31

@@ -63,6 +63,13 @@ class Robot:
         self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None, *,
         integrator: _Integrator = "semi_implicit",
     ) -> results.StepDerivatives: ...
+    def midpoint_residual(
+        self, q: ArrayLike, qd: ArrayLike, next_qd: ArrayLike, tau: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None
+    ) -> _Floats: ...
+    def midpoint_derivatives(
+        self, q: ArrayLike, qd: ArrayLike, next_qd: ArrayLike, dt: ArrayLike, actions: ArrayLike | None = None
+    ) -> results.MidpointDerivatives: ...
+    def midpoint_configuration(self, q: ArrayLike, qd: ArrayLike, next_qd: ArrayLike, dt: ArrayLike) -> _Floats: ...
     def inverse_kinematics(
         self, pose: ArrayLike, start: ArrayLike | None = None, *, frame: str | None = None, orientation_tolerance: float = 1e-6,
         position_tolerance: float = 1e-6, length_scale: float = 0.5, restarts: int = 31,

@@ -15,11 +15,10 @@ def step(robot, integrator, q, qd, tau, dt, actions, derivatives):
     """The state after `dt`, or its derivatives."""
     if integrator not in INTEGRATORS:
         raise ValueError(f"integrator is {', '.join(INTEGRATORS)}, and not {integrator!r}")
-    if robot.constraint_names:
-        raise ValueError(f"{robot.name!r} has loops, which a step would open: there are no steps")
+    refuse_loops(robot)
     n = robot.NV
+    dtype = number_type(q, qd, tau)
     q, qd, tau = map(np.asarray, (q, qd, tau))
-    dtype = np.float32 if {q.dtype, qd.dtype, tau.dtype} == {np.dtype(np.float32)} else np.float64
     axes = np.broadcast_shapes(np.shape(dt), *(array.shape[:-1] for array in (q, qd, tau)))
     dt = np.asarray(dt, dtype)[..., None, None]
     columns = 3 * n if derivatives else 0
@@ -41,8 +40,8 @@ def step(robot, integrator, q, qd, tau, dt, actions, derivatives):
             found[..., 1 + 2 * n :] += of.dtau
         return found
 
-    def moved(q, by, x):
-        by = _moved(robot._motions, by, x[..., 0], x[..., 1:]) if derivatives else by
+    def moved_by(q, by, x):
+        by = moved(robot._motions, by, x[..., 0], x[..., 1:]) if derivatives else by
         return robot.integrate(q, x[..., 0]), by
 
     # The configuration, and its derivatives along velocities.
@@ -51,22 +50,22 @@ def step(robot, integrator, q, qd, tau, dt, actions, derivatives):
     a1 = accelerations(*start, v1)
     if integrator == "semi_implicit":
         faster = v1 + dt * a1
-        end = moved(*start, dt * faster)
+        end = moved_by(*start, dt * faster)
     elif integrator == "euler":
         faster = v1 + dt * a1
-        end = moved(*start, dt * v1)
+        end = moved_by(*start, dt * v1)
     else:
         half = dt / 2
-        second, v2 = moved(*start, half * v1), v1 + half * a1
+        second, v2 = moved_by(*start, half * v1), v1 + half * a1
         a2 = accelerations(*second, v2)
-        third, v3 = moved(*start, half * v2), v1 + half * a2
+        third, v3 = moved_by(*start, half * v2), v1 + half * a2
         a3 = accelerations(*third, v3)
         # From the second state, so that both motions together are of the order of the rule.
-        fourth, v4 = moved(*second, dt * v3 - half * v1), v1 + dt * a3
+        fourth, v4 = moved_by(*second, dt * v3 - half * v1), v1 + dt * a3
         a4 = accelerations(*fourth, v4)
         faster = v1 + dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
-        middle = moved(*start, dt / 12 * (3 * v1 + 2 * v2 + 2 * v3 - v4))
-        end = moved(*middle, dt / 12 * (-v1 + 2 * v2 + 2 * v3 + 3 * v4))
+        middle = moved_by(*start, dt / 12 * (3 * v1 + 2 * v2 + 2 * v3 - v4))
+        end = moved_by(*middle, dt / 12 * (-v1 + 2 * v2 + 2 * v3 + 3 * v4))
     q, by = end
     if not derivatives:
         return results.NextState(q, faster[..., 0].copy())
@@ -74,7 +73,17 @@ def step(robot, integrator, q, qd, tau, dt, actions, derivatives):
     return results.StepDerivatives(*blocks)
 
 
-def _moved(motions, by, step, by_step):
+def refuse_loops(robot):
+    if robot.constraint_names:
+        raise ValueError(f"{robot.name!r} has loops, which a step would open: there are no steps")
+
+
+def number_type(*arrays):
+    """Single precision where all arrays have it."""
+    return np.float32 if {np.asarray(array).dtype for array in arrays} == {np.dtype(np.float32)} else np.float64
+
+
+def moved(motions, by, step, by_step):
     """The derivatives of a configuration that is moved by a step: those along a screw are sums."""
     after = by + by_step
     first = 0

@@ -36,8 +36,11 @@ class StepDerivatives(namedtuple("StepDerivatives", "q_by_q q_by_qd q_by_tau qd_
         return np.concatenate([self.q_by_tau, self.qd_by_tau], -2)
 
 
+#: Of `midpoint_residual`, a row for each torque or force: by q along velocities, by q̇ before the step, and after it.
+MidpointDerivatives = namedtuple("MidpointDerivatives", ["q", "qd", "next_qd"])
+
 #: Types of results of methods in Python.
-OTHERS = (InverseKinematics, NextState, StepDerivatives)
+OTHERS = (InverseKinematics, NextState, StepDerivatives, MidpointDerivatives)
 
 __all__ = sorted([*(of.__name__ for of in OTHERS), *(of.__name__ for of in _TYPES.values())])
 

@@ -69,4 +69,9 @@ class StepDerivatives(NamedTuple):
     @property
     def b(self) -> NDArray[np.floating[Any]]: ...
 
+class MidpointDerivatives(NamedTuple):
+    q: NDArray[np.floating[Any]]
+    qd: NDArray[np.floating[Any]]
+    next_qd: NDArray[np.floating[Any]]
+
 def of(name: str) -> type[tuple[NDArray[np.floating[Any]], ...]] | None: ...

@@ -1,4 +1,5 @@
-"""Time steps: the classical rules where coordinates are added, convergence with quaternions, derivatives by differences."""
+"""Time steps: the classical rules where coordinates are added, convergence with quaternions, derivatives by differences; the
+implicit midpoint rule, whose steps can be taken back."""
 
 import numpy as np
 import pytest
@@ -24,6 +25,10 @@ INTEGRATORS = ["semi_implicit", "euler", "rk4"]
 
 def drawn(of, count, seed=0):
     return states(of, ["q", "qd", "tau"], count, float, seed)
+
+
+def loaded(case):
+    return homogen.load(WALKER) if case == "walker" else robot(case)
 
 
 def test_an_arm_moves_by_the_classical_rules():
@@ -68,7 +73,7 @@ def test_steps_have_their_orders_with_quaternions(integrator, order):
 @pytest.mark.parametrize("integrator", INTEGRATORS)
 @pytest.mark.parametrize("case", ["arm", "floating", "walker"])
 def test_derivatives_are_those_of_differences(case, integrator):
-    of = homogen.load(WALKER) if case == "walker" else robot(case)
+    of = loaded(case)
     q, qd, tau = drawn(of, 3, seed=3)
     tau, dt, small, n = 0.1 * tau, 0.01, 1e-6, of.NV
     by = of.step_derivatives(q, qd, tau, dt, integrator=integrator)
@@ -121,10 +126,79 @@ def test_external_wrenches_are_constant():
     assert np.allclose(found.qd, qd + 0.01 * of.forward_dynamics(q, qd, tau, actions))
 
 
+def by_the_midpoint_rule(of, q, qd, tau, dt, *actions):
+    """The state after a step, by Newton's method from the velocities before it."""
+    faster = qd
+    for _ in range(8):
+        rest = of.midpoint_residual(q, qd, faster, tau, dt, *actions)
+        slope = of.midpoint_derivatives(q, qd, faster, dt, *actions).next_qd
+        faster = faster - np.linalg.solve(slope, rest[..., None])[..., 0]
+    return of.midpoint_configuration(q, qd, faster, dt), faster
+
+
+def test_the_midpoint_rule_of_an_arm_is_that_of_the_books():
+    of = robot("arm")
+    q, qd, tau = drawn(of, 5, seed=5)
+    dt = np.linspace(0.001, 0.02, 5)
+    after, faster = by_the_midpoint_rule(of, q, qd, tau, dt)
+    middle = of.forward_dynamics((q + after) / 2, (qd + faster) / 2, tau)
+    assert np.allclose(after - q, dt[:, None] * (qd + faster) / 2, atol=1e-14)
+    assert np.allclose(faster - qd, dt[:, None] * middle, atol=1e-10)
+
+
+@pytest.mark.parametrize("case", ["arm", "floating", "walker"])
+def test_a_step_back_by_the_midpoint_rule_returns_to_the_start(case):
+    of = loaded(case)
+    q, qd, tau = drawn(of, 4, seed=6)
+    there = by_the_midpoint_rule(of, q, 0.3 * qd, 0.02 * tau, 0.01)
+    back = by_the_midpoint_rule(of, *there, 0.02 * tau, -0.01)
+    assert np.abs(of.difference(q, back[0])).max() < 1e-11
+    assert np.abs(back[1] - 0.3 * qd).max() < 1e-9
+
+
+@pytest.mark.parametrize("case", ["arm", "floating", "walker"])
+def test_derivatives_of_the_midpoint_rule_are_those_of_differences(case):
+    of = loaded(case)
+    q, qd, tau = drawn(of, 3, seed=7)
+    faster, dt, small, n = qd + 0.01 * tau, 0.01, 1e-6, of.NV
+    by = of.midpoint_derivatives(q, qd, faster, dt)
+    assert by.q.shape == (3, n, n)
+    columns = []
+    for k in range(3 * n):
+        change = np.zeros(3 * n)
+        change[k] = small
+        x, v, f = np.split(change, 3)
+        ends = [
+            of.midpoint_residual(of.integrate(q, sign * x), qd + sign * v, faster + sign * f, tau, dt) for sign in (-1, 1)
+        ]
+        columns.append((ends[1] - ends[0]) / (2 * small))
+    expected = np.stack(columns, -1)
+    found = np.concatenate(by, -1)
+    assert np.allclose(found, expected, atol=1e-7 * np.abs(expected).max())
+
+
+def test_the_midpoint_rule_takes_wrenches_types_and_shapes():
+    of = robot("external")
+    q, qd, tau, actions = states(of, ["q", "qd", "tau", "actions"], 4, float)
+    _, faster = by_the_midpoint_rule(of, q, qd, tau, 0.01, actions)
+    found = of.inverse_dynamics(q + 0.0025 * (qd + faster), (qd + faster) / 2, (faster - qd) / 0.01, actions)
+    assert np.allclose(found, tau, atol=1e-9)
+    of = robot("arm")
+    q, qd, tau = drawn(of, 6)
+    assert of.midpoint_derivatives(q[0], qd, qd[1], np.full((2, 1), 0.01)).q.shape == (2, 6, 7, 7)
+    assert of.midpoint_residual(q[0], qd[0], qd[1], tau, 0.01).shape == (6, 7)
+    single = [array.astype(np.float32) for array in (q, qd, qd, tau)]
+    assert of.midpoint_residual(*single, 0.01).dtype == of.midpoint_derivatives(*single[:3], 0.01).next_qd.dtype == np.float32
+    assert of.midpoint_configuration(*single[:3], 0.01).dtype == np.float32
+
+
 def test_loops_are_refused():
     of = robot("loop")
+    zeros = np.zeros(2)
     with pytest.raises(ValueError, match="has loops"):
-        of.step(np.zeros(2), np.zeros(2), np.zeros(2), 0.01)
+        of.step(zeros, zeros, zeros, 0.01)
+    with pytest.raises(ValueError, match="has loops"):
+        of.midpoint_residual(zeros, zeros, zeros, zeros, 0.01)
 
 
 def test_an_unknown_integrator_is_named():

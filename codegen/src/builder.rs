@@ -431,7 +431,9 @@ impl Builder {
     }
 
     /// Adds time steps by a rule to a file in C: `arm_step`, and as far as derivatives of forward dynamics are
-    /// [generated](Self::generate) `arm_step_derivatives` (A and B) and `arm_step_hessian`.
+    /// [generated](Self::generate) `arm_step_derivatives` (A and B) and `arm_step_hessian`. The implicit midpoint rule is
+    /// an equation for the velocities after a step: `arm_midpoint_residual`, `arm_midpoint_configuration` and, with the
+    /// derivatives of inverse dynamics and the mass matrix, `arm_midpoint_derivatives`.
     pub fn steps(self, rule: Integrator) -> Self {
         self.with(|asked| asked.for_c.steps = Some(rule))
     }

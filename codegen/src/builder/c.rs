@@ -71,8 +71,8 @@ impl Builder {
         without.request.runtime = None;
         without.core_functions.sin_cos = None;
         let module = without.module_where(true, true);
-        if let (Some(_), Ok(module)) = (for_c.steps, &module)
-            && let Err([message, hint]) = c::check_steps(module, for_c.acados)
+        if let (Some(rule), Ok(module)) = (for_c.steps, &module)
+            && let Err([message, hint]) = c::check_steps(module, rule, for_c.acados)
         {
             errors.push_with_hint(Place::Unknown, message, hint);
         }

@@ -49,11 +49,18 @@ pub enum Integrator {
     Euler,
     /// The classical rule of Runge and Kutta, of order 4.
     Rk4,
+    /// q̇⁺ = q̇ + Δt q̈, q⁺ = q + Δt w with w = (q̇ + q̇⁺)/2, and q̈ at q + Δt w/2 and w: an equation for q̇⁺.
+    ImplicitMidpoint,
 }
 
 impl Integrator {
     /// All rules.
-    pub const ALL: [Self; 3] = [Self::SemiImplicit, Self::Euler, Self::Rk4];
+    pub const ALL: [Self; 4] = [
+        Self::SemiImplicit,
+        Self::Euler,
+        Self::Rk4,
+        Self::ImplicitMidpoint,
+    ];
 
     /// Name on the command line.
     #[must_use]
@@ -62,6 +69,7 @@ impl Integrator {
             Self::SemiImplicit => "semi-implicit",
             Self::Euler => "euler",
             Self::Rk4 => "rk4",
+            Self::ImplicitMidpoint => "implicit-midpoint",
         }
     }
 

@@ -176,7 +176,7 @@ pub const SETTINGS: [Setting; 39] = [
     Setting { key: "casadi", form: SettingForm::Switch(|asked| &mut asked.for_c.casadi), group: FILE | C,
         help: "In C, add CasADi's external interface, with the derivatives that are generated", ..SETTING },
     Setting { key: "steps", form: SettingForm::Steps, group: FILE | C, value: "RULE",
-        help: "In C, add time steps of forward dynamics, with the derivatives that are generated: semi-implicit, euler or rk4", ..SETTING },
+        help: "In C, add time steps of forward dynamics, with the derivatives that are generated: semi-implicit, euler or rk4; or of inverse dynamics: implicit-midpoint", ..SETTING },
     Setting { key: "acados", form: SettingForm::Switch(|asked| &mut asked.for_c.acados), group: FILE | C, needs: Some("steps"),
         help: "In C, add these steps as discrete dynamics of acados", ..SETTING },
     Setting { key: "crate", form: SettingForm::Runtime, example: r#"crate = "::homogen""#, name: Some("runtime"), ..SETTING },

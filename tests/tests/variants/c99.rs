@@ -5,6 +5,7 @@
 
 mod compilers;
 mod fused;
+mod midpoint;
 mod programs;
 mod robot;
 mod states;

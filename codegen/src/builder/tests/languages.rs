@@ -283,6 +283,17 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
             .acados()
             .to_c("arm.h")
             .map(|_| ()),
+        two_link()
+            .generate(dynamics)
+            .steps(Integrator::ImplicitMidpoint)
+            .to_c("arm.h")
+            .map(|_| ()),
+        two_link()
+            .generate([Function::InverseDynamics])
+            .steps(Integrator::ImplicitMidpoint)
+            .acados()
+            .to_c("arm.h")
+            .map(|_| ()),
     ];
     let errors = errors.map(|found| found.expect_err("a mistake").to_string());
     for (error, part) in errors.iter().zip([
@@ -294,6 +305,8 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
         "`steps` needs the function forward_dynamics",
         "`acados` needs `steps`",
         "`acados` has no place for fields",
+        "`steps` needs the function inverse_dynamics",
+        "the midpoint rule is an equation for it",
     ]) {
         assert!(error.contains(part), "{error}");
     }

@@ -29,7 +29,7 @@ impl Folder {
         self.0.join(file)
     }
 
-    fn write(&self, file: &str, text: &str) {
+    pub fn write(&self, file: &str, text: &str) {
         fs::write(self.path(file), text).expect("a file");
     }
 

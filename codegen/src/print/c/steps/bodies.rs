@@ -1,17 +1,18 @@
-//! Statements of time steps in C.
+//! Statements of explicit time steps in C.
 //!
-//! In: [`Texts`]. Out: bodies of the functions, and the functions of a stage that they share. Derivatives follow the
+//! In: [`Explicit`]. Out: bodies of the functions, and the functions of a stage that they share. Derivatives follow the
 //! stages. The Hessian of a contraction with weights goes back through them: each q̈ᵢ gets the weights of what depends on
 //! it, and adds its own Hessian between the derivatives of its stage.
 
+use super::explicit::{Explicit, START};
 use super::rule::Table;
-use super::{BOTH, DERIVATIVES, SECOND, Texts, VALUE};
+use super::texts::{BOTH, DERIVATIVES, SECOND, VALUE};
 use crate::print::c::literals::literal;
 
-impl Texts<'_> {
+impl Explicit<'_> {
     /// The coefficients aᵢⱼ and bᵢⱼ of the rule, as constants.
     fn of_rates(&self) -> String {
-        let Table { of_q, of_qd, .. } = Table::of(self.rule);
+        let Table { of_q, of_qd, .. } = self.table;
         let rows = |rows: &[&[f64]]| {
             let rows = rows.iter().map(|row| self.row(row));
             format!("{{{}}}", rows.collect::<Vec<_>>().join(", "))
@@ -28,8 +29,8 @@ impl Texts<'_> {
     }
 
     /// All coefficients of the rule.
-    fn table(&self) -> String {
-        let time = self.row(Table::of(self.rule).time);
+    fn coefficients(&self) -> String {
+        let time = self.row(self.table.time);
         let Self { t, s, .. } = self;
         format!(
             "    const {t} time[{}] = {time};\n{}",
@@ -40,14 +41,16 @@ impl Texts<'_> {
 
     /// Numbers in braces.
     fn row(&self, row: &[f64]) -> String {
-        let entries = row.iter().map(|&entry| literal(entry, self.module.scalar));
+        let entries = row
+            .iter()
+            .map(|&entry| literal(entry, self.texts.module.scalar));
         format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
     }
 
     /// State of a stage.
     pub(super) fn stage(&self) -> String {
         let Self { t, n, s, .. } = self;
-        let (name, table) = (self.own("stage"), self.table());
+        let (name, table) = (self.texts.own("stage"), self.coefficients());
         format!(
             "
 /* State of a stage of a step, or of its end, from the accelerations of the stages before. */
@@ -69,8 +72,10 @@ HOMOGEN_FN static void {name}(int i, const {t} q[{n}], const {t} qd[{n}], {t} dt
 
     pub(super) fn step(&self) -> String {
         let Self { t, n, s, .. } = self;
-        let stage = self.own("stage");
-        let call = self.call(VALUE, ["next_q", "next_qd", ""], &["qdd[i]"]);
+        let stage = self.texts.own("stage");
+        let call = self
+            .texts
+            .call(VALUE, ["next_q", "next_qd", ""], &["qdd[i]"]);
         format!(
             "    {t} qdd[{s}][{n}];
     int i;
@@ -91,7 +96,7 @@ HOMOGEN_FN static void {name}(int i, const {t} q[{n}], const {t} qd[{n}], {t} dt
     /// Derivatives of the state of a stage.
     pub(super) fn stage_derivatives(&self) -> String {
         let Self { t, n, s, .. } = self;
-        let (name, table) = (self.own("stage_derivatives"), self.table());
+        let (name, table) = (self.texts.own("stage_derivatives"), self.coefficients());
         let (double, row) = (2 * n, self.row_length());
         format!(
             "
@@ -124,27 +129,30 @@ HOMOGEN_FN static void {name}(int i, {t} dt, {t} along[{s}][{n}][{row}], {t} at[
 
     /// Calls for accelerations and their derivatives by q, qd and tau.
     fn derivatives(&self, state: [&str; 3], results: [&str; 4], indent: &str) -> String {
-        if self.has(BOTH) {
-            return self.call(BOTH, state, &results);
+        if self.texts.has(BOTH) {
+            return self.texts.call(BOTH, state, &results);
         }
         let (value, derivatives) = results.split_at(1);
-        let value = self.call(VALUE, state, value);
-        let derivatives = self.call(DERIVATIVES, state, derivatives);
+        let value = self.texts.call(VALUE, state, value);
+        let derivatives = self.texts.call(DERIVATIVES, state, derivatives);
         format!("{value}\n{indent}{derivatives}")
     }
 
     /// All stages with their derivatives.
     pub(super) fn step_along(&self) -> String {
         let Self { t, n, s, .. } = self;
-        let (double, row, table) = (2 * n, self.row_length(), self.table());
+        let (double, row, table) = (2 * n, self.row_length(), self.coefficients());
         let further = [
             format!("{t} at_q[{}][{n}]", s + 1),
             format!("{t} at_qd[{}][{n}]", s + 1),
             format!("{t} by[{s}][3][{n}][{n}]"),
             format!("{t} along[{s}][{n}][{row}]"),
         ];
-        let (name, parameters) = (self.own("step_along"), self.parameters(&further));
-        let stage = self.own("stage");
+        let (name, parameters) = (
+            self.texts.own("step_along"),
+            self.texts.parameters(&START, &further),
+        );
+        let stage = self.texts.own("stage");
         let by = ["qdd[i]", "by[i][0]", "by[i][1]", "by[i][2]"];
         let calls = self.derivatives(["at_q[i]", "at_qd[i]", ""], by, "        ");
         format!(
@@ -193,12 +201,12 @@ HOMOGEN_FN static void {name}({parameters})
     fn along_with(&self, locals: &str) -> String {
         let Self { t, n, s, .. } = self;
         let (row, all) = (self.row_length(), s + 1);
-        let robot = (!self.module.parameters.is_empty()).then_some("robot");
-        let actions = (self.module.spaces.actions() > 0).then_some("actions");
+        let robot = (!self.texts.module.parameters.is_empty()).then_some("robot");
+        let actions = (self.texts.module.spaces.actions() > 0).then_some("actions");
         let passed = robot.into_iter().chain(["q", "qd", "tau"]).chain(actions);
         let passed = passed.chain(["dt", "at_q", "at_qd", "by", "along"]);
         let passed = passed.collect::<Vec<_>>().join(", ");
-        let name = self.own("step_along");
+        let name = self.texts.own("step_along");
         format!(
             "    {t} at_q[{all}][{n}], at_qd[{all}][{n}];
     {t} by[{s}][3][{n}][{n}];
@@ -212,10 +220,10 @@ HOMOGEN_FN static void {name}({parameters})
     /// The derivatives of a rule of one stage, at the start of the step.
     fn derivatives_of_one_stage(&self) -> String {
         let Self { t, n, .. } = self;
-        let Table { of_q, of_qd, .. } = Table::of(self.rule);
-        let coefficient = |row: &[f64]| literal(row[0], self.module.scalar);
+        let Table { of_q, of_qd, .. } = self.table;
+        let coefficient = |row: &[f64]| literal(row[0], self.texts.module.scalar);
         let (x, v) = (coefficient(of_q[1]), coefficient(of_qd[1]));
-        let stage = self.own("stage");
+        let stage = self.texts.own("stage");
         let results = ["qdd[0]", "dq", "dqd", "dtau"];
         let calls = self.derivatives(["q", "qd", ""], results, "    ");
         format!(
@@ -249,7 +257,7 @@ HOMOGEN_FN static void {name}({parameters})
         }
         let Self { t, n, s, .. } = self;
         let (double, row) = (2 * n, self.row_length());
-        let derivatives = self.own("stage_derivatives");
+        let derivatives = self.texts.own("stage_derivatives");
         let along = self.along_with(&format!("{t} at[{double}][{row}];\n    int k, r, c;"));
         format!(
             "{along}    {derivatives}({s}, dt, along, at);
@@ -272,7 +280,7 @@ HOMOGEN_FN static void {name}({parameters})
     pub(super) fn step_hessian(&self) -> String {
         let Self { t, n, s, .. } = self;
         let (double, triple, row) = (2 * n, 3 * n, self.row_length());
-        let (table, derivatives) = (self.of_rates(), self.own("stage_derivatives"));
+        let (table, derivatives) = (self.of_rates(), self.texts.own("stage_derivatives"));
         let along = self.along_with(&format!(
             "{t} w[{s}][{n}];
     {t} q_q[{n}][{n}], q_qd[{n}][{n}], qd_qd[{n}][{n}], q_tau[{n}][{n}];
@@ -281,7 +289,7 @@ HOMOGEN_FN static void {name}({parameters})
     {t} at[{double}][{row}];
     int i, j, k, r, c;"
         ));
-        let call = self.call(
+        let call = self.texts.call(
             SECOND,
             ["at_q[i]", "at_qd[i]", "w[i]"],
             &["q_q", "q_qd", "qd_qd", "q_tau"],

@@ -5,8 +5,11 @@
 
 use crate::request::Integrator;
 
-/// Coefficients of a rule, a row for each stage and one for the end.
+/// Coefficients of a rule of explicit stages, a row for each stage and one for the end.
+#[derive(Clone, Copy)]
 pub(super) struct Table {
+    /// The rule in a few words.
+    pub about: &'static str,
     /// cᵢ.
     pub time: &'static [f64],
     /// aᵢⱼ.
@@ -19,19 +22,24 @@ const SIXTH: f64 = 1.0 / 6.0;
 const THIRD: f64 = 1.0 / 3.0;
 
 impl Table {
-    pub const fn of(rule: Integrator) -> Self {
-        match rule {
+    /// The implicit midpoint rule has none: its stage depends on its own acceleration.
+    pub const fn of(rule: Integrator) -> Option<Self> {
+        Some(match rule {
+            Integrator::ImplicitMidpoint => return None,
             Integrator::SemiImplicit => Self {
+                about: "qd+ = qd + dt qdd, q+ = q + dt qd+",
                 time: &[0.0, 1.0],
                 of_q: &[&[0.0], &[1.0]],
                 of_qd: &[&[0.0], &[1.0]],
             },
             Integrator::Euler => Self {
+                about: "qd+ = qd + dt qdd, q+ = q + dt qd",
                 time: &[0.0, 1.0],
                 of_q: &[&[0.0], &[0.0]],
                 of_qd: &[&[0.0], &[1.0]],
             },
             Integrator::Rk4 => Self {
+                about: "the classical rule of Runge and Kutta, of order 4",
                 time: &[0.0, 0.5, 0.5, 1.0, 1.0],
                 of_q: &[
                     &[0.0, 0.0, 0.0, 0.0],
@@ -48,7 +56,7 @@ impl Table {
                     &[SIXTH, THIRD, THIRD, SIXTH],
                 ],
             },
-        }
+        })
     }
 
     /// Number of stages.

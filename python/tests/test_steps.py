@@ -31,6 +31,15 @@ def loaded(case):
     return homogen.load(WALKER) if case == "walker" else robot(case)
 
 
+def by_differences(n, change, difference, small=1e-6):
+    """A column for each entry of three vectors: the difference of what `change` gives for a small step back and ahead."""
+    columns = []
+    for step in small * np.eye(3 * n):
+        less, more = (change(sign, *np.split(step, 3)) for sign in (-1, 1))
+        columns.append(difference(less, more) / (2 * small))
+    return np.stack(columns, -1)
+
+
 def test_an_arm_moves_by_the_classical_rules():
     of = robot("arm")
     q, qd, tau = drawn(of, 10)
@@ -75,19 +84,16 @@ def test_steps_have_their_orders_with_quaternions(integrator, order):
 def test_derivatives_are_those_of_differences(case, integrator):
     of = loaded(case)
     q, qd, tau = drawn(of, 3, seed=3)
-    tau, dt, small, n = 0.1 * tau, 0.01, 1e-6, of.NV
+    tau, dt, n = 0.1 * tau, 0.01, of.NV
     by = of.step_derivatives(q, qd, tau, dt, integrator=integrator)
-    columns = []
-    for k in range(3 * n):
-        change = np.zeros(3 * n)
-        change[k] = small
-        x, v, f = np.split(change, 3)
-        ends = [
-            of.step(of.integrate(q, sign * x), qd + sign * v, tau + sign * f, dt, integrator=integrator) for sign in (-1, 1)
-        ]
-        moved = of.difference(ends[0].q, ends[1].q)
-        columns.append(np.concatenate([moved, ends[1].qd - ends[0].qd], -1) / (2 * small))
-    expected = np.stack(columns, -1)
+
+    def change(sign, x, v, f):
+        return of.step(of.integrate(q, sign * x), qd + sign * v, tau + sign * f, dt, integrator=integrator)
+
+    def difference(less, more):
+        return np.concatenate([of.difference(less.q, more.q), more.qd - less.qd], -1)
+
+    expected = by_differences(n, change, difference)
     found = np.concatenate([by.a, by.b], -1)
     assert np.allclose(found, expected, atol=1e-7 * np.abs(expected).max())
 
@@ -160,19 +166,14 @@ def test_a_step_back_by_the_midpoint_rule_returns_to_the_start(case):
 def test_derivatives_of_the_midpoint_rule_are_those_of_differences(case):
     of = loaded(case)
     q, qd, tau = drawn(of, 3, seed=7)
-    faster, dt, small, n = qd + 0.01 * tau, 0.01, 1e-6, of.NV
+    faster, dt, n = qd + 0.01 * tau, 0.01, of.NV
     by = of.midpoint_derivatives(q, qd, faster, dt)
     assert by.q.shape == (3, n, n)
-    columns = []
-    for k in range(3 * n):
-        change = np.zeros(3 * n)
-        change[k] = small
-        x, v, f = np.split(change, 3)
-        ends = [
-            of.midpoint_residual(of.integrate(q, sign * x), qd + sign * v, faster + sign * f, tau, dt) for sign in (-1, 1)
-        ]
-        columns.append((ends[1] - ends[0]) / (2 * small))
-    expected = np.stack(columns, -1)
+
+    def change(sign, x, v, f):
+        return of.midpoint_residual(of.integrate(q, sign * x), qd + sign * v, faster + sign * f, tau, dt)
+
+    expected = by_differences(n, change, lambda less, more: more - less)
     found = np.concatenate(by, -1)
     assert np.allclose(found, expected, atol=1e-7 * np.abs(expected).max())
 

@@ -83,7 +83,7 @@ const MORE: [C; 2] = [
     },
 ];
 
-/// How much compilers work on the files of a robot: the bits do not depend on it, only the time.
+/// Work of compilers on the files of a robot: the bits do not depend on it, only the time.
 #[derive(Clone, Copy)]
 pub enum Effort {
     /// Optimised: small files, and large ones in the long form.

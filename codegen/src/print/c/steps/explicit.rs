@@ -3,10 +3,8 @@
 //! In: a rule's [`Table`], and what all steps need. Out: heads and definitions of `step`; with derivatives of forward
 //! dynamics `step_derivatives`, with its Hessian `step_hessian`.
 
-use std::fmt::Write;
-
 use super::rule::Table;
-use super::texts::{Head, Texts, has_derivatives, has_hessian};
+use super::texts::{Head, Texts, definition, has_derivatives, has_hessian};
 
 /// A rule with what its texts need.
 pub(super) struct Explicit<'m> {
@@ -106,8 +104,7 @@ pub(super) fn definitions(explicit: &Explicit<'_>) -> String {
             text.push_str(&explicit.stage_derivatives());
             text.push_str(&explicit.step_along());
         }
-        // Writing to a string cannot fail.
-        let _ = write!(text, "\nHOMOGEN_FN void {head}\n{{\n{body}}}\n");
+        text.push_str(&definition(&head, &body));
     }
     text
 }

@@ -4,9 +4,7 @@
 //! derivatives of inverse dynamics and the mass matrix, of `midpoint_derivatives`. With w = (q̇ + q̇⁺)/2 the rule is
 //! q⁺ = q + Δt w, and inverse dynamics at q + Δt w/2, w and (q̇⁺ − q̇)/Δt needs τ.
 
-use std::fmt::Write;
-
-use super::texts::{Head, INVERSE, INVERSE_DERIVATIVES, MASS, Texts};
+use super::texts::{Head, INVERSE, INVERSE_DERIVATIVES, MASS, Texts, definition};
 use crate::print::c::literals::literal;
 
 /// The functions that there are.
@@ -58,8 +56,7 @@ pub(super) fn definitions(texts: &Texts<'_>) -> String {
     let mut text = middle(texts);
     let bodies = [residual(texts), configuration(texts), derivatives(texts)];
     for ((_, head), body) in heads(texts).into_iter().zip(bodies) {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "\nHOMOGEN_FN void {head}\n{{\n{body}}}\n");
+        text.push_str(&definition(&head, &body));
     }
     text
 }

@@ -11,6 +11,11 @@ use crate::space::{Space, Variable};
 /// Comment of a function, and what stands between its `void` and its body.
 pub(super) type Head = (Vec<String>, String);
 
+/// Definition of a function.
+pub(super) fn definition(head: &str, body: &str) -> String {
+    format!("\nHOMOGEN_FN void {head}\n{{\n{body}}}\n")
+}
+
 /// Items that steps call.
 pub(super) const INVERSE: &[Function] = &[Function::InverseDynamics];
 pub(super) const INVERSE_DERIVATIVES: &[Function] = &[Function::InverseDynamicsDerivatives];

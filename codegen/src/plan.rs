@@ -9,6 +9,7 @@ mod accurate;
 mod choice;
 mod forward;
 mod identifiable;
+mod inertial_parameters;
 mod measured;
 mod program;
 mod search;
@@ -17,8 +18,9 @@ mod weighable;
 
 pub use forward::keeps_half;
 pub(crate) use forward::warnings;
+pub use inertial_parameters::inertial_parameters;
 pub use measured::MeasuredError;
-pub use program::{Programs, Recursion, expressions_by, program_by};
+pub use program::{Programs, Recursion, arranged, expressions_by, program_by};
 
 use std::rc::Rc;
 

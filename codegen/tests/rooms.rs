@@ -1,8 +1,10 @@
 //! Test of the dependences between the folders of this crate: each uses only those before it in a list.
 //!
 //! In: the sources without their tests. Out: a failure if `crate::` in code is followed by a folder that may not be
-//! named. Uses by way of a method are not seen.
+//! named, or if a method is called that only such a folder defines. Methods whose names several folders define are not
+//! seen.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -144,7 +146,10 @@ const FOLDERS: [(&str, &[&str]); 37] = [
             "layout",
         ],
     ),
-    ("range", &["list", "space", "expression", "chain"]),
+    (
+        "range",
+        &["list", "space", "expression", "request", "chain"],
+    ),
     (
         "plan",
         &[
@@ -162,6 +167,7 @@ const FOLDERS: [(&str, &[&str]); 37] = [
             "schedule",
             "function",
             "request",
+            "description",
             "chain",
             "layout",
             "model",
@@ -301,7 +307,9 @@ const FOLDERS: [(&str, &[&str]); 37] = [
             "error",
             "space",
             "function",
+            "request",
             "description",
+            "chain",
             "module",
             "print",
             "expand",
@@ -314,6 +322,29 @@ const UP: [(&str, &str); 3] = [
     ("function", "chain"),
     ("function", "layout"),
     ("function", "model"),
+];
+
+/// Methods of a folder here that are also methods of a library, or are named in messages.
+const OF_LIBRARIES: [&str; 19] = [
+    "c",
+    "chain",
+    "components",
+    "expect",
+    "extend",
+    "get_mut",
+    "import",
+    "insert",
+    "into_iter",
+    "lock",
+    "package",
+    "parse",
+    "peek",
+    "reduce",
+    "remove",
+    "shape",
+    "span",
+    "suffix",
+    "values",
 ];
 
 /// The files at or below a path, each with its folder.
@@ -341,61 +372,117 @@ fn is_of_tests(path: &Path) -> bool {
     parts.any(|part| ["tests", "tests.rs", "long_chains.rs"].contains(&part))
 }
 
-/// The folders that the code of a file names, without its module of tests.
-fn named(text: &str) -> Vec<&str> {
-    let code = text
-        .split("#[cfg(test)]\nmod tests {")
-        .next()
-        .unwrap_or_default();
+/// The lines of a file without comments and without its module of tests.
+fn code(text: &str) -> String {
+    let code = text.split("\nmod tests {").next().unwrap_or_default();
     let lines = code.lines().filter(|line| !line.trim().starts_with("//"));
-    let paths = lines.flat_map(|line| {
-        let paths = line
-            .match_indices("crate::")
-            .map(|(at, _)| (&line[..at], &line[at + 7..]));
-        // A path in a macro, or in printed code, belongs to another crate.
-        paths
-            .filter(|(before, _)| !before.ends_with('$'))
-            .map(|(_, path)| path)
-    });
-    paths
-        .map(|path| {
-            let end = path.find(|c: char| !c.is_alphanumeric() && c != '_');
-            &path[..end.unwrap_or(path.len())]
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// The identifier at the start of a text.
+fn identifier(text: &str) -> &str {
+    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_');
+    &text[..end.unwrap_or(text.len())]
+}
+
+/// The folders that code names.
+fn named(code: &str) -> impl Iterator<Item = &str> {
+    let paths = code.match_indices("crate::");
+    // A path in a macro, or in printed code, belongs to another crate.
+    let own = paths.filter(|(at, _)| !code[..*at].ends_with('$'));
+    own.map(|(at, path)| identifier(&code[at + path.len()..]))
+}
+
+/// The methods that code defines.
+fn defined(code: &str) -> impl Iterator<Item = &str> {
+    code.match_indices("fn ").filter_map(|(at, word)| {
+        let rest = &code[at + word.len()..];
+        let (_, arguments) = rest.split_once('(')?;
+        let first = arguments.trim_start().trim_start_matches('&');
+        let first = if first.starts_with('\'') {
+            first.split_once(' ')?.1
+        } else {
+            first
+        };
+        let receiver = identifier(first.trim_start_matches("mut "));
+        (receiver == "self").then(|| identifier(rest))
+    })
+}
+
+/// The methods that code calls.
+fn called(code: &str) -> impl Iterator<Item = &str> {
+    let dots = code.match_indices('.');
+    let single = dots.filter(|(at, _)| !code[..*at].ends_with('.'));
+    single.filter_map(|(at, dot)| {
+        let rest = &code[at + dot.len()..];
+        let name = identifier(rest);
+        rest[name.len()..].starts_with(['(', ':']).then_some(name)
+    })
+}
+
+/// The code of each file that is not of tests, with its folder.
+fn sources() -> Vec<(String, PathBuf, String)> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let inside = |path: &Path| path.strip_prefix(&source).expect("inside").to_owned();
+    files(&source, "")
+        .into_iter()
+        .filter(|(folder, _)| !["lib", "main"].contains(&&**folder))
+        .filter(|(_, path)| !is_of_tests(&inside(path)))
+        .map(|(folder, path)| {
+            let text = fs::read_to_string(&path).expect("readable");
+            (folder, path, code(&text))
         })
         .collect()
 }
 
+/// True if the files of a folder may use another.
+fn may_use(folder: &str, other: &str) -> bool {
+    let known = FOLDERS.iter().find(|(name, _)| *name == folder);
+    let (_, before) = known.unwrap_or_else(|| panic!("`{folder}` is not in the list of folders"));
+    let is_folder = FOLDERS.iter().any(|(name, _)| *name == other);
+    folder == other || before.contains(&other) || !is_folder
+}
+
 #[test]
 fn a_folder_names_only_those_before_it() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let files = files(&source, "");
-    let of_folders = files
-        .iter()
-        .filter(|(folder, _)| !["lib", "main"].contains(&&**folder));
-    let inside = |path: &Path| path.strip_prefix(&source).expect("inside").to_owned();
     let mut used = vec![0; UP.len()];
-    for (folder, path) in of_folders.filter(|(_, path)| !is_of_tests(&inside(path))) {
-        let known = FOLDERS.iter().find(|(name, _)| name == folder);
-        let (_, before) =
-            known.unwrap_or_else(|| panic!("{} is in no folder of the list", path.display()));
-        let text = fs::read_to_string(path).expect("readable");
-        for named in named(&text) {
+    for (folder, path, code) in &sources() {
+        for named in named(code) {
             if let Some(up) = UP.iter().position(|up| *up == (folder, named)) {
                 used[up] += 1;
                 continue;
             }
-            let is_folder = FOLDERS.iter().any(|(name, _)| *name == named);
-            assert!(
-                named == folder || before.contains(&named) || !is_folder,
-                "{} names `{named}`",
-                path.display()
-            );
+            assert!(may_use(folder, named), "{} names `{named}`", path.display());
         }
     }
     assert!(
         used.iter().all(|count| *count > 0),
         "an arrow is gone: take it out"
     );
+}
+
+#[test]
+fn a_folder_calls_only_methods_of_those_before_it() {
+    let sources = sources();
+    let mut owners: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for (folder, _, code) in &sources {
+        for method in defined(code) {
+            owners.entry(method).or_default().insert(folder);
+        }
+    }
+    for (folder, path, code) in &sources {
+        for method in called(code).filter(|method| !OF_LIBRARIES.contains(method)) {
+            let owners = owners.get(method).into_iter().flatten();
+            let [owner] = owners.collect::<Vec<_>>()[..] else {
+                continue;
+            };
+            assert!(
+                may_use(folder, owner) || UP.contains(&(folder, owner)),
+                "{} calls `{method}`, which only `{owner}` has",
+                path.display()
+            );
+        }
+    }
 }
 
 #[test]

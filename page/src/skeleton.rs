@@ -11,10 +11,11 @@ use homogen_codegen::description::{Axis, Inertial, Name, Step};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Expr, Graph, Term};
 use homogen_codegen::joint::{Manifold, Motion};
-use homogen_codegen::layout::{Layout, arrange};
+use homogen_codegen::layout::Layout;
 use homogen_codegen::list::{Id, List};
 use homogen_codegen::matrix::{Pose, Rotation};
 use homogen_codegen::module::Module;
+use homogen_codegen::plan::arranged;
 use homogen_codegen::quaternion::normalize;
 use homogen_codegen::request::Request;
 use homogen_codegen::space::{CoordinateId, Entry, Kind, Variable};
@@ -196,7 +197,7 @@ pub fn layouts(chain: &Chain, module: &Module) -> Layouts {
 /// rest suffice.
 fn chosen(chain: &Chain, layout: Layout) -> Value {
     let graph = chain.graph.clone();
-    let bodies = arrange(&graph, chain, layout);
+    let bodies = arranged(&graph, chain, layout);
     let mut own: List<BodyId, Pose<Term<'_>>> = List::new();
     let mut laid: List<BodyId, Pose<Term<'_>>> = List::new();
     for (joint, body) in chain.joints.iter().zip(&bodies.bodies) {

@@ -14,8 +14,9 @@ use std::iter::successors;
 use crate::chain::{BodyId, Chain, Position};
 use crate::expression::{Double, Expr, Input, Term, evaluate};
 use crate::joint::Motion;
-use crate::layout::{Body, Layout, arrange};
+use crate::layout::{Body, Layout};
 use crate::list::{Id, List};
+use crate::plan;
 use crate::range::Range;
 use crate::request::Target;
 use crate::schedule::bound;
@@ -55,7 +56,7 @@ pub fn mobility(chain: &Chain, layout: Layout, range: &Range) -> Result<Mobility
         );
     }
     let graph = chain.graph.clone();
-    let bodies = arrange(&graph, chain, layout).bodies;
+    let bodies = plan::arranged(&graph, chain, layout).bodies;
     let numbers: Vec<Expr> = (bodies.iter())
         .flat_map(|body| numbers(body).map(Term::expr))
         .collect();

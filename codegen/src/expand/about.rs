@@ -6,14 +6,11 @@
 use std::collections::BTreeSet;
 
 use crate::chain::Chain;
-use crate::expression::{Double, Expr, Input, Node, Term};
+use crate::expression::{Double, Expr};
 use crate::formulation::Parameters;
-use crate::function::Function;
 use crate::joint::ActuatorTerms;
-use crate::layout::{Layout, arrange};
-use crate::model::Algorithm;
 use crate::module::About;
-use crate::space::FrameId;
+use crate::plan::inertial_parameters;
 use crate::wording::{code, list};
 
 /// Collects the facts about a robot.
@@ -138,33 +135,4 @@ fn gravity(chain: &Chain) -> String {
         }
         _ => "gravity given at run time".into(),
     }
-}
-
-/// Number of inertial parameters that inverse dynamics reads: those of the description, or the regrouped ones.
-fn inertial_parameters(chain: &Chain, parameters: Parameters) -> usize {
-    let graph = chain.graph.clone();
-    let layout = Layout {
-        regroup: parameters == Parameters::Regrouped,
-        ..Layout::DESCRIBED
-    };
-    let mut bodies = arrange(&graph, chain, layout);
-    // Each becomes an input of its own, numbered after the struct's fields, so that those read can be counted.
-    let fields = chain.nominal.len();
-    for (body, field) in bodies.bodies.iter_mut().zip(fields..) {
-        let field = u16::try_from(field).expect("fewer than 65536 joints and fields");
-        let mut entries = 0..;
-        body.inertia = body.inertia.map(|entry| match entries.next() {
-            Some(k) if !entry.is_zero() => graph.input(Input::Parameter(field, k)),
-            _ => entry,
-        });
-    }
-    let torques =
-        Function::InverseDynamics.build(&graph, &bodies, FrameId::FIRST, Algorithm::PLAIN);
-    let torques: Vec<Expr> = torques.into_iter().map(Term::expr).collect();
-    let (needed, _) = graph.needed(&torques);
-    let is_read = |expr: &Expr| match graph.node(*expr) {
-        Node::Input(Input::Parameter(field, _)) => usize::from(field) >= fields,
-        _ => false,
-    };
-    needed.iter().filter(|expr| is_read(expr)).count()
 }

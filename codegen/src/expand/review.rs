@@ -9,10 +9,11 @@ use crate::accuracy::RoundingModel;
 use crate::chain::Chain;
 use crate::check::vectors;
 use crate::expression::{Arithmetic, Double, Evaluation, Expr, Input, Term};
-use crate::layout::{Layout, Sliding, arrange};
+use crate::layout::{Layout, Sliding};
 use crate::list::Id;
 use crate::matrix::{Inertia, Symmetric, Vector};
 use crate::module::{GeneratedFunction, Origins, Review, Sum};
+use crate::plan;
 use crate::real::Real;
 use crate::space::{FieldId, ParameterId};
 
@@ -115,7 +116,7 @@ fn shortened(factor: f64) -> f64 {
 /// The entries of J of each body in the frames of a layout.
 fn arranged(chain: &Chain, layout: Layout) -> Vec<Vec<Form>> {
     let graph = chain.graph.clone();
-    let bodies = arrange(&graph, chain, layout);
+    let bodies = plan::arranged(&graph, chain, layout);
     let entries = bodies.bodies.iter();
     let entries: Vec<Expr> = entries
         .flat_map(|body| body.inertia.entries().map(Term::expr))

@@ -16,6 +16,13 @@ use crate::schedule::{Program, schedule};
 use crate::simplify::simplify;
 use crate::space::FrameId;
 
+/// The bodies of a chain in the frames of a layout, as expressions of a graph. Frames are chosen here alone: bounds and
+/// descriptions of a plan take its bodies from here.
+#[must_use]
+pub fn arranged<'g>(graph: &'g Graph, chain: &Chain, layout: Layout) -> Bodies<'g> {
+    arrange(graph, chain, layout)
+}
+
 /// The program of functions in a layout, by an algorithm.
 #[must_use]
 pub fn program_by(
@@ -133,7 +140,7 @@ impl<'c> Programs<'c> {
         given: impl Fn(usize) -> Input,
     ) -> Recursion {
         let graph = self.chain.graph.clone();
-        let bodies = arrange(&graph, self.chain, layout);
+        let bodies = arranged(&graph, self.chain, layout);
         let motion = scheduled(&graph, &articulated_motion(&graph, &bodies, algorithm));
         let given = std::array::from_fn(|k| graph.input(given(k)));
         let steps = articulated_steps(&graph, &bodies, algorithm, &given).into_iter();
@@ -169,7 +176,7 @@ fn compiled(
     results: impl for<'g> FnOnce(&'g Graph, &Bodies<'g>) -> Vec<Term<'g>>,
 ) -> Program {
     let graph = chain.graph.clone();
-    let bodies = arrange(&graph, chain, layout);
+    let bodies = arranged(&graph, chain, layout);
     scheduled(&graph, &results(&graph, &bodies))
 }
 
@@ -189,7 +196,7 @@ pub fn expressions_by(
     algorithm: Algorithm,
 ) -> (Graph, Vec<Expr>) {
     let graph = chain.graph.clone();
-    let bodies = arrange(&graph, chain, layout);
+    let bodies = arranged(&graph, chain, layout);
     let results: Vec<Expr> = (functions.iter())
         .flat_map(|&function| function.build(&graph, &bodies, frame, algorithm))
         .map(Term::expr)

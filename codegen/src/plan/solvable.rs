@@ -6,10 +6,11 @@
 
 use std::collections::BTreeSet;
 
+use super::program::arranged;
 use crate::chain::{BodyId, Chain, Joint, physical};
 use crate::error::{Diagnostic, Errors};
 use crate::expression::{Double, Evaluation, Expr, Graph, Input, Node, Term};
-use crate::layout::{Layout, arrange};
+use crate::layout::Layout;
 use crate::list::{Id, List};
 use crate::model;
 use crate::quaternion::normalize;
@@ -225,7 +226,7 @@ fn worst(chain: &Chain, field: impl Fn(Input) -> f64) -> Result<Worst, Lack> {
 /// A diagonal entry and its pivot, for each joint.
 fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
     if chain.is_long() {
-        let bodies = arrange(graph, chain, Layout::DESCRIBED);
+        let bodies = arranged(graph, chain, Layout::DESCRIBED);
         let pivots = model::articulated_pivots(graph, &bodies).into_iter();
         return pivots.map(Term::expr).collect();
     }
@@ -233,7 +234,7 @@ fn pivots(graph: &Graph, chain: &Chain) -> Vec<Expr> {
         regroup: true,
         ..Layout::DESCRIBED
     };
-    let bodies = arrange(graph, chain, layout);
+    let bodies = arranged(graph, chain, layout);
     let pivots = model::pivots(graph, &bodies).into_iter();
     pivots.map(Term::expr).collect()
 }

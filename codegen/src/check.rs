@@ -262,6 +262,7 @@ impl Check {
                     Space::Parameters | Space::BaseParameters => "parameter",
                     Space::Constraints => "residual",
                     Space::Wrench | Space::Actions => "action",
+                    Space::Frames => "frame",
                 };
                 format!(" ({what} {})", quoted(&entry.name))
             }

@@ -94,6 +94,12 @@ impl Dense {
         self.configuration.pose(frame)
     }
 
+    /// M of all requested frames.
+    pub(crate) fn poses(&self) -> Vec<Approximate> {
+        let frames = self.configuration.frames();
+        frames.flat_map(|frame| self.pose(frame).upper()).collect()
+    }
+
     /// The columns of a Jacobian: u and b of the joints that move a frame, after a change of frame, and zeros for the
     /// others.
     pub(crate) fn columns(

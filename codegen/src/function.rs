@@ -8,6 +8,7 @@ macro_rules! every_function {
     ($then:ident) => {
         $then! {
             ForwardKinematics: forward_kinematics, "M₀,tip.";
+            FramePoses: frame_poses, "M₀,₁ … M₀,ₙ of all requested frames.";
             SpatialJacobian: spatial_jacobian, "Columns L₁…L_N in the axes of frame 0, reference point at its origin.";
             BodyJacobian: body_jacobian, "Columns L₁…L_N in the axes of the end effector's frame, reference point at its origin.";
             GeometricJacobian: geometric_jacobian, "Columns L₁…L_N in the axes of frame 0, reference point at the end effector.";
@@ -89,6 +90,7 @@ mod forward_dynamics_parameter_derivatives;
 mod forward_dynamics_vjp;
 mod forward_kinematics;
 mod forward_kinematics_hessian;
+mod frame_poses;
 mod geometric_jacobian;
 mod geometric_jacobian_rate;
 mod gravity;

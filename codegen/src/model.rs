@@ -90,7 +90,17 @@ impl<'s, 'g> Scene<'s, 'g> {
 
     /// The path to the frame, in the frames of the links.
     pub(crate) fn link_path(&self) -> carry::Path<'g> {
-        carry::path(self.bodies, self.frame, &self.state, self.algorithm)
+        self.link_path_to(self.frame)
+    }
+
+    /// The path to another frame, in the frames of the links.
+    pub(crate) fn link_path_to(&self, frame: FrameId) -> carry::Path<'g> {
+        carry::path(self.bodies, frame, &self.state, self.algorithm)
+    }
+
+    /// The requested frames.
+    pub(crate) fn frames(&self) -> impl Iterator<Item = FrameId> + use<> {
+        list::ids(self.bodies.frames.len() - 2 * self.bodies.loops.len())
     }
 
     /// The path to the frame, in the frame of the recursions.

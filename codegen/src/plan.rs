@@ -127,8 +127,13 @@ pub fn planned<'c>(
 pub fn wanted(chain: &Chain) -> Vec<(Vec<Function>, FrameId)> {
     let mut wanted = Vec::new();
     for functions in chain.request.items(!chain.loops.is_empty()) {
-        let of_a_frame = functions.iter().all(|function| function.of_a_frame());
-        let frames = list::ids(if of_a_frame { chain.frames.len() } else { 1 });
+        let each = functions.iter().all(|function| function.of_a_frame());
+        let some = functions.iter().any(|function| function.needs_a_frame());
+        let frames = list::ids(match chain.frames.len() {
+            count if each => count,
+            0 if some => 0,
+            _ => 1,
+        });
         wanted.extend(frames.map(|frame| (functions.clone(), frame)));
     }
     wanted
@@ -158,7 +163,8 @@ pub fn plan<'c>(
     )?;
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
-        let (more_mul, more_add) = function.dense(chain.joints.len(), chain.joints_to(frame));
+        let (joints, path) = (chain.joints.len(), chain.joints_to(frame));
+        let (more_mul, more_add) = function.dense(joints, path, chain.frames.len());
         mul += more_mul;
         add += more_add;
     }

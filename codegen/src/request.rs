@@ -142,7 +142,7 @@ impl Request {
     #[must_use]
     pub fn is_of_frames_alone(&self) -> bool {
         let mut functions = self.functions.iter().flatten();
-        !self.functions.is_empty() && functions.all(|function| function.of_a_frame())
+        !self.functions.is_empty() && functions.all(|function| function.needs_a_frame())
     }
 
     /// True if damping and friction are modelled. Setting one value also models all those of the description.

@@ -31,6 +31,8 @@ pub enum Space {
     BaseParameters,
     /// Residuals of closed loops, zero if the loops are closed; empty without loops.
     Constraints,
+    /// Requested frames, the end effector's first if there is one.
+    Frames,
 }
 
 id! {
@@ -91,6 +93,8 @@ pub enum Kind {
     Quaternion,
     /// Moment of mass of this order: 0 is a mass, 1 a first moment, 2 a second moment.
     Moment(u8),
+    /// A frame; what belongs to it has a unit of its own.
+    Frame,
     /// Parameter of an actuator: armature (order 2), damping (order 1) or friction (order 0).
     Actuator {
         /// Derivative of the coordinate that it is multiplied by; 0 means the sign of the velocity.
@@ -128,6 +132,8 @@ pub struct Spaces {
     pub wrench: Vec<Entry>,
     /// Entries of the external wrenches: c_x, c_y, c_z, f_x, f_y, f_z of each.
     pub actions: Vec<Entry>,
+    /// Requested frames.
+    pub frames: List<FrameId, Entry>,
     /// Sets of equal limbs.
     pub limbs: Vec<Limbs>,
 }
@@ -160,9 +166,11 @@ impl Limbs {
             Space::Coordinates => indices(&self.coordinates),
             Space::Velocities => indices(&self.velocities),
             Space::Actions => self.actions.clone(),
-            Space::Wrench | Space::Parameters | Space::BaseParameters | Space::Constraints => {
-                Vec::new()
-            }
+            Space::Wrench
+            | Space::Parameters
+            | Space::BaseParameters
+            | Space::Constraints
+            | Space::Frames => Vec::new(),
         }
     }
 }
@@ -184,6 +192,7 @@ impl Spaces {
             Space::Constraints => &self.constraints,
             Space::Wrench => &self.wrench,
             Space::Actions => &self.actions,
+            Space::Frames => &self.frames,
         }
     }
 

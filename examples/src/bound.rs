@@ -12,6 +12,12 @@ use homogen_codegen::Function;
 use crate::entries::Entries;
 use crate::states::State;
 
+/// The functions that a chain has as well: it knows neither its base parameters nor which frames were asked for.
+pub fn functions() -> impl Iterator<Item = Function> {
+    let all = Function::ALL.into_iter();
+    all.filter(|function| ![Function::BaseRegressor, Function::FramePoses].contains(function))
+}
+
 /// Makes, from the list of every function, the trait of a robot that has them all, and a function that binds
 /// one by its name; `P` is the length of the rows of a regressor.
 macro_rules! bound_by_name {

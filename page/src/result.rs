@@ -12,6 +12,7 @@ pub fn values(result: Outcome, spaces: &Spaces, numbers: &[f64]) -> Value {
         |((_, part), numbers)| match (rows(&part, spaces, numbers), numbers) {
             (Some(rows), _) => match (part.over, part.entity.dimensions()) {
                 ([_, _], &[each]) => json!(rows.chunks(each).collect::<Vec<_>>()),
+                ([_], [3, 4]) => json!(rows.chunks(4).collect::<Vec<_>>()),
                 _ => json!(rows),
             },
             (None, [number]) if part.over.is_empty() => json!(number),
@@ -58,7 +59,7 @@ pub fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut lengths = quantity.lengths(spaces);
     let dimensions = quantity.entity.dimensions();
     match (quantity.over, dimensions) {
-        ([], [6] | [3, 4]) => lengths.extend([4, 4]),
+        ([], [6]) | (_, [3, 4]) => lengths.extend([4, 4]),
         ([], dimensions) => lengths.extend(dimensions),
         (_, &[rows]) => lengths.insert(lengths.len() - 1, rows),
         _ => {}
@@ -70,8 +71,11 @@ pub fn dimensions(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
 #[must_use]
 pub fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
     let under = |last: [f64; 4]| {
-        let rows = numbers.chunks(4).map(<[f64]>::to_vec);
-        rows.chain([last.to_vec()]).collect()
+        let matrices = numbers.chunks(12).flat_map(move |matrix| {
+            let rows = matrix.chunks(4).map(<[f64]>::to_vec);
+            rows.chain([last.to_vec()])
+        });
+        matrices.collect()
     };
     // The vector of a skew-symmetric block, the last column, and the last row.
     let skew = |last: [f64; 3]| {

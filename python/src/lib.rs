@@ -50,7 +50,9 @@ mod _engine {
     /// The functions, a row each.
     #[pyfunction]
     fn functions() -> Vec<Row> {
+        // The frames are an argument here: `forward_kinematics` has the poses of several.
         let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
+        let all = all.filter(|name| *name != Name::FramePoses);
         let rows = all.map(|name| {
             let arguments = name.arguments_with(true);
             let parts = name.result().parts().filter_map(|(part, _)| part);

@@ -66,6 +66,10 @@ macro_rules! every_function {
             #[doc = "add `forward_kinematics` to `generate(…)` of the robot"]
             /// M₀,tip.
             tip ForwardKinematics forward_kinematics(q) -> $crate::Pose<T>;
+            /// The poses of all frames.
+            #[doc = "add `frame_poses` to `generate(…)` of the robot"]
+            /// M₀,₁ … M₀,ₙ of the tip, if there is one, and of the other frames in the order in which they are named.
+            chosen FramePoses frame_poses(q) -> [$crate::Pose<T>; P];
             /// The Jacobian in frame 0.
             #[doc = "add `spatial_jacobian` to `generate(…)` of the robot"]
             /// L₁ … L_N, in frame 0, reference point at its origin.

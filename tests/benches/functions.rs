@@ -9,8 +9,7 @@
 use std::time::Duration;
 
 use homogen::{Chain, Robot};
-use homogen_codegen::Function;
-use homogen_examples::bound::{Complete, Number, bind};
+use homogen_examples::bound::{self, Complete, Number, bind};
 use homogen_examples::machine;
 use homogen_examples::states::{State, random};
 use homogen_examples::timing::{Spread, alternate};
@@ -66,9 +65,7 @@ fn table<R, C, T: Number, const N: usize, const P: usize>(
         "{name:<28} {:>20} {:>22} {:>6}",
         "generated", "generic", "ratio"
     );
-    let all = Function::ALL.into_iter();
-    // A chain does not know the columns of its base regressor.
-    for function in all.filter(|&function| function != Function::BaseRegressor) {
+    for function in bound::functions() {
         let generated = bind(robot, function);
         let generic = bind(chain, function);
         let calls = u32::try_from(states.len()).expect("64 states");

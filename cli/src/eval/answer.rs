@@ -80,8 +80,13 @@ impl<'c> Layout<'c> {
         answer.insert("coordinates".into(), names(Space::Coordinates));
         answer.insert("velocities".into(), names(Space::Velocities));
         answer.insert("joints".into(), json!(chain.report.joints));
-        if (result.parts()).any(|(_, part)| part.over.contains(&Space::Constraints)) {
-            answer.insert("constraints".into(), names(Space::Constraints));
+        for (key, space) in [
+            ("constraints", Space::Constraints),
+            ("frames", Space::Frames),
+        ] {
+            if (result.parts()).any(|(_, part)| part.over.contains(&space)) {
+                answer.insert(key.into(), names(space));
+            }
         }
         if self.function.of_a_frame() {
             answer.insert("base".into(), json!(chain.report.base));

@@ -326,7 +326,7 @@ fn choose_tip(
         _ => {}
     }
     let mut functions = request.functions.iter().flatten();
-    if functions.any(|function| function.of_a_frame()) && unknown && request.frames.is_empty() {
+    if functions.any(|function| function.needs_a_frame()) && unknown && request.frames.is_empty() {
         errors.push_with_hint(
             description.name.place,
             "poses and Jacobians need a tip, and the robot has more than one end",

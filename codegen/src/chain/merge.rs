@@ -21,7 +21,7 @@ use crate::joint::{ActuatorTerms, Manifold, Motion, entry};
 use crate::list::List;
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::Request;
-use crate::space::{ACTION, Entry, FieldId};
+use crate::space::{ACTION, Entry, FieldId, FrameId, Kind};
 
 /// The place of a link: its body, and its pose there.
 #[derive(Clone, Copy)]
@@ -78,7 +78,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         })
     };
     let frames = tree.tip.iter().chain(&tree.frames);
-    let frames = frames.filter_map(|&link| frame(link)).collect();
+    let frames: List<FrameId, Frame> = frames.filter_map(|&link| frame(link)).collect();
     let external = tree.external.iter().filter_map(|&link| frame(link));
     let external: Vec<Frame> = external.collect();
     let loops = closure::closed(description, &attachments, &mut reader);
@@ -92,6 +92,11 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
     let (joints, mut spaces) = listed::listed(description, bodies, &graph);
     spaces.wrench = wrench(str::to_owned).into();
     spaces.actions = actions(&external);
+    spaces.frames = frames.map(|frame| Entry {
+        name: frame.name.clone(),
+        kind: Kind::Frame,
+        range: None,
+    });
     spaces.limbs = limbs::limbs(&joints, external.iter().map(|frame| frame.body));
     let Reader {
         nominal, report, ..

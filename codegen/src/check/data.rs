@@ -87,6 +87,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         bodies,
         velocities: velocity.index(),
         gravity: three(gravity),
+        requested: frames.len() - data.external.0,
         frames,
         // The data do not contain which bodies are links.
         links: Vec::new(),

@@ -119,6 +119,7 @@ pub(super) fn robot(
         velocities: moving,
         gravity: reader.gravity(),
         frames,
+        requested: chain.frames.len(),
         loops,
         elimination: chain.elimination.clone(),
         actuated,

@@ -136,6 +136,11 @@ impl Configuration {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
     }
 
+    /// The requested frames.
+    pub(super) fn frames(&self) -> impl Iterator<Item = FrameId> + use<> {
+        list::ids(self.robot.requested)
+    }
+
     /// The screws of the joints that move a frame, with their indices in q̇.
     pub(super) fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Scalar>)> {
         let mut moving = Vec::new();

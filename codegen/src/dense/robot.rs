@@ -74,8 +74,10 @@ pub(crate) struct Robot {
     pub(crate) velocities: usize,
     /// Acceleration of gravity in frame 0.
     pub(crate) gravity: [Approximate; 3],
-    /// The bodies of the requested frames, followed by those of loops; `None` for the base.
+    /// The bodies of the requested frames, followed by those of wrenches and loops; `None` for the base.
     pub(crate) frames: List<FrameId, Option<BodyId>>,
+    /// The number of requested frames.
+    pub(crate) requested: usize,
     /// The bodies that joints move as links, in the order of their coordinates.
     pub(crate) links: Vec<BodyId>,
     /// The columns of the base regressor, as columns of the regressor, if base parameters are requested.

@@ -7,7 +7,7 @@ use super::about::about;
 use super::batches;
 use super::configurations::configurations;
 use super::data::data;
-use super::left_out::{functions_of_a_frame, leave_out};
+use super::left_out::{functions_with_a_frame, leave_out};
 use super::prepared::prepared;
 #[cfg(feature = "files")]
 use super::review::review;
@@ -29,7 +29,7 @@ pub(super) fn collect<'c>(
     let mut functions = Vec::new();
     // A request of all functions leaves out those that the robot cannot have.
     let all = request.functions.is_empty();
-    let without_frame = || chain.frames.is_empty().then(functions_of_a_frame);
+    let without_frame = || chain.frames.is_empty().then(functions_with_a_frame);
     let mut left_out: Vec<LeftOut> = all.then(without_frame).flatten().into_iter().collect();
     for Planned { name, plan } in plans {
         match plan {

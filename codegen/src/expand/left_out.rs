@@ -7,12 +7,12 @@ use crate::error::Errors;
 use crate::function::Function;
 use crate::module::LeftOut;
 
-/// The functions of a frame, left out because no tip is named.
-pub(super) fn functions_of_a_frame() -> LeftOut {
+/// The functions that need a frame, left out because no tip is named.
+pub(super) fn functions_with_a_frame() -> LeftOut {
     let all = Function::ALL.into_iter();
-    let of_a_frame = all.filter(|function| function.of_a_frame());
+    let with_a_frame = all.filter(|function| function.needs_a_frame());
     LeftOut {
-        functions: of_a_frame
+        functions: with_a_frame
             .map(|function| function.name().to_owned())
             .collect(),
         reason: "the robot has more than one end, and none is named as the tip".to_owned(),

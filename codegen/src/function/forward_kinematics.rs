@@ -32,8 +32,8 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
 }
 
 /// Any column of the rotation is the cross product of the two others. From the base outwards, a pose shares work with
-/// Jacobians.
-fn algorithms() -> Vec<Algorithm> {
+/// Jacobians, and with poses of other frames.
+pub(super) fn algorithms() -> Vec<Algorithm> {
     let carried = (0..3).map(|column| Carried::Inwards {
         by_product: Some(column),
     });

@@ -9,6 +9,13 @@ pub(super) const POSE: Outcome = Outcome::One(Quantity {
     units: |_| ["1", "1", "1", "m"].repeat(3),
 });
 
+/// The poses of all requested frames.
+pub(super) const POSES: Outcome = Outcome::One(Quantity {
+    over: &[Space::Frames],
+    entity: Entity::Pose,
+    units: |_| ["1", "1", "1", "m"].repeat(3),
+});
+
 /// A velocity matrix.
 pub(super) const VELOCITY: Outcome = Outcome::One(Quantity {
     over: &[],

@@ -159,6 +159,12 @@ impl Function {
         self.has(Property::Frame)
     }
 
+    /// True if it needs a frame: it belongs to one, or its result ranges over all that are requested.
+    #[must_use]
+    pub fn needs_a_frame(self) -> bool {
+        self.of_a_frame() || self.further().any(|space| space == Space::Frames)
+    }
+
     /// Equivalent algorithms, among which the one with the fewest operations is chosen.
     #[must_use]
     pub fn algorithms(self) -> Vec<Algorithm> {
@@ -166,10 +172,15 @@ impl Function {
     }
 
     /// Multiplications and additions by dense 4×4 matrices. `path`: the number of joints, of all `joints`, that lead to
-    /// the frame of the function. Divisions count as multiplications.
+    /// the frame of the function; `frames`: the number of requested frames. Divisions count as multiplications.
     #[must_use]
-    pub fn dense(self, joints: usize, path: usize) -> (usize, usize) {
-        let Tally { mul, add } = (self.definition().dense)(Size { joints, path });
+    pub fn dense(self, joints: usize, path: usize, frames: usize) -> (usize, usize) {
+        let size = Size {
+            joints,
+            path,
+            frames,
+        };
+        let Tally { mul, add } = (self.definition().dense)(size);
         (mul, add)
     }
 

@@ -131,7 +131,7 @@ fn compare(
     algorithms: fn(Function) -> Vec<Algorithm>,
 ) {
     for function in Function::ALL {
-        if function.of_a_frame() && chain.frames.is_empty() {
+        if function.needs_a_frame() && chain.frames.is_empty() {
             continue;
         }
         let expected = results(chain, function, Layout::DESCRIBED, Algorithm::PLAIN);

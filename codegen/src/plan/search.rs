@@ -47,7 +47,7 @@ impl<'a> Search<'a> {
         frame: FrameId,
         scalar: Real,
     ) -> Self {
-        let dynamic = functions.iter().any(|function| !function.of_a_frame());
+        let dynamic = functions.iter().any(|function| !function.needs_a_frame());
         Self {
             processor,
             formulation,

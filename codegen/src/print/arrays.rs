@@ -61,8 +61,8 @@ pub fn signature(module: &Module, function: Function, frame: &str) -> Signature 
         Array {
             name: name.unwrap_or(function.name()).to_owned(),
             shape,
-            len: quantity.size(spaces),
-            below: below(quantity.entity),
+            len: arranged(&quantity, spaces, Order::AngularFirst).count(),
+            below: below(&quantity),
             units: distinct(quantity.units(spaces)),
             is_change: false,
         }
@@ -125,19 +125,26 @@ pub fn arrange(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order)
     }
 }
 
-/// Puts results into the order of their shapes.
+/// Puts results into the order of their shapes, with a fourth row below each of several matrices.
 pub fn arrange_results(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order) {
     let mut first = 0;
-    let mut places = Vec::new();
+    let mut places: Vec<Source> = Vec::new();
     let results = generated.functions.iter().map(|function| function.result());
     for (_, quantity) in results.flat_map(Outcome::parts) {
-        places.extend(arranged(&quantity, spaces, order).map(|place| first + place));
+        let own = arranged(&quantity, spaces, order);
+        places.extend(own.map(|source| match source {
+            Source::Result(place) => Source::Result(first + place),
+            constant @ Source::Constant(_) => constant,
+        }));
         first += quantity.size(spaces);
     }
     let program = &mut generated.program;
     program.results = places
         .into_iter()
-        .map(|place| program.results[place])
+        .map(|source| match source {
+            Source::Result(place) => program.results[place],
+            Source::Constant(value) => Operand::Literal(value),
+        })
         .collect();
 }
 
@@ -159,8 +166,32 @@ fn read_linear_first(program: &mut Program) {
     }
 }
 
-/// Indices into the results of a program, in the order of the shape of a quantity.
+/// Source of a number of an array.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Source {
+    /// An index into the results of a program.
+    Result(usize),
+    /// A number of the fourth row of a matrix.
+    Constant(f64),
+}
+
+/// The numbers that are stored of a quantity, in the order of its shape.
 fn arranged(
+    quantity: &Quantity,
+    spaces: &Spaces,
+    order: Order,
+) -> impl Iterator<Item = Source> + use<> {
+    let each = quantity.entity.size();
+    let row = fourth_row(quantity.entity).filter(|_| !quantity.over.is_empty());
+    in_order(quantity, spaces, order).flat_map(move |place| {
+        let is_last = place % each == each - 1;
+        let row = row.filter(|_| is_last).into_iter().flatten();
+        std::iter::once(Source::Result(place)).chain(row.map(Source::Constant))
+    })
+}
+
+/// Indices into the results of a program, in the order of the shape of a quantity.
+fn in_order(
     quantity: &Quantity,
     spaces: &Spaces,
     order: Order,
@@ -192,7 +223,7 @@ pub(super) fn has_columns(quantity: &Quantity) -> bool {
 
 fn shape(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut shape = quantity.lengths(spaces);
-    match (below(quantity.entity), quantity.entity.dimensions()) {
+    match (fourth_row(quantity.entity), quantity.entity.dimensions()) {
         (Some(_), _) => shape.extend([4, 4]),
         (None, &[rows]) if has_columns(quantity) => shape.insert(shape.len() - 1, rows),
         (None, dimensions) => shape.extend(dimensions),
@@ -200,8 +231,13 @@ fn shape(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     shape
 }
 
-/// The row below three that a program has.
-pub(super) const fn below(entity: Entity) -> Option<[f64; 4]> {
+/// The row below the results of a single matrix, of which a program has three rows.
+pub(super) fn below(quantity: &Quantity) -> Option<[f64; 4]> {
+    fourth_row(quantity.entity).filter(|_| quantity.over.is_empty())
+}
+
+/// The fourth row of matrices of which a program has three.
+pub(super) const fn fourth_row(entity: Entity) -> Option<[f64; 4]> {
     match entity {
         Entity::Pose => Some([0.0, 0.0, 0.0, 1.0]),
         Entity::Acceleration => Some([0.0; 4]),
@@ -347,10 +383,23 @@ mod tests {
     fn matrices_follow_one_another_with_their_columns() {
         let module = robot("two_link.urdf", &[], &[]);
         let (_, quantity) = (Function::JacobianDerivative.result().parts().next()).unwrap();
-        let places = arranged(&quantity, &module.spaces, Order::AngularFirst);
+        let places = in_order(&quantity, &module.spaces, Order::AngularFirst);
         let matrix = |first: usize| (0..6).flat_map(move |row| [first + row, first + 6 + row]);
         let expected: Vec<usize> = matrix(0).chain(matrix(12)).collect();
         assert_eq!(places.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn several_matrices_are_complete() {
+        let module = robot("two_link.urdf", &[Function::FramePoses], &[]);
+        let of = signature(&module, Function::FramePoses, "tip");
+        assert_eq!(shapes(&of.results), [("frame_poses", &[1, 4, 4][..])]);
+        assert_eq!((of.results[0].len, of.results[0].below), (16, None));
+        let mut generated = module.functions[0].clone();
+        let before = generated.program.results.clone();
+        arrange(&mut generated, &module.spaces, Order::AngularFirst);
+        let row = [0.0, 0.0, 0.0, 1.0].map(Operand::Literal);
+        assert_eq!(generated.program.results, [&before[..], &row].concat());
     }
 
     #[test]

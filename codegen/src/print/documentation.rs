@@ -107,11 +107,12 @@ pub(super) fn sentences(module: &Module, functions: &[Function], frame: &str) ->
     lines
 }
 
-/// Lines about quaternions, velocities of bodies and loops in functions.
+/// Lines about quaternions, velocities of bodies, frames and loops in functions.
 pub(super) fn remarks(spaces: &Spaces, functions: &[Function]) -> Vec<String> {
     let of = module::arguments(functions, spaces.actions() > 0);
     let mut lines = quaternions(spaces, &of);
-    lines.extend(residuals(spaces, functions));
+    lines.extend(entries(spaces, functions, Space::Frames, "Frames"));
+    lines.extend(entries(spaces, functions, Space::Constraints, "Residuals"));
     lines.extend(open_loops(spaces, functions));
     lines
 }
@@ -379,13 +380,13 @@ fn quaternions(spaces: &Spaces, arguments: &[Variable]) -> Vec<String> {
     lines
 }
 
-/// The residuals of loops in their order, if a result ranges over them.
-fn residuals(spaces: &Spaces, functions: &[Function]) -> Option<String> {
+/// The entries of a space in their order, if a result ranges over them.
+fn entries(spaces: &Spaces, functions: &[Function], space: Space, called: &str) -> Option<String> {
     let results = functions.iter().map(|function| function.result());
     let mut parts = results.flat_map(Outcome::parts);
-    let over = parts.any(|(_, part)| part.over.contains(&Space::Constraints));
-    let names: Vec<String> = spaces.names(Space::Constraints).map(code).collect();
-    over.then(|| format!("Residuals: {}.", names.join(", ")))
+    let over = parts.any(|(_, part)| part.over.contains(&space));
+    let names: Vec<String> = spaces.names(space).map(code).collect();
+    over.then(|| format!("{called}: {}.", names.join(", ")))
 }
 
 /// Line about functions that ignore the loops of the robot.

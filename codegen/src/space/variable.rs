@@ -116,8 +116,8 @@ impl Variable {
             (Self::Qdd | Self::QddChange, Kind::Translation) => "m/s²",
             (Self::Tau | Self::TauChange | Self::Wrench | Self::Actions, Kind::Rotation) => "N m",
             (Self::Tau | Self::TauChange | Self::Wrench | Self::Actions, Kind::Translation) => "N",
-            (_, Kind::Moment(_) | Kind::Actuator { .. }) => {
-                panic!("no argument is over parameters")
+            (_, Kind::Moment(_) | Kind::Actuator { .. } | Kind::Frame) => {
+                panic!("no argument is over parameters or frames")
             }
         }
     }
@@ -152,7 +152,7 @@ impl Variable {
             (Self::Q, Kind::Translation | Kind::Quaternion)
             | (Self::Qd, Kind::Translation)
             | (Self::Weights, _) => Some(1.0),
-            (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Actuator { .. }) => None,
+            (Self::Tau, _) | (_, Kind::Moment(_) | Kind::Actuator { .. } | Kind::Frame) => None,
             (Self::Qd | Self::Qdd, _) => Some(10.0),
             (Self::Wrench | Self::Actions, _) => Some(100.0),
             (Self::QChange | Self::QdChange | Self::QddChange | Self::TauChange, _) => Some(1.0),

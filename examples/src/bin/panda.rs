@@ -57,9 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "                                          mul  add trig dense      f64     f32  generated generic ratio"
     );
-    let all = Function::ALL.into_iter();
-    // A chain does not know its base parameters.
-    for function in all.filter(|&function| function != Function::BaseRegressor) {
+    for function in bound::functions() {
         let operation_count = operation_counts.of(function);
         let [wide, single] = errors(function, &states);
         let (generated, generic) = times(function, &states[..64]);

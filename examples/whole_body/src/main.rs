@@ -23,7 +23,7 @@ use step::{BASE, Contact, Equation, Limits, Step, step};
 #[robot(frames("base", "fl_foot", "fr_foot", "hl_foot", "hr_foot"))]
 #[robot(external("fl_foot", "fr_foot", "hl_foot", "hr_foot", frame = 0))]
 #[robot(generate(
-    forward_kinematics,
+    frame_poses,
     geometric_jacobian,
     geometric_jacobian_rate,
     all_of(mass_matrix, bias),
@@ -117,13 +117,8 @@ fn standing() -> Coordinates {
 }
 
 fn feet(q: &Coordinates) -> [Vector; FEET] {
-    let poses = [
-        Quadruped.forward_kinematics_of_fl_foot(q),
-        Quadruped.forward_kinematics_of_fr_foot(q),
-        Quadruped.forward_kinematics_of_hl_foot(q),
-        Quadruped.forward_kinematics_of_hr_foot(q),
-    ];
-    poses.map(|pose| pose.translation())
+    let [_, feet @ ..] = Quadruped.frame_poses(q);
+    feet.map(|pose| pose.translation())
 }
 
 fn jacobians(q: &Coordinates) -> [[Screw<f64>; VELOCITIES]; FEET] {
@@ -167,7 +162,7 @@ fn control(
     let error: [f64; BASE] = from_fn(|i| apart[i]);
 
     // In the axes of the trunk, like its velocities.
-    let axes = Quadruped.forward_kinematics_of_base(q);
+    let [axes, ..] = Quadruped.frame_poses(q);
     let turned = |v: [f64; 4]| -> [f64; BASE] {
         let turned: Vector = from_fn(|i| (0..3).map(|k| axes.rotation()[k][i] * v[k]).sum());
         from_fn(|i| {

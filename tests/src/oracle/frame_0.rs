@@ -125,6 +125,12 @@ pub fn evaluate(
     };
     match function {
         Function::ForwardKinematics => positions.of_frame(at()).rows(),
+        Function::FramePoses => {
+            let frames = robot.frames.iter();
+            frames
+                .flat_map(|&frame| positions.of_frame(frame).rows())
+                .collect()
+        }
         Function::SpatialJacobian => jacobian(robot, &positions, at(), &Matrix::identity()),
         Function::BodyJacobian => {
             jacobian(robot, &positions, at(), &positions.of_frame(at()).inverse())

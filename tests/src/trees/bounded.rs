@@ -10,7 +10,7 @@ use homogen_codegen::range::Range;
 use homogen_codegen::schedule::run;
 use homogen_codegen::space::{FrameId, Space, Variable};
 
-use super::prepared::{Prepared, id};
+use super::prepared::Prepared;
 use crate::arguments::Arguments;
 use crate::big::Big;
 use crate::climb::{any, of_results};
@@ -32,8 +32,8 @@ impl Prepared<'_> {
         random: &mut Random,
     ) -> Option<(f64, String)> {
         let (chain, frame) = (self.chain(), FrameId::FIRST);
-        let link = chain.frames.get(frame).map(|frame| id(&frame.name));
-        if function.of_a_frame() && link.is_none() {
+        let links = self.links_of(function, frame);
+        if function.needs_a_frame() && links.is_empty() {
             return None;
         }
         let program =
@@ -48,7 +48,7 @@ impl Prepared<'_> {
         let bounds = of_results(chain, function, &bound.bounds);
         let bounds = self.in_order(function, &bounds);
         let mut robot = self.dense().robot.clone();
-        robot.frames = link.iter().map(|&link| self.dense().body(link)).collect();
+        robot.frames = links.iter().map(|&link| self.dense().body(link)).collect();
         let mut worst = (0.0, String::new());
         for _ in 0..states {
             let state = self.within_range::<T>(random);

@@ -105,7 +105,7 @@ fn forward(chain: &Chain, random: &mut Random) -> Forward {
 }
 
 fn by(chain: &Chain, function: Function, random: &mut Random) -> Choice {
-    let mut layouts = if function.of_a_frame() {
+    let mut layouts = if function.needs_a_frame() {
         Layout::for_kinematics(chain)
     } else {
         Layout::for_dynamics(chain)

@@ -59,11 +59,11 @@ enum Change {
 }
 
 impl Measure {
-    /// The measure for functions of a link's frame, or of the whole robot.
+    /// The measure for functions of the frame of a link, of those of several, or of the whole robot.
     #[must_use]
-    pub fn of(dense: &Dense, link: Option<usize>, in_frame_0: bool) -> Self {
+    pub fn of(dense: &Dense, links: &[usize], in_frame_0: bool) -> Self {
         let mut robot = dense.robot.clone();
-        robot.frames = link.iter().map(|&link| dense.body(link)).collect();
+        robot.frames = links.iter().map(|&link| dense.body(link)).collect();
         let gravity = robot.gravity.column().map(|entry| entry.to_f64().abs());
         let reach = dense.reach;
         let share = if in_frame_0 { 1.0 } else { 0.01 };
@@ -174,7 +174,9 @@ impl Measure {
         let expected = || frame_0::evaluate(&self.robot, function, 0, arguments);
         let compared = |size: &dyn Fn(usize) -> f64| largest(found, &expected(), size);
         match function {
-            Function::ForwardKinematics => compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 }),
+            Function::ForwardKinematics | Function::FramePoses => {
+                compared(&|k| if k % 4 == 3 { self.reach } else { 1.0 })
+            }
             Function::TipVelocity => compared(&|k| rates * if k < 3 { 1.0 } else { self.arm }),
             Function::TipAcceleration => {
                 let rates = self.gain * sum(&arguments[Variable::Qdd]) + rates * rates;

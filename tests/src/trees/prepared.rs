@@ -144,7 +144,7 @@ impl<'r> Prepared<'r> {
     /// A description of the failure.
     pub fn check(&self, case: Case) -> Result<Outcome, String> {
         let frames = self.chain.frames.len();
-        if case.function.of_a_frame() && frames == 0 {
+        if case.function.needs_a_frame() && frames == 0 {
             return Ok(Outcome::NotApplicable);
         }
         let frame = FrameId::new(case.frame % frames.max(1));
@@ -347,7 +347,7 @@ impl<'r> Prepared<'r> {
     /// True if a mimic joint cancels the motion of its mimicked joint so nearly that rounding leaves at most half of
     /// the digits of accelerations.
     fn cancels(&self) -> bool {
-        let measure = Measure::of(&self.dense, None, false);
+        let measure = Measure::of(&self.dense, &[], false);
         let is_lost = |at: &Arguments| measure.rounding_of_accelerations(at) > f64::EPSILON.sqrt();
         !self.chain.all_lead() && self.states.iter().any(is_lost)
     }
@@ -382,10 +382,18 @@ impl<'r> Prepared<'r> {
 
     /// The largest relative error of a result.
     fn error(&self, case: Case, frame: FrameId, found: &[f64], arguments: &Arguments) -> f64 {
-        let link = self.chain.frames.get(frame).map(|frame| id(&frame.name));
-        let measure = Measure::of(&self.dense, link, case.in_frame_0());
+        let links = self.links_of(case.function, frame);
+        let measure = Measure::of(&self.dense, &links, case.in_frame_0());
         let found = self.in_order(case.function, found);
         measure.error(case.function, &found, arguments)
+    }
+
+    /// The link of the frame of a function, or those of all frames.
+    pub(super) fn links_of(&self, function: Function, frame: FrameId) -> Vec<usize> {
+        let frames = &self.chain.frames;
+        let is_of = |k: FrameId| k == frame || !function.of_a_frame();
+        let frames = frames.numbered().filter(|(k, _)| is_of(*k));
+        frames.map(|(_, frame)| id(&frame.name)).collect()
     }
 
     /// A result in the order of the dense robot's velocities.
@@ -395,11 +403,13 @@ impl<'r> Prepared<'r> {
             order[self.place(Space::Velocities, velocity)] = velocity;
         }
         let parameters = self.parameters();
+        let frames: Vec<usize> = (0..self.chain.frames.len()).collect();
         let result = function.result();
         let parts = result.parts().zip(result.split(self.chain.spaces(), found));
         let parts = parts.map(|((_, part), found)| {
             let orders = part.over.iter().map(|space| match space {
                 Space::Parameters => &*parameters,
+                Space::Frames => &*frames,
                 _ => &*order,
             });
             permuted(found, &orders.collect::<Vec<_>>())

@@ -3,7 +3,7 @@
 //! Errors are in units of rounding of the type, times the largest entry of the result in any state.
 //! Limits are a few times the worst measured error.
 
-use homogen::{Chain, Real};
+use homogen::{Chain, Pose, Real, Robot};
 use homogen_robots::for_every_robot;
 use homogen_robots::shipped::{
     PandaClass, Puma560, Puma560General, Quadruped, Scara, Stanford, StanfordGeneral, Together,
@@ -82,3 +82,32 @@ macro_rules! agreement {
     };
 }
 for_every_robot!(agreement);
+
+/// The base and the feet of a quadruped that floats.
+#[derive(Robot)]
+#[robot(urdf = "../robots/quadruped.urdf", floating, tip = "fl_foot")]
+#[robot(frames("base", "fr_foot", "hl_foot", "hr_foot"))]
+#[robot(generate(frame_poses, forward_kinematics))]
+struct Feet;
+
+#[test]
+fn poses_of_all_frames_are_those_of_each_in_the_order_of_their_names() {
+    let chain = Feet::chain();
+    let mut random = Random::new(2);
+    let mut worst = Worst::in_units_of(DOUBLE);
+    for _ in 0..count() {
+        let State { q, .. } = State::of(&chain, &mut random);
+        let each = [
+            Feet.forward_kinematics(&q),
+            Feet.forward_kinematics_of_base(&q),
+            Feet.forward_kinematics_of_fr_foot(&q),
+            Feet.forward_kinematics_of_hl_foot(&q),
+            Feet.forward_kinematics_of_hr_foot(&q),
+        ];
+        let blocks = |pose: &Pose<f64>| functions::of_the_tip(pose, &[]);
+        for (found, expected) in Feet.frame_poses(&q).iter().zip(&each) {
+            worst.note(&blocks(found), &blocks(expected));
+        }
+    }
+    worst.assert_within(8.0);
+}

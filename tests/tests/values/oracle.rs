@@ -95,7 +95,7 @@ fn agree_within(
     assert!(robot.quaternions().eq(spaces.quaternions().map(Id::index)));
     assert_eq!(robot.frames.len(), chain.frames.len());
     let functions: Vec<Function> = frame_0::functions()
-        .filter(|function| !function.of_a_frame() || !chain.frames.is_empty())
+        .filter(|function| !function.needs_a_frame() || !chain.frames.is_empty())
         .chain(OF_LOOPS.into_iter().filter(|_| !chain.loops.is_empty()))
         .collect();
     let frame = chain.frames.ids().last().unwrap_or(FrameId::FIRST);

@@ -114,7 +114,7 @@ fn hold(description: &Description, request: &Request) {
         if !(request.exact && IN_EVERY_LAYOUT.contains(&function)) {
             continue;
         }
-        let layouts = if function.of_a_frame() {
+        let layouts = if function.needs_a_frame() {
             Layout::for_kinematics(&chain)
         } else {
             Layout::for_dynamics(&chain)

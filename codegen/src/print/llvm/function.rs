@@ -90,15 +90,17 @@ impl<'l> Function<'l> {
                 }];
             }
         };
-        let results = results(&generated.functions).into_iter();
-        let results = results.map(|(name, quantity)| {
-            let lengths = quantity.lengths(&self.module.spaces);
-            let lengths = lengths.iter().chain(quantity.entity.dimensions());
-            Pointer {
-                len: lengths.product(),
-                name,
-                below: below(quantity.entity),
-            }
+        let results = results(&generated.functions);
+        let is_only = results.len() == 1;
+        let results = results.into_iter().map(|(name, quantity)| Pointer {
+            name,
+            // In the order of arrays, results have fourth rows below each of several matrices.
+            len: if is_only {
+                generated.program.results.len()
+            } else {
+                quantity.size(&self.module.spaces)
+            },
+            below: below(&quantity),
         });
         results.collect()
     }

@@ -284,7 +284,8 @@ fn rows(quantity: &Quantity) -> Option<&'static str> {
     let of_each = !quantity.over.is_empty();
     Some(match (quantity.entity, of_each) {
         (Entity::Number, _) => return None,
-        (Entity::Pose, _) => "the 4×4 matrix",
+        (Entity::Pose, false) => "the 4×4 matrix",
+        (Entity::Pose, true) => "the 4×4 matrix of each frame",
         (Entity::Acceleration, _) => "the 4×4 matrix (G, a)",
         (Entity::Velocity, _) => "ω, then v",
         (Entity::Point | Entity::Vector, false) => "x, y, z",

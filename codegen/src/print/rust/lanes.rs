@@ -83,11 +83,13 @@ fn method(
             let (own, others) = rest.split_at(size.min(rest.len()));
             rest = others;
             let under = under(quantity.entity).iter().map(|&value| constant(value));
-            let size = literal(size + under.len());
-            (
-                quote! { [#number; #size] },
-                quote! { [#(#own,)* #(#under),*] },
-            )
+            let under: Vec<_> = under.collect();
+            let whole = own.chunks(quantity.entity.size());
+            let whole: Vec<_> = whole
+                .flat_map(|entity| entity.iter().chain(&under))
+                .collect();
+            let size = literal(whole.len());
+            (quote! { [#number; #size] }, quote! { [#(#whole),*] })
         })
         .unzip();
     let bound = dialect.bound();

@@ -52,6 +52,26 @@ fn says_the_shape_and_the_rows() {
 }
 
 #[test]
+fn poses_of_several_frames_are_a_list_with_their_names() {
+    let states = r#"{"states":[{"q":[0.5,1,0.25]}]}"#;
+    let all = eval(
+        "--function frame_poses --tip hand --frame camera --format json",
+        states,
+    );
+    let all: Value = serde_json::from_str(&all.output).expect("JSON");
+    assert_eq!(all["frames"], json!(["hand", "camera"]));
+    assert_eq!(all["shape"], json!([2, 4, 4]));
+    for (place, frame) in ["hand", "camera"].iter().enumerate() {
+        let one = eval(
+            &format!("--function forward_kinematics --tip {frame} --format json"),
+            states,
+        );
+        let one: Value = serde_json::from_str(&one.output).expect("JSON");
+        assert_eq!(all["results"][0][place], one["results"][0]);
+    }
+}
+
+#[test]
 fn several_quantities_are_an_object() {
     let states = r#"{"states":[{"q":[0.5,1,0.25],"qd":[0,0,0],"qdd":[0,0,0]}]}"#;
     let of = |function: &str| -> Value {

@@ -142,7 +142,7 @@ fn a_file_lists_functions_left_out_at_its_head_and_above_the_struct() {
         .runtime("::homogen")
         .scalar(Real::F64);
     let text = built.to_source().expect("no mistakes").to_string();
-    let line = "Left out: `forward_kinematics`, `spatial_jacobian`,";
+    let line = "Left out: `forward_kinematics`, `frame_poses`, `spatial_jacobian`,";
     assert!(
         text.contains(&format!("    /// {line}")),
         "no line above `chain`"

@@ -3,7 +3,7 @@
 //! In: a quantity and the operands of its results. Out: sizes, and the place in the array of each entry that is not a
 //! structural zero, column by column.
 
-use crate::print::arrays::{below, has_columns};
+use crate::print::arrays::{fourth_row, has_columns};
 use crate::print::c::declarations::lengths;
 use crate::schedule::Operand;
 use crate::space::{Quantity, Spaces};
@@ -17,7 +17,7 @@ pub(super) enum Source {
     One,
 }
 
-/// A sparse matrix; several matrices of a result stand beside each other, row by row.
+/// A sparse matrix. Several matrices of a result stand beside each other, row by row; several poses one below the other.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Matrix {
     pub rows: usize,
@@ -31,13 +31,15 @@ pub(super) struct Matrix {
 impl Matrix {
     /// Matrix of a result.
     pub fn of(quantity: &Quantity, spaces: &Spaces, operands: &[Operand]) -> Self {
+        if let Some(last) = fourth_row(quantity.entity) {
+            return Self::of_four_rows(last, operands);
+        }
         let lengths = lengths(quantity, spaces);
         let (rows, columns) = match *lengths {
             [] => (1, 1),
             [rows] => (rows, 1),
             [rows, ref columns @ ..] => (rows, columns.iter().product()),
         };
-        let last = below(quantity.entity);
         let is_transposed = quantity.over.len() == 1 && has_columns(quantity);
         let mut entries = Vec::new();
         for (place, operand) in operands.iter().enumerate() {
@@ -58,12 +60,24 @@ impl Matrix {
         } else {
             ([rows, columns], [columns, 1])
         };
-        let Some(last) = last else {
-            return Self::sorted(shape, entries, strides);
-        };
-        let ones = last.iter().enumerate().filter(|(_, entry)| **entry != 0.0);
-        entries.extend(ones.map(|(column, _)| (rows, column, Source::One)));
-        Self::sorted([rows + 1, columns], entries, strides)
+        Self::sorted(shape, entries, strides)
+    }
+
+    /// Matrices of which the array has three rows.
+    fn of_four_rows(last: [f64; 4], operands: &[Operand]) -> Self {
+        let mut entries = Vec::new();
+        let matrices = operands.chunks(12).enumerate();
+        for (matrix, operands) in matrices.clone() {
+            for (place, operand) in operands.iter().enumerate() {
+                if *operand != Operand::Literal(0.0) {
+                    let place_of_all = Source::Place(12 * matrix + place);
+                    entries.push((4 * matrix + place / 4, place % 4, place_of_all));
+                }
+            }
+            let ones = last.iter().enumerate().filter(|(_, entry)| **entry != 0.0);
+            entries.extend(ones.map(|(column, _)| (4 * matrix + 3, column, Source::One)));
+        }
+        Self::sorted([4 * matrices.len(), 4], entries, [4, 1])
     }
 
     fn sorted(
@@ -159,6 +173,27 @@ mod tests {
         let pattern = "4 4 0 0 3 6 10 0 1 2 0 1 2 0 1 2 3";
         assert_eq!(matrix.pattern().join(" "), pattern);
         assert_eq!(matrix.places().join(" "), "1 5 9 2 6 10 3 7 11 -1");
+    }
+
+    #[test]
+    fn several_poses_stand_one_below_the_other() {
+        let (_, poses) = Function::FramePoses.result().parts().next().unwrap();
+        let operands = [Operand::Literal(2.0); 24];
+        let matrix = Matrix::of(&poses, &Spaces::default(), &operands);
+        assert_eq!((matrix.rows, matrix.columns), (8, 4));
+        let column = |wanted: usize| {
+            let of = matrix.entries.iter().filter(move |entry| entry.1 == wanted);
+            of.map(|&(row, _, source)| (row, source))
+                .collect::<Vec<_>>()
+        };
+        let translations = [(0, 3), (1, 7), (2, 11), (4, 15), (5, 19), (6, 23)];
+        let mut last = translations
+            .map(|(row, place)| (row, Source::Place(place)))
+            .to_vec();
+        last.extend([(3, Source::One), (7, Source::One)]);
+        last.sort_by_key(|(row, _)| *row);
+        assert_eq!(column(3), last);
+        assert_eq!(column(0).len(), 6);
     }
 
     #[test]

@@ -29,7 +29,9 @@ def flat(value):
 
 
 def matrix(value):
-    """A number, a list or a list of rows as a matrix of CasADi."""
+    """A number, a list or a list of rows as a matrix of CasADi; matrices of a list one below the other."""
+    if isinstance(value, list) and isinstance(value[0], list) and isinstance(value[0][0], list):
+        return ca.vertcat(*map(matrix, value))
     rows = value if isinstance(value, list) else [value]
     rows = [row if isinstance(row, list) else [row] for row in rows]
     return ca.vertcat(*[ca.horzcat(*row) for row in rows])

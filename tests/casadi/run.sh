@@ -33,13 +33,14 @@ robots=(
     "robots/stanford_class.dh --functions $dynamics --section 300"
     "robots/quadruped.urdf --tip fl_foot --functions $dynamics"
     "robots/quadruped.urdf --floating --tip fl_foot --functions inverse_dynamics,forward_kinematics,inverse_dynamics_derivatives,mass_matrix"
+    "robots/quadruped.urdf --floating --frames base,fl_foot,hr_foot --functions frame_poses"
     "robots/two_link.urdf --external fore --functions inverse_dynamics,forward_dynamics,inverse_dynamics_derivatives,mass_matrix"
     "robots/two_link.urdf --functions inverse_dynamics,inverse_dynamics_derivatives,constraint,constraint_jacobian --loop"
     "robots/two_link.urdf --functions inverse_dynamics,bias,forward_dynamics,inverse_dynamics_vjp,forward_dynamics_vjp"
     "robots/panda_class.urdf --tip link8 --functions $dynamics,inverse_dynamics_vjp,forward_dynamics_vjp"
 )
 loop='pin: rod(0.5) { from: fore, to: base, at: xyz(0.3, 0, 0) }'
-robots[8]="${robots[8]} '$loop'"
+robots[9]="${robots[9]} '$loop'"
 "$folder/python/bin/python" -W error tests/casadi/compare.py "$homogen" "$folder" "${robots[@]}"
 "$folder/python/bin/python" -W error tests/casadi/trajectory.py "$homogen" "$folder"
 "$folder/python/bin/python" -W error tests/casadi/steps.py "$homogen" "$folder"

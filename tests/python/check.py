@@ -94,7 +94,8 @@ class Package:
         q = random.uniform(-2, 2, (count, robot.NQ))
         for first in np.flatnonzero([name.endswith(".qx") for name in robot.coordinate_names]):
             q[:, first : first + 4] /= np.linalg.norm(q[:, first : first + 4], axis=1, keepdims=True)
-        rates = {name: random.uniform(-2, 2, (count, robot.NV)) for name in ("qd", "qdd", "tau", "weights")}
+        over_velocities = "qd", "qdd", "tau", "weights", "q_change", "qd_change", "qdd_change", "tau_change"
+        rates = {name: random.uniform(-2, 2, (count, robot.NV)) for name in over_velocities}
         links = sum(len(text.split(",")) for text in following(self.options, "--external"))
         actions = random.uniform(-2, 2, (count, links, 6))
         wrench = random.uniform(-2, 2, (count, 6))
@@ -163,6 +164,14 @@ def results_are_those_of_eval(package):
         if frame:
             # Equal identifiers are distinguished by underscores, in the requested order.
             wanted = wanted[len(frame) - len(frame.rstrip("_"))]
+        if function == "frame_poses":
+            # `eval` has one further frame at most. The poses of one alone may be computed in another order.
+            frames = [None] * hasattr(package.robot, "forward_kinematics") + package.frames
+            each = [package.eval("forward_kinematics", frame, states)["results"] for frame in frames]
+            each = np.stack([as_array(function, one, package.dtype) for one in each], axis=1)
+            near = np.allclose(many, each, rtol=0, atol=50 * np.finfo(package.dtype).eps)
+            check(many.shape == each.shape and near, f"{package.module}: {name}: the pose of each frame")
+            continue
         answer = package.eval(function, wanted, states)
         names = list(package.robot.coordinate_names), list(package.robot.velocity_names)
         check((answer["coordinates"], answer["velocities"]) == names, f"{package.module}: names")

@@ -346,15 +346,18 @@ fn first_wrong(
             return solved::first_unlike(&dense.accelerations_by_parameters()?, found);
         }
         Truth::Solution(Given::Gradient) => {
-            return solved::first_unlike(&dense.driven()?.gradient(), found);
+            return solved::first_unlike(&dense.with_accelerations()?.gradient(), found);
         }
         Truth::Solution(Given::Change) => {
-            return solved::first_unlike(&dense.driven()?.change(), found);
+            return solved::first_unlike(&dense.with_accelerations()?.change(), found);
         }
         Truth::Solution(Given::Hessian) => {
             let direction = direction(dense, function);
             let contracted = sums_of_rows(found, &direction);
-            return solved::first_unlike(&dense.driven()?.hessian(&direction), &contracted);
+            return solved::first_unlike(
+                &dense.with_accelerations()?.hessian(&direction),
+                &contracted,
+            );
         }
     };
     assert_eq!(expected.len(), found.len());

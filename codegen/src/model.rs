@@ -445,7 +445,7 @@ pub(crate) fn equation<'g>(
     terms
 }
 
-/// The derivatives by q and q̇ of the torques of accelerations relative to the fall of a free base, by rows.
+/// The derivatives by q and q̇ of the torques of accelerations relative to the fall of a floating base, by rows.
 pub(crate) fn torque_derivatives<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,
@@ -456,7 +456,8 @@ pub(crate) fn torque_derivatives<'g>(
     falling.torque_derivatives(&qdd).map(Vec::from).concat()
 }
 
-/// The acceleration of the fall of a free base, and its derivatives by q and q̇, by rows; zeros if the base is fixed.
+/// The acceleration of the fall of a floating base, and its derivatives by q and q̇, by rows; zeros if the base is
+/// fixed.
 pub(crate) fn free_fall<'g>(graph: &'g Graph, bodies: &Bodies<'g>) -> Vec<Term<'g>> {
     let scene = Scene::new(graph, bodies, FrameId::FIRST, Algorithm::PLAIN);
     let falling = FreeFall::of(&scene);
@@ -478,7 +479,7 @@ pub(crate) fn equation_at_rest<'g>(
     terms
 }
 
-/// The motion in the articulated-body recursion, of a free base relative to its fall: see [`articulated::motion`].
+/// The motion in the articulated-body recursion, of a floating base relative to its fall: see [`articulated::motion`].
 pub(crate) fn articulated_motion<'g>(
     graph: &'g Graph,
     bodies: &Bodies<'g>,

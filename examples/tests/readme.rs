@@ -49,7 +49,7 @@ fn the_excerpt_is_what_the_code_generator_prints() {
     let operation_count = printed
         .lines()
         .find(|line| line.contains(" mul, "))
-        .expect("a price");
+        .expect("an operation count");
     assert!(
         operation_count.contains("17 mul, 10 add"),
         "{operation_count}"

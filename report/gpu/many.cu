@@ -5,9 +5,9 @@
 // alone and with copies from and to the host's pinned memory; how many numbers of the file's states differ from what
 // the host computes by the same source, and by how much of their largest at most.
 //
-// SOURCE is the file in C, FUNCTION a function of it, REAL its type of number, NQ and NV the lengths of a posture and
-// of what has an entry a velocity: it takes q, q̇ and one more, and gives one. States stand coordinate by coordinate,
-// so that neighbouring threads read neighbouring numbers.
+// SOURCE is the file in C, FUNCTION a function of it, REAL its type of number, NQ the length of a configuration, NV that
+// of arrays with an entry for each velocity: it takes q, q̇ and one more, and gives one. States stand coordinate by
+// coordinate, so that neighbouring threads read neighbouring numbers.
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@ untouched, beside Pinocchio {pinocchio} (written by `tests/zoo/run.sh`, on {mach
 Every file of the packages below is read by both. Of a link that Pinocchio cannot read it complains, and
 goes on with zeros: that counts as refused. Each of the {functions} functions is evaluated at {states} random
 states, in f64, once with right angles and zeros taken for what they are, once as written (`--exact`) and
-once so with a free base (`--floating`), and compared with Pinocchio; for the first, Pinocchio is given the
+once so with a floating base (`--floating`), and compared with Pinocchio; for the first, Pinocchio is given the
 same file with those numbers in full. Of a joint that mimics another, Pinocchio's full model is projected. Poses are compared at up to {ends} ends of a tree. An error is relative: of a
 torque, in units of the largest of its joint at these states (and of a thousandth of the largest of all);
 of M, of √(Mᵢᵢ Mⱼⱼ); of poses, Jacobians, velocities and accelerations, of the largest entry of the block
@@ -28,7 +28,7 @@ of what that is summed of. More than {limit:.0e} is a failure.
 """
 
 ROBOTS = """
-| file | joints | besides | functions | worst error | as written | with a free base |
+| file | joints | besides | functions | worst error | as written | with a floating base |
 | --- | --- | --- | --- | --- | --- | --- |
 """
 
@@ -91,7 +91,7 @@ def document(verdicts, states, ends, functions, limit):
             text += REFUSED + "".join(refusal(verdict, folder) for verdict in refused)
         still = sum(verdict.outcome == "nothing moves" for verdict in verdicts)
         if still:
-            text += f"\nNothing moves in {still} of them but a free base.\n"
+            text += f"\nNothing moves in {still} of them but a floating base.\n"
     return text
 
 

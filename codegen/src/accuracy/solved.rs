@@ -12,8 +12,8 @@
 //! * n − 1 of each of two substitutions, and 2 of x = y (1/D) between them;
 //! * 1 of b = τ − bias, since b is M q̈; and 1 for all products of these.
 //!
-//! The accelerations of a free base are solved for relative to its fall, and f is added: its error and the rounding of
-//! the sum, Δq̈, are torques M Δq̈.
+//! The accelerations of a floating base are solved for relative to its fall, and f is added: its error and the rounding
+//! of the sum, Δq̈, are torques M Δq̈.
 //!
 //! Pivots are positive where M + ΔM is positive definite: with a bound S of |ΔM|, and
 //! xᵢ² ≤ (M⁻¹)ᵢᵢ xᵗM x, that is where Σ Sᵢⱼ √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ) < 1.
@@ -98,7 +98,8 @@ pub fn of_refined_inverse(
 }
 
 /// Bounds accelerations by the factors of the mass matrix, after some refinements. The first program computes the mass
-/// matrix, the bias and the inverse dynamics, of accelerations relative to the fall of a free base; the second that fall.
+/// matrix, the bias and the inverse dynamics, of accelerations relative to the fall of a floating base; the second that
+/// fall.
 #[must_use]
 pub fn of_accelerations(
     chain: &Chain,
@@ -125,7 +126,7 @@ pub fn of_accelerations(
 /// Bounds the derivatives of accelerations by coordinates and velocities: the error of the derivatives of τ, at the
 /// accelerations found, for which each column is exact, with an M of its own as for a column of the inverse. The
 /// first program computes the mass matrix and the torques at q̈ = 0, the second the derivatives by q and q̇ of the
-/// torques that produce q̈, both relative to the fall of a free base; the third that fall.
+/// torques that produce q̈, both relative to the fall of a floating base; the third that fall.
 #[must_use]
 pub fn of_derivatives(
     chain: &Chain,

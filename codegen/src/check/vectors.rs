@@ -280,12 +280,12 @@ fn truth(
             Some(found)
         }
         Truth::Solution(Given::Regressor) => dense.accelerations_by_parameters(),
-        Truth::Solution(Given::Gradient) => Some(dense.driven()?.gradient()),
-        Truth::Solution(Given::Change) => Some(dense.driven()?.change()),
+        Truth::Solution(Given::Gradient) => Some(dense.with_accelerations()?.gradient()),
+        Truth::Solution(Given::Change) => Some(dense.with_accelerations()?.change()),
         Truth::Solution(Given::Hessian) => {
-            let driven = dense.driven()?;
+            let solved = dense.with_accelerations()?;
             Some(rows_of(dense.state.velocities(), |unit| {
-                driven.hessian(unit)
+                solved.hessian(unit)
             }))
         }
     }

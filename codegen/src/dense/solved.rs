@@ -70,10 +70,10 @@ impl Dense {
     }
 
     /// The motion that τ produces, and y = M⁻¹ λ.
-    pub(crate) fn driven(&self) -> Option<Driven<'_>> {
+    pub(crate) fn with_accelerations(&self) -> Option<Accelerated<'_>> {
         let solver = Solver::of(self)?;
         let accelerations = solver.solution(&self.unbalanced_torques());
-        Some(Driven {
+        Some(Accelerated {
             dense: self,
             y: solver.solution(&self.state.of_velocities(Variable::Weights)),
             by_motion: self.torque_derivatives_of(accelerations.clone()),
@@ -84,7 +84,7 @@ impl Dense {
 }
 
 /// The motion that τ produces, with what all derivatives of λᵀq̈ are made of.
-pub(crate) struct Driven<'d> {
+pub(crate) struct Accelerated<'d> {
     dense: &'d Dense,
     solver: Solver<'d>,
     accelerations: Vector,
@@ -94,7 +94,7 @@ pub(crate) struct Driven<'d> {
     by_motion: [Square<VelocityId, Approximate>; 2],
 }
 
-impl Driven<'_> {
+impl Accelerated<'_> {
     /// The derivatives of λᵀq̈ by q, q̇ and τ.
     pub(crate) fn gradient(&self) -> Vec<Approximate> {
         let by_motion = self.by_motion.iter();

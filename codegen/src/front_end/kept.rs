@@ -5,9 +5,11 @@
 //! that is missing, of other tokens or engines, or cut short is as good as none, and so is a folder that cannot be
 //! written.
 
+use std::cmp::Reverse;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
@@ -16,8 +18,8 @@ use syn::LitStr;
 use crate::description::Source;
 use crate::description::fingerprint::fingerprint;
 
-/// The most files in the folder; an expansion of all functions has some megabytes.
-const MOST: usize = 64;
+/// The most bytes in the folder: a few hundred arms, or a dozen humanoids with all functions.
+const MOST: u64 = 256 << 20;
 
 /// A folder of expansions by one engine.
 pub struct Kept<'k> {
@@ -101,7 +103,7 @@ impl Entry<'_> {
         })
     }
 
-    /// Keeps an expansion, and removes the oldest ones beyond a number.
+    /// Keeps an expansion, and removes the oldest ones where there are too many.
     pub(super) fn keep(&self, Expansion { robot, warnings }: &Expansion) {
         let code = quote! { { #(#warnings)* } { #robot } }.to_string();
         let (folder, path) = (self.kept.folder, self.path());
@@ -116,13 +118,25 @@ impl Entry<'_> {
             return;
         }
         let files = fs::read_dir(folder).into_iter().flatten().flatten();
-        let files = files.filter_map(|file| Some((file.metadata().ok()?.modified().ok()?, file)));
-        let mut files: Vec<_> = files.collect();
-        files.sort_by_key(|(modified, _)| std::cmp::Reverse(*modified));
-        for (_, file) in files.iter().skip(MOST) {
-            let _ = fs::remove_file(file.path());
+        let files = files.filter_map(|file| {
+            let about = file.metadata().ok()?;
+            Some((about.modified().ok()?, about.len(), file.path()))
+        });
+        for path in surplus(files.collect()) {
+            let _ = fs::remove_file(path);
         }
     }
+}
+
+/// The oldest of some files with their lengths, beyond the most bytes; never the newest.
+fn surplus(mut files: Vec<(SystemTime, u64, PathBuf)>) -> impl Iterator<Item = PathBuf> {
+    files.sort_by_key(|(modified, ..)| Reverse(*modified));
+    let mut bytes = 0;
+    files.into_iter().filter_map(move |(_, length, path)| {
+        let fits = bytes == 0 || bytes + length <= MOST;
+        bytes += length;
+        (!fits).then_some(path)
+    })
 }
 
 #[cfg(test)]

@@ -44,12 +44,12 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let falling = FreeFall::of(scene);
     let scene = falling.scene();
     let relative = forward_dynamics::accelerations(scene);
-    let driven = change::at_constant_accelerations(scene, &relative);
+    let by_motion = change::at_constant_accelerations(scene, &relative);
     let changes = scene.entries(Variable::TauChange);
     let forces = changes
         .iter()
-        .zip(driven)
-        .map(|(&all, driven)| all - driven);
+        .zip(by_motion)
+        .map(|(&all, by_motion)| all - by_motion);
     let forces: List<VelocityId, _> = forces.collect();
     let relative_change = forward_dynamics::by_forces(scene, |k| forces[k]);
     let change = relative_change

@@ -1,4 +1,4 @@
-//! A free base: the motion relative to free fall.
+//! A floating base: the motion relative to free fall.
 //!
 //! In: bodies, and a state. Out: for a robot whose bodies are all carried by one floating joint, the acceleration
 //! f = Rᵗ g − ω × v of the base where no force acts, in the axes of the base, with the rotation R, the velocity v and
@@ -17,7 +17,7 @@ use crate::list::{Id, List, Square};
 use crate::matrix::{Pose, Vector};
 use crate::space::{CoordinateId, Variable, VelocityId};
 
-/// The coordinates and velocities of a free base.
+/// The coordinates and velocities of a floating base.
 #[derive(Clone, Copy)]
 struct FreeBase<'g> {
     /// Its first coordinate.
@@ -31,7 +31,7 @@ struct FreeBase<'g> {
 }
 
 impl<'g> FreeBase<'g> {
-    /// The free base of some bodies; `None` if one of them hangs on a base that is fixed, or if a resistance or an
+    /// The floating base of some bodies; `None` if one of them hangs on a base that is fixed, or if a resistance or an
     /// inertia of an actuator acts along v.
     fn of(bodies: &Bodies<'g>) -> Option<Self> {
         let mut roots = bodies.bodies.iter().filter(|body| body.parent.is_none());

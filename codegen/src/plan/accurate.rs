@@ -88,25 +88,26 @@ impl<'s> Trial<'s> {
 
     /// Measures a form in its cheapest layout, if it can still be the cheapest.
     fn measure(&mut self, form: Form) {
+        let mut made = Vec::new();
         // A form that costs far more in the layout of the best one is not tried in others.
         if let Some((least, before)) = &self.best {
-            let (layout, algorithm) = (before.layout, before.algorithm);
-            let (cost, _) = self.search.within(form, &[layout], &[algorithm]);
-            if cost > DEAR * least / 4 {
+            let found = self.search.like(before, form, &mut made);
+            if found.0 > DEAR * least / 4 {
                 return;
             }
+            made.push(found);
         }
         // Nor is one that is far from accurate in one layout.
         if let Some(before) = self.tried.first() {
-            let (layout, algorithm) = (before.found.layout, before.found.algorithm);
-            let (_, first) = self.search.within(form, &[layout], &[algorithm]);
+            let (cost, first) = self.search.like(&before.found, form, &mut made);
             let found = self.measured(first);
             if found.error.worst > FAR * ENOUGH {
                 let cost = None;
                 return self.tried.push(Tried { cost, found });
             }
+            made.push((cost, found));
         }
-        let mut layouts = self.search.by_cost(form).into_iter();
+        let mut layouts = self.search.by_cost(form, made).into_iter();
         let (cost, found) = layouts.next().expect("there is at least one layout");
         if (self.best.as_ref()).is_some_and(|(least, _)| *least <= cost) {
             return;
@@ -142,7 +143,7 @@ impl<'s> Trial<'s> {
         if found.error.worst <= BARELY || full == Form::of(found.algorithm) {
             return found;
         }
-        let (more, full) = (self.search).within(full, &[found.layout], &[found.algorithm]);
+        let (more, full) = self.search.like(&found, full, &mut Vec::new());
         if more > cost + cost / LITTLE {
             return found;
         }

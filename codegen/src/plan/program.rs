@@ -91,7 +91,7 @@ impl<'c> Programs<'c> {
     }
 
     /// The program of the equation of motion: the mass matrix, and the torques at q̈ = 0 with external wrenches, if
-    /// there are any; with `has_residual` also the torques of given accelerations. Accelerations of a free base are
+    /// there are any; with `has_residual` also the torques of given accelerations. Accelerations of a floating base are
     /// relative to its fall.
     pub fn equation(
         &self,
@@ -115,7 +115,7 @@ impl<'c> Programs<'c> {
         })
     }
 
-    /// The program of the fall of a free base: its acceleration, and the derivatives of it by q and q̇.
+    /// The program of the fall of a floating base: its acceleration, and the derivatives of it by q and q̇.
     pub fn free_fall(&self, layout: Layout) -> Rc<Program> {
         self.get(Key::FreeFall(layout), || {
             compiled(self.chain, layout, free_fall)

@@ -67,31 +67,39 @@ impl<'a> Search<'a> {
     /// The cheapest program in a form of forward dynamics, over all layouts and algorithms; its error has not been
     /// measured.
     pub(super) fn best(&self, form: Form) -> (usize, Found) {
-        self.within(form, &self.layouts, &self.algorithms)
+        self.within(form, &self.layouts, &self.algorithms, &mut Vec::new())
     }
 
-    /// The cheapest program of each layout, the cheapest layout first; once, if layouts give the same program.
-    pub(super) fn by_cost(&self, form: Form) -> Vec<(usize, Found)> {
+    /// The cheapest program of each layout, the cheapest layout first; once, if layouts give the same program. Takes
+    /// programs of this form that have been made.
+    pub(super) fn by_cost(&self, form: Form, mut made: Vec<(usize, Found)>) -> Vec<(usize, Found)> {
         let layouts = self.layouts.chunks(1);
         let mut found: Vec<_> = layouts
-            .map(|layout| self.within(form, layout, &self.algorithms))
+            .map(|layout| self.within(form, layout, &self.algorithms, &mut made))
             .collect();
         found.sort_by_key(|(cost, _)| *cost);
         found.dedup_by(|(_, one), (_, other)| one.program == other.program);
         found
     }
 
-    /// The same as [`best`](Self::best), over some layouts and algorithms.
-    pub(super) fn within(
+    /// The program in the layout and by the algorithm of another one. Takes a program that has been made.
+    pub(super) fn like(
+        &self,
+        other: &Found,
+        form: Form,
+        made: &mut Vec<(usize, Found)>,
+    ) -> (usize, Found) {
+        self.within(form, &[other.layout], &[other.algorithm], made)
+    }
+
+    /// The same as [`best`](Self::best), over some layouts and algorithms. Takes programs that have been made.
+    fn within(
         &self,
         form: Form,
         layouts: &[Layout],
         algorithms: &[Algorithm],
+        made: &mut Vec<(usize, Found)>,
     ) -> (usize, Found) {
-        let schedule = match self.formulation.products {
-            Products::Fused if self.processor.fuses(self.scalar) => schedule,
-            Products::Fused | Products::Unfused => schedule_unfused,
-        };
         // Articulated inertias must be those of physical bodies, and a refinement is as good as its residual: regrouped
         // parameters contain masses of heavy neighbours, and their rounding errors are of that size.
         let physical =
@@ -106,23 +114,37 @@ impl<'a> Search<'a> {
                     scalar,
                     ..form.along(algorithm)
                 };
-                let (chain, functions) = (self.chain, self.functions);
-                let (graph, results) =
-                    expressions_by(chain, functions, self.frame, layout, algorithm);
-                let program = schedule(&graph, &results);
-                let cost = OperationCount::of(&program).weight(self.processor, self.scalar);
-                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                    let found = Found {
-                        program,
-                        layout,
-                        algorithm,
-                        error: MeasuredError::NONE,
-                    };
-                    best = Some((cost, found));
+                let known = (made.iter())
+                    .position(|(_, found)| (found.layout, found.algorithm) == (layout, algorithm));
+                let found = match known {
+                    Some(place) => made.swap_remove(place),
+                    None => self.make(layout, algorithm),
+                };
+                if best.as_ref().is_none_or(|(least, _)| found.0 < *least) {
+                    best = Some(found);
                 }
             }
         }
         best.expect("there is at least one layout and one way")
+    }
+
+    /// The program of a layout and an algorithm, and its cost.
+    fn make(&self, layout: Layout, algorithm: Algorithm) -> (usize, Found) {
+        let (chain, functions) = (self.chain, self.functions);
+        let (graph, results) = expressions_by(chain, functions, self.frame, layout, algorithm);
+        let schedule = match self.formulation.products {
+            Products::Fused if self.processor.fuses(self.scalar) => schedule,
+            Products::Fused | Products::Unfused => schedule_unfused,
+        };
+        let program = schedule(&graph, &results);
+        let cost = OperationCount::of(&program).weight(self.processor, self.scalar);
+        let found = Found {
+            program,
+            layout,
+            algorithm,
+            error: MeasuredError::NONE,
+        };
+        (cost, found)
     }
 }
 

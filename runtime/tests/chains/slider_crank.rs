@@ -121,7 +121,7 @@ fn dead_centres<T: Real>() {
         worst = from_fn(|k| worst[k].max(met[k]));
         assert!(
             met[0] <= 8.0 && met[1] <= 16.0,
-            "{mechanism:?} driven by joint {driver} at {alpha} {offset:+e}: {met:?} u"
+            "{mechanism:?} actuated at joint {driver} at {alpha} {offset:+e}: {met:?} u"
         );
     };
     let powers = (2..=16).map(|k| 10_f64.powi(-k));
@@ -181,7 +181,7 @@ fn rank_flag<T: Real>() {
             let by_slider = rates_at(&mechanism, 3, &q);
             assert!(by_slider.is_singular(), "{by_slider:?}");
             assert!(by_slider.residual > T::constant(0.1));
-            // The crank can drive, and the slider is at rest.
+            // The crank determines the motion, and the slider is at rest.
             let by_crank = rates_at(&mechanism, 0, &q);
             assert!(!by_crank.is_singular());
             assert!(by_crank.values[3].abs() <= T::constant(4.0) * T::EPSILON);

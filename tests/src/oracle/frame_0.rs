@@ -313,9 +313,9 @@ pub fn evaluate(
         }
         Function::ForwardDynamicsJvp => {
             let value = evaluate(robot, Function::ForwardDynamics, frame, arguments);
-            let driven = derivatives::torque_change(robot, &positions, [&qd, &value], arguments);
-            let forces = arguments[Variable::TauChange].iter().zip(driven);
-            let forces = forces.map(|(&all, driven)| vec![Big::new(all) - driven]);
+            let by_motion = derivatives::torque_change(robot, &positions, [&qd, &value], arguments);
+            let forces = arguments[Variable::TauChange].iter().zip(by_motion);
+            let forces = forces.map(|(&all, by_motion)| vec![Big::new(all) - by_motion]);
             let change = solve(mass_matrix(robot, &positions), forces.collect());
             value.into_iter().chain(change.concat()).collect()
         }

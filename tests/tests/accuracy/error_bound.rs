@@ -91,14 +91,14 @@ fn with_nothing_between() -> Asked {
 /// are carried by others; accelerations are not bounded then in single precision.
 #[test]
 fn with_quaternions_and_in_a_plane() {
-    for asked in with_postures() {
+    for asked in with_manifolds() {
         check_mobility(asked);
         check::<F64>(asked);
         check::<F32>(asked);
         check::<Fused64>(asked);
         check::<Fused32>(asked);
     }
-    let [free, every] = with_postures();
+    let [free, every] = with_manifolds();
     check_solved::<F64>(free);
     check_solved::<Fused64>(free);
     // The articulated inverse of the other robot is tested below.
@@ -113,7 +113,7 @@ fn with_quaternions_and_in_a_plane() {
 /// Largest allowed ratio of bound to error for the articulated-body algorithm with carried quaternions.
 const BY_BODIES: f64 = 3500.0;
 
-fn with_postures() -> [Asked; 2] {
+fn with_manifolds() -> [Asked; 2] {
     [
         Asked {
             floating: true,
@@ -122,7 +122,7 @@ fn with_postures() -> [Asked; 2] {
         },
         Asked {
             farthest: 800.0,
-            ..asked("every_posture", "l3")
+            ..asked("every_manifold", "l3")
         },
     ]
 }
@@ -234,7 +234,7 @@ fn by_articulated_bodies() {
         };
         check_articulated(asked, bounded);
     }
-    let [free, every] = with_postures();
+    let [free, every] = with_manifolds();
     for (asked, farthest) in [
         (free, 1500.0),
         (every, BY_BODIES),

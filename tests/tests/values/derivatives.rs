@@ -131,9 +131,9 @@ fn along_directions<R: Differentiable<N>, const N: usize, const F: usize>(
     found: &mut Worst,
 ) {
     let [by_q, by_qd, by_qdd] = &directions([q, qd, qdd]);
-    let [at, moving, driven] =
+    let [at, moving, accelerated] =
         [(q, by_q), (qd, by_qd), (qdd, by_qdd)].map(|(x, by)| Dual::pairs(x, by));
-    let expected = robot.inverse_dynamics(&at, &moving, &driven);
+    let expected = robot.inverse_dynamics(&at, &moving, &accelerated);
     let generated = robot.inverse_dynamics_jvp(q, qd, qdd, by_q, by_qd, by_qdd);
     let generic = generic::inverse_dynamics_jvp(chain, q, qd, qdd, by_q, by_qd, by_qdd);
     for TorqueChange { value, change } in [generated, generic] {

@@ -29,7 +29,7 @@ pub struct Articulated<'c> {
     pub(super) mobility: Mobility,
     pub(super) links: List<BodyId, Link>,
     pub(super) programs: Recursion,
-    /// The fall of a free base, to which the accelerations of the recursion are relative.
+    /// The fall of a floating base, to which the accelerations of the recursion are relative.
     pub(super) fall: Rc<Program>,
 }
 

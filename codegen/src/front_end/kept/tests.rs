@@ -2,11 +2,12 @@
 
 use std::fs;
 use std::path::PathBuf;
+use std::time::{Duration, SystemTime};
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::Kept;
+use super::{Kept, MOST, surplus};
 use crate::front_end::derive;
 
 /// A robot with a warning: its axis is not of length 1.
@@ -130,4 +131,20 @@ fn tokens_in_groups_without_delimiters_are_not_kept() {
     let inside = quote! { [#name] };
     assert!(kept.entry("derive", &quote!([Rod])).is_some());
     assert!(kept.entry("derive", &inside).is_none());
+}
+
+#[test]
+fn the_oldest_expansions_beyond_the_most_bytes_are_removed() {
+    let file = |age: u64, length: u64| {
+        let modified = SystemTime::UNIX_EPOCH + Duration::from_secs(1000 - age);
+        (modified, length, PathBuf::from(age.to_string()))
+    };
+    let removed = |files: &[(u64, u64)]| -> Vec<PathBuf> {
+        let files = files.iter().map(|&(age, length)| file(age, length));
+        surplus(files.collect()).collect()
+    };
+    assert!(removed(&[(2, MOST / 2), (1, MOST / 2)]).is_empty());
+    let beyond = removed(&[(3, 1), (1, MOST / 2), (2, MOST / 2)]);
+    assert_eq!(beyond, [PathBuf::from("3")]);
+    assert_eq!(removed(&[(1, 2 * MOST), (2, 1)]), [PathBuf::from("2")]);
 }

@@ -126,7 +126,7 @@ fn ball_joints_are_measured_with_rotated_axes() {
     let description = description.expect("no mistakes, so a description");
     let chain = chain::build(&description, &Request::default()).expect("a tree");
     for scalar in [Real::F32, Real::F64, Real::Generic] {
-        choose(&chain, ForwardDynamics, scalar).expect("regular in most postures");
+        choose(&chain, ForwardDynamics, scalar).expect("regular in most configurations");
     }
 }
 

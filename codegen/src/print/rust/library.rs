@@ -16,7 +16,7 @@ pub enum Library {
     /// `core` and these functions: results are arrays.
     Core(CoreFunctions),
     /// A crate at this path with a trait `number::Number`, for scalars and vectors, and functions of single joints in
-    /// `posture`: arguments and results are flat arrays.
+    /// `robot::manifold`: arguments and results are flat arrays.
     Lanes(TokenStream),
 }
 

@@ -48,7 +48,7 @@ const MIMIC_OF_THUMB: &str = r#"<limit lower="-3" upper="3" velocity="9" effort=
     <mimic joint="j5" multiplier="-0.5" offset="0"/>"#;
 
 /// A planar joint, a ball joint with an arm, and a floating joint with a prismatic one.
-const EVERY_POSTURE: &[Row] = &[
+const EVERY_MANIFOLD: &[Row] = &[
     ("base", "planar", "0.2 0 0.1", "0 0.6 0.8", "", 3.0),
     ("l1", "spherical", "0.1 -0.2 0.3", "0 0 1", "", 2.0),
     ("l2", "revolute", "0 0.05 0.4", "0 1 0", LIMIT, 1.0),
@@ -75,7 +75,7 @@ const CARDAN: &str = r#"<axis2 xyz="0 0.8 0.6"/>"#;
 pub fn text(name: &str) -> Option<String> {
     let rows = match name {
         "gripper" => GRIPPER,
-        "every_posture" => EVERY_POSTURE,
+        "every_manifold" => EVERY_MANIFOLD,
         "nothing_between" => NOTHING_BETWEEN,
         _ => return None,
     };

@@ -1,4 +1,4 @@
-//! `--formulation`, which every command that generates takes: words, prices, doubts.
+//! `--formulation`, which every command that generates takes: words, operation counts, warnings.
 
 use homogen_codegen::formulation::{
     Angles, Formulation, Forward, Frame, Parameters, Products, Sines,

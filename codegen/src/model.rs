@@ -98,7 +98,7 @@ impl<'s, 'g> Scene<'s, 'g> {
         carry::path(self.bodies, frame, &self.state, self.algorithm)
     }
 
-    /// The requested frames.
+    /// The requested frames, which come before two of each loop.
     pub(crate) fn frames(&self) -> impl Iterator<Item = FrameId> + use<> {
         list::ids(self.bodies.frames.len() - 2 * self.bodies.loops.len())
     }

@@ -53,8 +53,6 @@ pub use extern_c::c_header;
 pub use item::{Declaration, Item};
 #[cfg(feature = "files")]
 pub use lanes::lanes;
-#[cfg(feature = "files")]
-pub(super) use lanes::under;
 pub use library::{CoreFunctions, Library};
 pub use method::Explained;
 #[cfg(feature = "files")]

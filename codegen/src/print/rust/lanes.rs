@@ -17,9 +17,9 @@ use super::library::Library;
 use super::names::of_methods;
 use super::steps;
 use crate::module::{GeneratedFunction, Module};
+use crate::print::arrays::fourth_row;
 use crate::print::{Fields, c, documentation};
 use crate::schedule::Length;
-use crate::space::Entity;
 
 /// The struct and its methods.
 #[must_use]
@@ -82,11 +82,11 @@ fn method(
             let size = quantity.size(&module.spaces);
             let (own, others) = rest.split_at(size.min(rest.len()));
             rest = others;
-            let under = under(quantity.entity).iter().map(|&value| constant(value));
-            let under: Vec<_> = under.collect();
+            let last = fourth_row(quantity.entity).into_iter().flatten();
+            let last: Vec<_> = last.map(constant).collect();
             let whole = own.chunks(quantity.entity.size());
             let whole: Vec<_> = whole
-                .flat_map(|entity| entity.iter().chain(&under))
+                .flat_map(|entity| entity.iter().chain(&last))
                 .collect();
             let size = literal(whole.len());
             (quote! { [#number; #size] }, quote! { [#(#whole),*] })
@@ -102,14 +102,5 @@ fn method(
             #statements
             (#(#values,)*)
         }
-    }
-}
-
-/// Lower rows of the 4×4 matrix of an entity; empty if its array is complete.
-pub(in crate::print) const fn under(entity: Entity) -> &'static [f64] {
-    match entity {
-        Entity::Pose => &[0.0, 0.0, 0.0, 1.0],
-        Entity::Acceleration => &[0.0; 4],
-        _ => &[],
     }
 }

@@ -49,8 +49,8 @@ fn below<const BYTES: usize, R>(call: impl FnOnce() -> R) -> R {
 }
 
 /// Prints the line of a function: the time is the least of 100 rounds over all states at each of four distances between
-/// the arrays of the function and its result. An AMD Zen takes up to three times as long where their addresses collide
-/// in its first cache, which no flag of the compiler decides.
+/// the arrays of the function and its result. On an AMD EPYC some functions take up to three times as long at one distance
+/// as at another, and no flag decides it.
 fn measure<R: Debug>(robot: &str, function: &str, call: impl Fn(usize) -> R) {
     let mut digest = Digest(0xcbf2_9ce4_8422_2325);
     for state in 0..STATES {

@@ -42,29 +42,29 @@ impl Write for Digest {
 
 /// Calls a function with its frame so many bytes further below the place of its result.
 #[inline(never)]
-fn below<const BYTES: usize, R>(call: impl FnOnce() -> R) -> R {
+fn below<const BYTES: usize, R>(call: &dyn Fn(usize) -> R, state: usize) -> R {
     let between = MaybeUninit::<[u8; BYTES]>::uninit();
     black_box(&between);
-    call()
+    call(state)
 }
 
 /// Prints the line of a function: the time is the least of 100 rounds over all states at each of four distances between
 /// the arrays of the function and its result. On an AMD EPYC some functions take up to three times as long at one distance
 /// as at another, and no flag decides it.
-fn measure<R: Debug>(robot: &str, function: &str, call: impl Fn(usize) -> R) {
+fn measure<R: Debug>(robot: &str, function: &str, call: &dyn Fn(usize) -> R) {
     let mut digest = Digest(0xcbf2_9ce4_8422_2325);
     for state in 0..STATES {
         write!(digest, "{:?}", call(state)).expect("a digest takes everything");
     }
-    let least = least(&call)
-        .min(least(|state| below::<400, R>(|| call(state))))
-        .min(least(|state| below::<1104, R>(|| call(state))))
-        .min(least(|state| below::<1968, R>(|| call(state))));
+    let least = least(call)
+        .min(least(&|state| below::<400, R>(call, state)))
+        .min(least(&|state| below::<1104, R>(call, state)))
+        .min(least(&|state| below::<1968, R>(call, state)));
     println!("{robot} {function} {least} {:016x}", digest.0);
 }
 
 /// Nanoseconds a call: the least of 100 rounds.
-fn least<R>(call: impl Fn(usize) -> R) -> f64 {
+fn least<R>(call: &dyn Fn(usize) -> R) -> f64 {
     let time = || {
         let start = Instant::now();
         for _ in 0..4 {
@@ -126,7 +126,7 @@ macro_rules! robot {
         struct Subject;
 
         let states = States::<$joints>::random();
-        $(measure($name, stringify!($method), |i| Subject.$method($(&states.$argument[i]),*));)*
+        $(measure($name, stringify!($method), &|i| Subject.$method($(&states.$argument[i]),*));)*
     }};
 }
 

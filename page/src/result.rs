@@ -106,8 +106,7 @@ pub fn rows(quantity: &Quantity, spaces: &Spaces, numbers: &[f64]) -> Option<Vec
                 .map(<[f64]>::to_vec)
                 .collect()
         }
-        Entity::Pose => under([0.0, 0.0, 0.0, 1.0]),
-        Entity::Acceleration => under([0.0; 4]),
+        Entity::Pose | Entity::Acceleration => under(quantity.entity.fourth_row()?),
         Entity::Velocity | Entity::Screw => skew([0.0; 3]),
         Entity::Momentum | Entity::Action => skew([-numbers[3], -numbers[4], -numbers[5]]),
         Entity::Point | Entity::Vector => return None,

@@ -3,18 +3,18 @@
 use crate::space::{Entity, Kind, Outcome, Part, Quantity, Space};
 
 /// A pose.
-pub(super) const POSE: Outcome = Outcome::One(Quantity {
-    over: &[],
-    entity: Entity::Pose,
-    units: |_| ["1", "1", "1", "m"].repeat(3),
-});
+pub(super) const POSE: Outcome = poses(&[]);
 
 /// The poses of all requested frames.
-pub(super) const POSES: Outcome = Outcome::One(Quantity {
-    over: &[Space::Frames],
-    entity: Entity::Pose,
-    units: |_| ["1", "1", "1", "m"].repeat(3),
-});
+pub(super) const POSES: Outcome = poses(&[Space::Frames]);
+
+const fn poses(over: &'static [Space]) -> Outcome {
+    Outcome::One(Quantity {
+        over,
+        entity: Entity::Pose,
+        units: |_| ["1", "1", "1", "m"].repeat(3),
+    })
+}
 
 /// A velocity matrix.
 pub(super) const VELOCITY: Outcome = Outcome::One(Quantity {

@@ -14,7 +14,7 @@ use crate::function::Function;
 use crate::module::{GeneratedFunction, Module, arguments};
 use crate::schedule::{Operand, Program};
 pub use crate::space::Order;
-use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
+use crate::space::{ACTION, Outcome, Quantity, Space, Spaces, Variable};
 
 /// An argument or a result.
 #[derive(Clone, Debug)]
@@ -182,7 +182,10 @@ fn arranged(
     order: Order,
 ) -> impl Iterator<Item = Source> + use<> {
     let each = quantity.entity.size();
-    let row = fourth_row(quantity.entity).filter(|_| !quantity.over.is_empty());
+    let row = quantity
+        .entity
+        .fourth_row()
+        .filter(|_| !quantity.over.is_empty());
     in_order(quantity, spaces, order).flat_map(move |place| {
         let is_last = place % each == each - 1;
         let row = row.filter(|_| is_last).into_iter().flatten();
@@ -223,7 +226,7 @@ pub(super) fn has_columns(quantity: &Quantity) -> bool {
 
 fn shape(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut shape = quantity.lengths(spaces);
-    match (fourth_row(quantity.entity), quantity.entity.dimensions()) {
+    match (quantity.entity.fourth_row(), quantity.entity.dimensions()) {
         (Some(_), _) => shape.extend([4, 4]),
         (None, &[rows]) if has_columns(quantity) => shape.insert(shape.len() - 1, rows),
         (None, dimensions) => shape.extend(dimensions),
@@ -233,16 +236,10 @@ fn shape(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
 
 /// The row below the results of a single matrix, of which a program has three rows.
 pub(super) fn below(quantity: &Quantity) -> Option<[f64; 4]> {
-    fourth_row(quantity.entity).filter(|_| quantity.over.is_empty())
-}
-
-/// The fourth row of matrices of which a program has three.
-pub(super) const fn fourth_row(entity: Entity) -> Option<[f64; 4]> {
-    match entity {
-        Entity::Pose => Some([0.0, 0.0, 0.0, 1.0]),
-        Entity::Acceleration => Some([0.0; 4]),
-        _ => None,
-    }
+    quantity
+        .entity
+        .fourth_row()
+        .filter(|_| quantity.over.is_empty())
 }
 
 fn argument(of: Variable, spaces: &Spaces) -> Array {

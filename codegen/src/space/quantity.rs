@@ -100,6 +100,16 @@ impl Entity {
         }
     }
 
+    /// The fourth row of a 4×4 matrix, whose array has the first three; `None` for other entities.
+    #[must_use]
+    pub const fn fourth_row(self) -> Option<[f64; 4]> {
+        match self {
+            Self::Pose => Some([0.0, 0.0, 0.0, 1.0]),
+            Self::Acceleration => Some([0.0; 4]),
+            _ => None,
+        }
+    }
+
     /// Number of values.
     #[must_use]
     pub fn size(self) -> usize {

@@ -8,7 +8,6 @@ use syn::ext::IdentExt;
 
 use super::names::{in_module, unscoped};
 use crate::module::{GeneratedFunction, Module};
-use crate::print::arrays::fourth_row;
 use crate::print::documentation;
 use crate::print::rust::Item;
 use crate::print::rust::names::{self as rust, ident, of_methods, type_name};
@@ -359,7 +358,7 @@ fn is_ranged_over(module: &Module, space: Space) -> bool {
 fn last(quantity: &Quantity, spaces: &Spaces) -> Vec<usize> {
     let mut last = quantity.lengths(spaces);
     match quantity.entity {
-        entity if fourth_row(entity).is_some() => last.extend([4, 4]),
+        entity if entity.fourth_row().is_some() => last.extend([4, 4]),
         entity => last.extend(entity.dimensions()),
     }
     last

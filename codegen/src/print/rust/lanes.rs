@@ -17,7 +17,6 @@ use super::library::Library;
 use super::names::of_methods;
 use super::steps;
 use crate::module::{GeneratedFunction, Module};
-use crate::print::arrays::fourth_row;
 use crate::print::{Fields, c, documentation};
 use crate::schedule::Length;
 
@@ -82,7 +81,7 @@ fn method(
             let size = quantity.size(&module.spaces);
             let (own, others) = rest.split_at(size.min(rest.len()));
             rest = others;
-            let last = fourth_row(quantity.entity).into_iter().flatten();
+            let last = quantity.entity.fourth_row().into_iter().flatten();
             let last: Vec<_> = last.map(constant).collect();
             let whole = own.chunks(quantity.entity.size());
             let whole: Vec<_> = whole

@@ -8,11 +8,7 @@ use super::{ARM, homogen, keys};
 #[test]
 fn says_the_shape_and_the_rows() {
     let states = r#"{"states":[{"q":[0.5,1,0.25]}]}"#;
-    let answer = eval(
-        "--function geometric_jacobian --frame camera --format json",
-        states,
-    );
-    let jacobian: Value = serde_json::from_str(&answer.output).expect("JSON");
+    let jacobian = in_json("--function geometric_jacobian --frame camera", states);
     assert_eq!(jacobian["function"], "geometric_jacobian");
     let wanted = [
         "version",
@@ -41,11 +37,7 @@ fn says_the_shape_and_the_rows() {
     assert_eq!(rows[3][0], json!(-0.1 * 0.5_f64.cos()));
     assert_eq!(rows[5][0], json!(-0.1 * 0.5_f64.sin()));
 
-    let answer = eval(
-        "--function forward_kinematics --tip camera --format json",
-        states,
-    );
-    let pose: Value = serde_json::from_str(&answer.output).expect("JSON");
+    let pose = in_json("--function forward_kinematics --tip camera", states);
     assert_eq!(pose["shape"], json!([4, 4]));
     assert_eq!(pose["results"][0][3], json!([0.0, 0.0, 0.0, 1.0]));
     assert_eq!(pose["results"][0][2][3], json!(0.1 * 0.5_f64.cos()));
@@ -54,19 +46,14 @@ fn says_the_shape_and_the_rows() {
 #[test]
 fn poses_of_several_frames_are_a_list_with_their_names() {
     let states = r#"{"states":[{"q":[0.5,1,0.25]}]}"#;
-    let all = eval(
-        "--function frame_poses --tip hand --frame camera --format json",
-        states,
-    );
-    let all: Value = serde_json::from_str(&all.output).expect("JSON");
+    let all = in_json("--function frame_poses --tip hand --frame camera", states);
     assert_eq!(all["frames"], json!(["hand", "camera"]));
     assert_eq!(all["shape"], json!([2, 4, 4]));
     for (place, frame) in ["hand", "camera"].iter().enumerate() {
-        let one = eval(
-            &format!("--function forward_kinematics --tip {frame} --format json"),
+        let one = in_json(
+            &format!("--function forward_kinematics --tip {frame}"),
             states,
         );
-        let one: Value = serde_json::from_str(&one.output).expect("JSON");
         assert_eq!(all["results"][0][place], one["results"][0]);
     }
 }
@@ -74,10 +61,7 @@ fn poses_of_several_frames_are_a_list_with_their_names() {
 #[test]
 fn several_quantities_are_an_object() {
     let states = r#"{"states":[{"q":[0.5,1,0.25],"qd":[0,0,0],"qdd":[0,0,0]}]}"#;
-    let of = |function: &str| -> Value {
-        let answer = eval(&format!("--function {function} --format json"), states);
-        serde_json::from_str(&answer.output).expect("JSON")
-    };
+    let of = |function: &str| in_json(&format!("--function {function}"), states);
     let derivatives = of("inverse_dynamics_derivatives");
     assert_eq!(derivatives["shape"], json!({ "dq": [3, 3], "dqd": [3, 3] }));
     let result = &derivatives["results"][0];
@@ -104,8 +88,7 @@ fn several_quantities_are_an_object() {
 fn prints_the_shortest_digits_of_the_arithmetic() {
     let states = r#"{"states":[{"q":[0.5,1,0.25]}]}"#;
     let results = |scalar: &str| {
-        let arguments = format!("--function gravity --scalar {scalar} --format json");
-        let answer: Value = serde_json::from_str(&eval(&arguments, states).output).expect("JSON");
+        let answer = in_json(&format!("--function gravity --scalar {scalar}"), states);
         let results: Vec<String> = answer["results"][0]
             .as_array()
             .unwrap()
@@ -142,8 +125,7 @@ fn in_words_it_names_the_joints() {
 fn gravity_may_be_anything() {
     let states = r#"{"states":[{"q":[0,0,0]}]}"#;
     let at = |gravity: &str| {
-        let arguments = format!("--function gravity --format json --gravity {gravity}");
-        let answer: Value = serde_json::from_str(&eval(&arguments, states).output).expect("JSON");
+        let answer = in_json(&format!("--function gravity --gravity {gravity}"), states);
         answer["results"][0][2].as_f64().expect("a number")
     };
     // The hand slides along x.
@@ -225,6 +207,12 @@ fn a_result_that_no_number_can_hold_is_a_mistake() {
     assert_eq!((&*answer.remarks, answer.code), (expected, 1));
     let answer = eval("--function bias --scalar f64 --format json", states);
     assert_eq!(answer.code, 0);
+}
+
+/// The answer of [`eval`] in JSON.
+fn in_json(arguments: &str, states: &str) -> Value {
+    let answer = eval(&format!("{arguments} --format json"), states);
+    serde_json::from_str(&answer.output).expect("JSON")
 }
 
 /// The answer of `eval` for states that come from a file, and a robot from standard input.

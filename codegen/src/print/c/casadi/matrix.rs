@@ -3,7 +3,7 @@
 //! In: a quantity and the operands of its results. Out: sizes, and the place in the array of each entry that is not a
 //! structural zero, column by column.
 
-use crate::print::arrays::{fourth_row, has_columns};
+use crate::print::arrays::has_columns;
 use crate::print::c::declarations::lengths;
 use crate::schedule::Operand;
 use crate::space::{Quantity, Spaces};
@@ -31,7 +31,7 @@ pub(super) struct Matrix {
 impl Matrix {
     /// Matrix of a result.
     pub fn of(quantity: &Quantity, spaces: &Spaces, operands: &[Operand]) -> Self {
-        if let Some(last) = fourth_row(quantity.entity) {
+        if let Some(last) = quantity.entity.fourth_row() {
             return Self::of_four_rows(last, operands);
         }
         let lengths = lengths(quantity, spaces);

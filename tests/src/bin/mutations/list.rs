@@ -378,7 +378,7 @@ const MUTATIONS: [Mutation; 46] = [
         from: "-(dot(row, &free) + bias)",
         to: "-(dot(row, &free) - bias)",
         noticed_by: Test {
-            package: "homogen-tests",
+            package: "homogen-generated",
             target: &["--test", "values"],
             name: "mechanisms::robots_written_with_all_digits_move_as_drawn",
         },
@@ -405,7 +405,7 @@ const fn engine(name: &'static str) -> Test {
 
 const fn c99(name: &'static str) -> Test {
     Test {
-        package: "homogen-tests",
+        package: "homogen-generated",
         target: &["--test", "variants"],
         name,
     }

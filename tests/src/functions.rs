@@ -4,7 +4,8 @@
 //! angular and linear parts), so that the entries of a block can share one measure of error.
 
 use homogen::{
-    Acceleration, Action, Momentum, Point, Pose, Scalar, Screw, TorqueDerivatives, Velocity, robot,
+    Acceleration, Action, Chain, Momentum, Point, Pose, Scalar, Screw, TorqueDerivatives, Velocity,
+    robot,
 };
 
 use crate::states::State;
@@ -71,6 +72,13 @@ macro_rules! evaluated {
     ($($all:tt)*) => { evaluated!(@[$($all)*] []); };
 }
 homogen::every_function!(evaluated);
+
+/// The recursions of a chain with one joint. With them, what does not depend on the number of joints is compiled here,
+/// where it is optimised, and programs that evaluate other chains share it.
+#[must_use]
+pub fn of_one_joint(chain: &Chain<1, 1>, state: &State<f64, 1>) -> Vec<Block<f64>> {
+    evaluate(chain, state)
+}
 
 /// A result, or a part of it with one meaning.
 #[derive(Clone, Debug)]

@@ -239,7 +239,7 @@ impl<'p> Regressors<'p> {
         arguments[Variable::Qd] = drawn(Space::Velocities, self.rate);
         arguments[Variable::Qdd] = drawn(Space::Velocities, self.rate * self.rate);
         arguments[Variable::Tau] = vec![0.0; self.rows.len()];
-        debug_assert_eq!(arguments[Variable::Qd].len(), self.rows.len());
+        assert_eq!(arguments[Variable::Qd].len(), self.rows.len());
         let robot = &self.prepared.dense().robot;
         let entries = frame_0::evaluate(robot, Function::Regressor, 0, &arguments);
         let count = self.columns.len();

@@ -2,6 +2,9 @@
 //! `cargo run --release -p homogen-tests --bin trees -- --long` runs twenty thousand.
 
 use std::collections::BTreeMap;
+use std::num::NonZero;
+use std::sync::Mutex;
+use std::{iter, thread};
 
 use homogen_codegen::Function;
 use homogen_tests::effort::effort;
@@ -27,25 +30,28 @@ const EFFORT: Effort = Effort {
     all_up_to: 4,
 };
 
-// Two tests, since one would leave a core idle at the end of this program.
-
+/// On all cores: some robots take ten times as long as others.
 #[test]
 fn every_function_of_random_robots_is_right() {
-    are_right(compared().step_by(2));
-}
-
-#[test]
-fn every_function_of_further_random_robots_is_right() {
-    are_right(compared().skip(1).step_by(2));
-}
-
-fn are_right(robots: impl Iterator<Item = u64>) {
+    let robots = Mutex::new(compared());
+    let next = || robots.lock().expect("no thread panics with it").next();
+    let examine = |index| try_seed(numbered(RUN, index), EFFORT).map(|(_, findings)| findings);
+    let count = thread::available_parallelism().map_or(1, NonZero::get);
+    let examined: Vec<_> = thread::scope(|scope| {
+        let workers = (0..count)
+            .map(|_| scope.spawn(|| iter::from_fn(next).map(examine).collect::<Vec<_>>()));
+        let workers: Vec<_> = workers.collect();
+        let examined = workers
+            .into_iter()
+            .map(|worker| worker.join().expect("failures are messages"));
+        examined.flatten().collect()
+    });
     let mut worst: BTreeMap<&str, f64> = BTreeMap::new();
     let mut failures = Vec::new();
     let mut programs = 0;
-    for index in robots {
-        match try_seed(numbered(RUN, index), EFFORT) {
-            Ok((_, findings)) => {
+    for found in examined {
+        match found {
+            Ok(findings) => {
                 programs += findings.programs;
                 for (function, error) in findings.worst {
                     let entry = worst.entry(function).or_default();

@@ -10,7 +10,7 @@ mod programs;
 mod robot;
 mod states;
 
-use homogen_codegen::Real;
+use homogen_codegen::{Function, Real};
 
 use compilers::{C, Effort, Folder, rust};
 use robot::Robot;
@@ -71,7 +71,21 @@ fn fields_frames_and_functions_generated_together_give_the_bits_of_rust() {
 
 #[test]
 fn quaternions_and_mimic_joints_give_the_bits_of_rust() {
-    agree(&Robot::with_quaternions(), Effort::Quick);
+    // Half of the code are second derivatives, gradients and changes: those of a smaller robot show the same.
+    let is_compared = |function: &Function| {
+        !matches!(
+            function,
+            Function::InverseDynamicsHessian
+                | Function::InverseDynamicsJvp
+                | Function::InverseDynamicsVjp
+                | Function::ForwardDynamicsHessian
+                | Function::ForwardDynamicsJvp
+                | Function::ForwardDynamicsParameterDerivatives
+                | Function::ForwardDynamicsVjp
+        )
+    };
+    agree(&Robot::with_quaternions(is_compared), Effort::Quick);
+    agree(&Robot::with_a_ball_joint(), Effort::Quick);
 }
 
 #[test]
@@ -82,7 +96,7 @@ fn a_robot_with_seven_joints_gives_the_bits_of_rust() {
 #[test]
 #[ignore = "a minute of compilers; unoptimised code shows the same"]
 fn optimised_quaternions_and_mimic_joints_give_the_bits_of_rust() {
-    agree(&Robot::with_quaternions(), Effort::Optimised);
+    agree(&Robot::with_quaternions(|_| true), Effort::Optimised);
 }
 
 #[test]

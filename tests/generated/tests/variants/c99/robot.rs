@@ -3,6 +3,7 @@
 //! In: descriptions. Out: robots with requests, and their files.
 
 use std::cell::OnceCell;
+use std::fmt::Write;
 
 use homogen_codegen::description::{Description, Name, read_file, read_text};
 use homogen_codegen::error::Errors;
@@ -139,45 +140,53 @@ impl Robot {
         self
     }
 
-    /// A robot with fewer velocities than coordinates, with all functions.
-    pub fn with_quaternions() -> Self {
-        let link = |name: &str| {
-            format!(
-                r#"<link name="{name}"><inertial><origin xyz="0.1 0.02 -0.03"/><mass value="2"/>
+    /// A robot with fewer velocities than coordinates, with some functions.
+    pub fn with_quaternions(functions: impl Fn(&Function) -> bool) -> Self {
+        let mimic = r#"<mimic joint="to fore" multiplier="-0.7" offset="0.1"/>"#;
+        let joints = [
+            ("floating", ["world", "trunk"], ""),
+            ("spherical", ["trunk", "upper"], ""),
+            ("planar", ["upper", "slab"], ""),
+            ("continuous", ["slab", "fore"], ""),
+            ("continuous", ["fore", "hand"], mimic),
+        ];
+        Self::with_joints("every_joint", &joints, functions)
+    }
+
+    /// A ball joint and a hinge, with all functions.
+    pub fn with_a_ball_joint() -> Self {
+        let joints = [
+            ("spherical", ["world", "upper"], ""),
+            ("continuous", ["upper", "fore"], ""),
+        ];
+        Self::with_joints("ball_joint", &joints, |_| true)
+    }
+
+    /// A robot in URDF: types of joints with their links and further elements.
+    fn with_joints(
+        name: &str,
+        joints: &[(&str, [&str; 2], &str)],
+        functions: impl Fn(&Function) -> bool,
+    ) -> Self {
+        let mut text = format!(r#"<robot name="{name}"><link name="world"/>"#);
+        for (kind, [parent, child], more) in joints {
+            // Writing to a string cannot fail.
+            let _ = write!(
+                text,
+                r#"<link name="{child}"><inertial><origin xyz="0.1 0.02 -0.03"/><mass value="2"/>
                 <inertia ixx="0.05" ixy="0.001" ixz="0.002" iyy="0.06" iyz="0.003" izz="0.07"/>
-                </inertial></link>"#
-            )
-        };
-        let joint = |kind: &str, [parent, child]: [&str; 2], more: &str| {
-            format!(
-                r#"<joint name="to {child}" type="{kind}"><parent link="{parent}"/>
+                </inertial></link><joint name="to {child}" type="{kind}"><parent link="{parent}"/>
                 <child link="{child}"/><origin xyz="0.2 0.1 0.3" rpy="0.3 -0.2 0.5"/>
                 <axis xyz="0 0 1"/>{more}</joint>"#
-            )
-        };
-        let mimic = r#"<mimic joint="to fore" multiplier="-0.7" offset="0.1"/>"#;
-        let text = [
-            r#"<robot name="every joint"><link name="world"/>"#.to_owned(),
-            ["trunk", "upper", "slab", "fore", "hand"]
-                .map(link)
-                .concat(),
-            joint("floating", ["world", "trunk"], ""),
-            joint("spherical", ["trunk", "upper"], ""),
-            joint("planar", ["upper", "slab"], ""),
-            joint("continuous", ["slab", "fore"], ""),
-            joint("continuous", ["fore", "hand"], mimic),
-            "</robot>".to_owned(),
-        ];
-        let functions = Function::ALL.into_iter().map(|function| vec![function]);
+            );
+        }
+        text.push_str("</robot>");
+        let functions = Function::ALL.into_iter().filter(functions);
         let request = Request {
-            functions: functions.collect(),
+            functions: functions.map(|function| vec![function]).collect(),
             ..Request::default()
         };
-        Self::new(
-            "every_joint",
-            read("every_joint.urdf", &text.concat()),
-            request,
-        )
+        Self::new(name, read(&format!("{name}.urdf"), &text), request)
     }
 
     /// A slider-crank with an additional rod, with all functions of loops and forward dynamics.

@@ -5,11 +5,14 @@
 //! two robots `ROBOT_named.rs` with the runtime's sines for any angle; `joints_f32.rs`, `joints_f64.rs` and
 //! `joints_lanes.rs`.
 
+mod long;
+
 use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
 use homogen_codegen::{Builder, Function, Real};
+use long::LONG;
 
 /// The files and their end effectors, and whether a file with the runtime's sines is made as well. An arm with parallel
 /// axes, one without a zero among its parameters and with a prismatic joint, one with many zeros, one with a redundant
@@ -22,26 +25,16 @@ const ROBOTS: [(&str, &str, bool); 5] = [
     ("quadruped", "hr_foot", false),
 ];
 
-/// The functions that are not compared: second derivatives, and gradients and changes, which are as long as all others together.
-/// `tests/signed/run.sh` runs the tests of them that files bring along.
-const NOT_COMPARED: [Function; 7] = [
-    Function::InverseDynamicsVjp,
-    Function::InverseDynamicsJvp,
-    Function::InverseDynamicsHessian,
-    Function::ForwardDynamicsParameterDerivatives,
-    Function::ForwardDynamicsVjp,
-    Function::ForwardDynamicsJvp,
-    Function::ForwardDynamicsHessian,
-];
-
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=long.rs");
     println!("cargo::rerun-if-changed=../../robots");
     println!("cargo::rerun-if-changed=../robots");
     let folder = env::var("OUT_DIR")?;
+    // `tests/signed/run.sh` runs the tests of the others that files bring along.
     let compared = || {
         let all = Function::ALL.into_iter();
-        all.filter(|function| !NOT_COMPARED.contains(function))
+        all.filter(|function| !LONG.contains(function))
     };
     for (robot, tip, named) in ROBOTS {
         let own = Builder::from_urdf(format!("../../robots/{robot}.urdf"))

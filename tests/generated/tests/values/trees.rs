@@ -2,9 +2,6 @@
 //! `cargo run --release -p homogen-tests --bin trees -- --long` runs twenty thousand.
 
 use std::collections::BTreeMap;
-use std::num::NonZero;
-use std::sync::Mutex;
-use std::{iter, thread};
 
 use homogen_codegen::Function;
 use homogen_tests::effort::effort;
@@ -14,6 +11,7 @@ use homogen_tests::trees::features::FEATURES;
 use homogen_tests::trees::prepared::TOLERANCE;
 use homogen_tests::trees::ranks::Ranked;
 use homogen_tests::trees::{numbered, of_seed, try_ranks, try_seed};
+use rayon::prelude::*;
 
 /// Robots that are drawn: every fourth one is compared, in the long form all of them.
 const ROBOTS: u64 = 150;
@@ -33,19 +31,10 @@ const EFFORT: Effort = Effort {
 /// On all cores: some robots take ten times as long as others.
 #[test]
 fn every_function_of_random_robots_is_right() {
-    let robots = Mutex::new(compared());
-    let next = || robots.lock().expect("no thread panics with it").next();
-    let examine = |index| try_seed(numbered(RUN, index), EFFORT).map(|(_, findings)| findings);
-    let count = thread::available_parallelism().map_or(1, NonZero::get);
-    let examined: Vec<_> = thread::scope(|scope| {
-        let workers = (0..count)
-            .map(|_| scope.spawn(|| iter::from_fn(next).map(examine).collect::<Vec<_>>()));
-        let workers: Vec<_> = workers.collect();
-        let examined = workers
-            .into_iter()
-            .map(|worker| worker.join().expect("failures are messages"));
-        examined.flatten().collect()
-    });
+    let robots: Vec<u64> = compared().collect();
+    let examined = (robots.into_par_iter().with_max_len(1))
+        .map(|index| try_seed(numbered(RUN, index), EFFORT).map(|(_, findings)| findings));
+    let examined: Vec<_> = examined.collect();
     let mut worst: BTreeMap<&str, f64> = BTreeMap::new();
     let mut failures = Vec::new();
     let mut programs = 0;

@@ -111,7 +111,7 @@ fn generated(plan: Plan<'_>, request: &Request) -> GeneratedFunction {
         program: plan.program,
         operation_count: plan.operation_count,
         accuracy,
-        found: (error.random > 0).then_some(found),
+        found: error.is_measured().then_some(found),
     }
 }
 

@@ -19,8 +19,10 @@ const BARELY: f64 = 0.75 * ENOUGH;
 /// Share of the cost that may be added where another is [barely](BARELY) accurate, one in so many.
 const LITTLE: usize = 16;
 
-/// Quarters of the best cost beyond which a form is not tried in other layouts.
-const DEAR: usize = 5;
+/// True if a form is not worth trying in other layouts than one: they save less than a fifth of its cost.
+const fn is_dear(cost: usize, least: usize) -> bool {
+    cost > least + least / 4
+}
 
 /// The cheapest program that is accurate enough, or nearly as accurate as the best.
 ///
@@ -61,6 +63,8 @@ struct Trial<'s> {
     tried: Vec<Tried>,
     /// The same forms in more expensive layouts, with their costs; not measured yet.
     costlier: Vec<(usize, Found)>,
+    /// Dear forms that were tried in one layout, with their costs in it.
+    postponed: Vec<(usize, Form)>,
 }
 
 /// A program that is not accurate enough.
@@ -78,11 +82,14 @@ impl<'s> Trial<'s> {
             best: None,
             tried: Vec::new(),
             costlier: Vec::new(),
+            postponed: Vec::new(),
         }
     }
 
     fn measured(&mut self, mut found: Found) -> Found {
-        found.error = self.measure.error(&found.program);
+        if !found.error.is_measured() {
+            found.error = self.measure.error(&found.program);
+        }
         found
     }
 
@@ -92,16 +99,21 @@ impl<'s> Trial<'s> {
         // A form that costs far more in the layout of the best one is not tried in others.
         if let Some((least, before)) = &self.best {
             let found = self.search.like(before, form, &mut made);
-            if found.0 > DEAR * least / 4 {
+            if is_dear(found.0, *least) {
                 return;
             }
             made.push(found);
         }
-        // Nor is one that is far from accurate in one layout.
+        // Nor is one that is far from accurate in one layout; one that costs far more than another waits.
         if let Some(before) = self.tried.first() {
             let (cost, first) = self.search.like(&before.found, form, &mut made);
+            let waits = before.cost.is_some_and(|least| is_dear(cost, least));
             let found = self.measured(first);
-            if found.error.worst > FAR * ENOUGH {
+            let error = found.error.worst;
+            if error > FAR * ENOUGH || (waits && error > ENOUGH) {
+                if error <= FAR * ENOUGH {
+                    self.postponed.push((cost, form));
+                }
                 let cost = None;
                 return self.tried.push(Tried { cost, found });
             }
@@ -125,16 +137,29 @@ impl<'s> Trial<'s> {
     /// The cheapest that is accurate enough. Frames far from their bodies may cause the loss of a form, so other
     /// layouts are tried before a more expensive form is taken.
     fn accurate(&mut self) -> Option<(usize, Found)> {
-        let mut costlier = std::mem::take(&mut self.costlier);
-        if let Some((least, _)) = &self.best {
-            costlier.retain(|(cost, _)| cost < least);
+        let costlier = std::mem::take(&mut self.costlier);
+        self.take_cheapest(costlier);
+        for (cost, form) in std::mem::take(&mut self.postponed) {
+            if (self.best.as_ref()).is_none_or(|(least, _)| !is_dear(cost, *least)) {
+                let layouts = self.search.by_cost(form, Vec::new());
+                self.take_cheapest(layouts);
+            }
         }
-        costlier.sort_by_key(|(cost, _)| *cost);
-        let mut costlier = costlier
+        self.best.take()
+    }
+
+    /// Replaces the best program by the cheapest of some that is accurate enough, if there is a cheaper one.
+    fn take_cheapest(&mut self, mut programs: Vec<(usize, Found)>) {
+        if let Some((least, _)) = &self.best {
+            programs.retain(|(cost, _)| cost < least);
+        }
+        programs.sort_by_key(|(cost, _)| *cost);
+        let mut measured = programs
             .into_iter()
             .map(|(cost, found)| (cost, self.measured(found)));
-        let cheaper = costlier.find(|(_, found)| found.error.worst <= ENOUGH);
-        cheaper.or_else(|| self.best.take())
+        if let Some(cheaper) = measured.find(|(_, found)| found.error.worst <= ENOUGH) {
+            self.best = Some(cheaper);
+        }
     }
 
     /// The same with inertias that are rotated in full, if that halves the loss for little.

@@ -135,6 +135,11 @@ impl MeasuredError {
         uphill: 0,
     };
 
+    /// True if it was measured.
+    pub const fn is_measured(&self) -> bool {
+        self.random > 0
+    }
+
     /// The better of two programs, in each respect.
     pub(super) const fn least(self, other: Self) -> Self {
         Self {

@@ -10,7 +10,7 @@ use homogen_codegen::closure::ResidualKind;
 use homogen_codegen::description::{Axis, Inertial, Name, Step};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expression::{Double, Expr, Graph, Term};
-use homogen_codegen::joint::{Manifold, Motion};
+use homogen_codegen::joint::Motion;
 use homogen_codegen::layout::Layout;
 use homogen_codegen::list::{Id, List};
 use homogen_codegen::matrix::{Pose, Rotation};
@@ -119,12 +119,7 @@ fn body(chain: &Chain, joint: &Joint) -> Value {
             json!({ "coordinate": coordinate.index(), "factor": number(factor) })
         }
         Position::Manifold(manifold, coordinate) => {
-            let manifold = match manifold {
-                Manifold::Planar => "planar",
-                Manifold::Spherical => "spherical",
-                Manifold::Floating => "floating",
-            };
-            json!({ "coordinate": coordinate.index(), "manifold": manifold })
+            json!({ "coordinate": coordinate.index(), "manifold": manifold.word() })
         }
         Position::Taken => Value::Null,
     };

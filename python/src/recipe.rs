@@ -18,7 +18,6 @@ use homogen_codegen::description::{self, Description, inline};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;
 use homogen_codegen::function::Function;
-use homogen_codegen::joint::Manifold;
 use homogen_codegen::module::{DataMotion, Module};
 use homogen_codegen::name::Name;
 use homogen_codegen::print::arrays::{self, Order, Signature};
@@ -237,9 +236,7 @@ impl Recipe {
         let motions = module.data.motions.iter().map(|motion| match motion {
             DataMotion::Along => "along",
             DataMotion::Mimic { .. } => "mimic",
-            DataMotion::Manifold(Manifold::Planar) => "planar",
-            DataMotion::Manifold(Manifold::Spherical) => "spherical",
-            DataMotion::Manifold(Manifold::Floating) => "floating",
+            DataMotion::Manifold(manifold) => manifold.word(),
         });
         set("motions", motions.collect::<Vec<_>>().into_pyobject(py)?)?;
         set("kinds", kinds.collect::<Vec<_>>().into_pyobject(py)?)?;

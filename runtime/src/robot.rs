@@ -37,10 +37,7 @@ pub(crate) mod step;
 pub use batched::Batched;
 #[cfg(feature = "batch")]
 pub(crate) use batched::is_inlined;
-pub use loops::{
-    ActuatedInverseDynamics, ConstrainedForwardDynamics, Constraint, ConstraintBias,
-    ConstraintJacobian,
-};
+pub use loops::*;
 
 /// Calls a macro with one row for every function: a noun, a hint for robots without it, its result with units, its kind,
 /// its trait, and its method with arguments and result.

@@ -11,7 +11,7 @@ use crate::expression::Double;
 use crate::list::Id;
 use crate::quaternion::normalize;
 use crate::random::Random;
-use crate::space::{Entry, Kind, Space, Spaces, Variable};
+use crate::space::{Entry, Kind, Spaces, Variable};
 
 /// A number of states.
 pub(super) fn states(chain: &Chain, count: usize) -> Vec<State> {
@@ -37,6 +37,13 @@ pub(super) fn closed(
     closing::closed(starts.skip(STARTS * number).collect(), chain, at)
 }
 
+/// Arguments over one space each, which take turns.
+const FIRST: [&[Variable]; 3] = [
+    &[Variable::Qd, Variable::Qdd, Variable::Tau],
+    &[Variable::Actions],
+    &[Variable::Weights],
+];
+
 fn state(chain: &Chain, random: &mut Random) -> State {
     let spaces = chain.spaces();
     let mut state = State::default();
@@ -46,40 +53,21 @@ fn state(chain: &Chain, random: &mut Random) -> State {
         state.arguments[Variable::Q].push(q.into());
     }
     of_length_1(&mut state, spaces);
-    let variables: [&[Variable]; 3] = [
-        &[Variable::Qd, Variable::Qdd, Variable::Tau],
-        &[Variable::Actions],
-        &[Variable::Weights],
-    ];
-    for variables in variables {
+    for variables in FIRST {
         for _ in spaces.entries(variables[0].space()) {
             for &variable in variables {
-                let size = match variable {
-                    Variable::Weights => 1.0,
-                    Variable::Qd => 2.0,
-                    Variable::Qdd => 5.0,
-                    _ => 10.0,
-                };
-                let entry = 2.0 * size * random.unit() - size;
-                state.arguments[variable].push(entry.into());
+                state.arguments[variable].push(drawn(variable, random));
             }
         }
     }
-    // The others are made of these, so that carried tests of other functions stay what they were.
-    for (change, of, size) in [
-        (Variable::QChange, Variable::Qdd, 5.0),
-        (Variable::QdChange, Variable::Tau, 10.0),
-        (Variable::QddChange, Variable::Weights, 1.0),
-        (Variable::TauChange, Variable::Qd, 2.0),
-    ] {
-        let entries = state.arguments[of].iter().rev();
-        let entries = entries.map(|entry| (entry.to_f64() / size).into());
-        state.arguments[change] = entries.collect();
+    // From numbers of their own, so that a further argument changes no carried test of another function.
+    let mut own = Random(random.0);
+    for variable in Variable::ALL {
+        if variable != Variable::Q && !FIRST.concat().contains(&variable) {
+            let entries = spaces.entries(variable.space()).iter();
+            state.arguments[variable] = entries.map(|_| drawn(variable, &mut own)).collect();
+        }
     }
-    let torques = state.arguments[Variable::Tau].iter().cycle();
-    let entries = torques.zip(spaces.entries(Space::Wrench)).zip(0_u32..);
-    let wrench = entries.map(|((torque, _), k)| (torque.to_f64() + f64::from(k)).into());
-    state.arguments[Variable::Wrench] = wrench.collect();
     for (parameter, nominal) in chain.request.parameters.iter().zip(&chain.nominal) {
         let fields = parameter.near(nominal, || random.unit());
         state.fields.push(fields);
@@ -123,6 +111,17 @@ fn state_within(chain: &Chain, random: &mut Random, [length, time]: [f64; 2]) ->
         }
     }
     state
+}
+
+/// An entry of an argument.
+fn drawn(variable: Variable, random: &mut Random) -> Double {
+    let size = match variable {
+        Variable::Qd => 2.0,
+        Variable::Qdd => 5.0,
+        Variable::Tau | Variable::Wrench | Variable::Actions => 10.0,
+        _ => 1.0,
+    };
+    (2.0 * size * random.unit() - size).into()
 }
 
 /// Normalizes the quaternions among the coordinates.

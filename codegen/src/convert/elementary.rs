@@ -4,7 +4,7 @@
 //! translation that mimics it.
 
 use crate::description::{Joint, Limits, Mimic, Name, Number};
-use crate::joint::{Along, DegreeOfFreedom, JointKind, Movement, entry};
+use crate::joint::{Along, DegreeOfFreedom, Manifold, Movement, entry};
 
 /// A joint with one motion.
 pub(super) struct Elementary<'d> {
@@ -25,9 +25,7 @@ pub(super) enum ElementaryMotion {
     Fixed,
     Rotation,
     Translation,
-    Spherical,
-    Planar,
-    Floating,
+    Manifold(Manifold),
 }
 
 /// The joints in series that a joint is, from the parent outwards.
@@ -41,18 +39,11 @@ pub(super) fn elementary(joint: &Joint) -> Vec<Elementary<'_>> {
         limits: joint.limits,
         mimic: joint.mimic.clone(),
     };
-    match joint.kind {
-        JointKind::Fixed => return vec![whole(ElementaryMotion::Fixed)],
-        JointKind::Spherical => return vec![whole(ElementaryMotion::Spherical)],
-        JointKind::Planar => return vec![whole(ElementaryMotion::Planar)],
-        JointKind::Floating => return vec![whole(ElementaryMotion::Floating)],
-        JointKind::Revolute
-        | JointKind::Continuous
-        | JointKind::Prismatic
-        | JointKind::Screw { .. }
-        | JointKind::Cylindrical
-        | JointKind::Universal
-        | JointKind::Translation => {}
+    if !joint.kind.moves() {
+        return vec![whole(ElementaryMotion::Fixed)];
+    }
+    if let Some(manifold) = joint.kind.manifold() {
+        return vec![whole(ElementaryMotion::Manifold(manifold))];
     }
     let velocities = joint.kind.velocities(&joint.name.text).enumerate();
     let mut parts: Vec<Elementary<'_>> = velocities

@@ -145,9 +145,7 @@ impl<'d> Urdf<'d> {
             ElementaryMotion::Rotation if is_limited => "revolute",
             ElementaryMotion::Rotation => "continuous",
             ElementaryMotion::Translation => "prismatic",
-            ElementaryMotion::Spherical => "spherical",
-            ElementaryMotion::Planar => "planar",
-            ElementaryMotion::Floating => "floating",
+            ElementaryMotion::Manifold(manifold) => manifold.word(),
         };
         let attributes = [("name", part.name.clone()), ("type", kind.to_owned())];
         self.markup.begin("joint", &attributes);
@@ -156,7 +154,9 @@ impl<'d> Urdf<'d> {
         self.markup.empty("child", &[("link", child.to_owned())]);
         if matches!(
             part.motion,
-            ElementaryMotion::Rotation | ElementaryMotion::Translation | ElementaryMotion::Planar
+            ElementaryMotion::Rotation
+                | ElementaryMotion::Translation
+                | ElementaryMotion::Manifold(Manifold::Planar)
         ) {
             self.markup.empty("axis", &[("xyz", texts(&part.axis))]);
         }

@@ -102,11 +102,22 @@ impl Function {
         self.definition().result
     }
 
-    /// Spaces of its result other than coordinates and velocities; their lengths are parameters of its trait.
-    pub(crate) fn further(self) -> impl Iterator<Item = Space> {
-        let over = self.result().parts().flat_map(|(_, part)| part.over);
-        over.copied()
-            .filter(|space| !matches!(space, Space::Coordinates | Space::Velocities))
+    /// Spaces of its result and its arguments other than coordinates and velocities, each once; their lengths are
+    /// parameters of its trait.
+    pub(crate) fn further(self) -> Vec<Space> {
+        let result = self.result().parts().flat_map(|(_, part)| part.over);
+        let arguments = self.arguments().iter().map(|argument| argument.space());
+        let mut further = Vec::new();
+        for space in result.copied().chain(arguments) {
+            let is_known = matches!(
+                space,
+                Space::Coordinates | Space::Velocities | Space::Wrench
+            );
+            if !is_known && !further.contains(&space) {
+                further.push(space);
+            }
+        }
+        further
     }
 
     /// True if its result solves an equation, without loops: forward dynamics, the inverse mass matrix, and derivatives.
@@ -162,7 +173,7 @@ impl Function {
     /// True if it needs a frame: it belongs to one, or its result ranges over all that are requested.
     #[must_use]
     pub fn needs_a_frame(self) -> bool {
-        self.of_a_frame() || self.further().any(|space| space == Space::Frames)
+        self.of_a_frame() || self.further().contains(&Space::Frames)
     }
 
     /// Equivalent algorithms, among which the one with the fewest operations is chosen.

@@ -22,6 +22,23 @@ pub enum Manifold {
 }
 
 impl Manifold {
+    /// Its name in generated code and in data.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Planar => "planar",
+            Self::Spherical => "spherical",
+            Self::Floating => "floating",
+        }
+    }
+
+    /// Index of the first entry of the quaternion among the coordinates, if there is one.
+    #[must_use]
+    pub fn quaternion(self) -> Option<usize> {
+        let mut entries = self.coordinates().iter();
+        entries.position(|(_, kind)| *kind == Kind::Quaternion)
+    }
+
     /// Names and kinds of the coordinates.
     #[must_use]
     pub const fn coordinates(self) -> &'static [(&'static str, Kind)] {

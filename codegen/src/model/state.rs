@@ -56,7 +56,7 @@ impl<'g> State<'g> {
     }
 
     /// Entry `k` of an argument.
-    fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
+    pub(crate) fn entry(&self, variable: Variable, k: usize) -> Term<'g> {
         let k = u16::try_from(k).expect("fewer than 65536 joints");
         self.graph.input(Input::Variable(variable, k))
     }

@@ -136,6 +136,7 @@ impl MeasuredError {
     };
 
     /// True if it was measured.
+    #[must_use]
     pub const fn is_measured(&self) -> bool {
         self.random > 0
     }

@@ -78,11 +78,10 @@ fn manifolds(module: &Module) -> impl Iterator<Item = Manifold> + '_ {
 
 impl Own {
     /// Index of its quaternion among its coordinates, if it has one.
-    pub const fn quaternion(&self) -> Option<usize> {
+    pub fn quaternion(&self) -> Option<usize> {
         match self.motion {
-            DataMotion::Manifold(Manifold::Spherical) => Some(0),
-            DataMotion::Manifold(Manifold::Floating) => Some(3),
-            _ => None,
+            DataMotion::Manifold(manifold) => manifold.quaternion(),
+            DataMotion::Along | DataMotion::Mimic { .. } => None,
         }
     }
 

@@ -31,33 +31,16 @@ mod weighted;
 
 use nalgebra::RealField;
 
-pub use super::closure::{
-    actuated_inverse_dynamics, constrained_forward_dynamics, constraint, constraint_bias,
-    constraint_jacobian,
-};
-pub use super::derivatives::{coriolis_matrix, gravity_derivative, inverse_dynamics_derivatives};
-pub use super::hessian::inverse_dynamics_hessian;
-pub use dynamics::{bias, gravity, inverse_dynamics, mass_matrix, regressor, torques_of_wrench};
-pub use energy::{
-    kinetic_energy, kinetic_energy_regressor, potential_energy, potential_energy_regressor,
-};
-pub use forward::{
-    forward_dynamics, forward_dynamics_derivatives, forward_dynamics_parameter_derivatives,
-    mass_matrix_inverse,
-};
-pub use kinematics::{
-    acceleration, acceleration_bias, body_jacobian, body_jacobian_rate, forward_kinematics,
-    forward_kinematics_hessian, geometric_jacobian, geometric_jacobian_rate, jacobian_derivative,
-    spatial_jacobian, spatial_jacobian_rate, velocity,
-};
-pub use momentum::{
-    center_of_mass, center_of_mass_jacobian, center_of_mass_velocity, centroidal_momentum,
-    centroidal_momentum_bias, centroidal_momentum_matrix, momentum,
-};
-pub use weighted::{
-    forward_dynamics_hessian, forward_dynamics_jvp, forward_dynamics_vjp, inverse_dynamics_jvp,
-    inverse_dynamics_vjp,
-};
+// Each of these files defines the functions of its kind and nothing else that is public.
+pub use super::closure::*;
+pub use super::derivatives::*;
+pub use super::hessian::*;
+pub use dynamics::*;
+pub use energy::*;
+pub use forward::*;
+pub use kinematics::*;
+pub use momentum::*;
+pub use weighted::*;
 
 /// Σ.
 fn sum<T: RealField + Copy>(terms: impl Iterator<Item = T>) -> T {

@@ -214,12 +214,19 @@ fn uses(source: &Source, code: &str, item: &str) -> bool {
     calls(code, name)
 }
 
-/// True if a module re-exports an item of another file.
-fn passes_on(text: &str, item: &str) -> bool {
+/// True if a module re-exports a function of another file, by name or with all others of that file.
+fn passes_on(text: &str, item: &str, sources: &[Source]) -> bool {
     let mut lists = text.split("pub use ").skip(1);
     lists.any(|rest| {
         let list = rest.split(';').next().unwrap_or(rest);
-        words(list, item).next().is_some()
+        match list.strip_suffix("::*") {
+            Some(path) => {
+                let module = path.rsplit("::").next().unwrap_or(path);
+                let mut files = sources.iter().filter(|source| source.module == module);
+                files.any(|source| declares(&source.text, &["pub fn"], item))
+            }
+            None => words(list, item).next().is_some(),
+        }
     })
 }
 
@@ -261,7 +268,8 @@ fn every_item_exists() {
                     source.module == *module
                         && (declares(&source.text, &functions, item)
                             || declares(&source.text, &types, item)
-                            || passes_on(&source.text, item) && declares(&all, &functions, item))
+                            || passes_on(&source.text, item, &sources)
+                                && declares(&all, &functions, item))
                 }),
                 _ => false,
             };

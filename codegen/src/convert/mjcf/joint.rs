@@ -8,6 +8,7 @@ use crate::convert::numbers::{plain, text, texts};
 use crate::description::spatial::{Pose, to_number};
 use crate::description::{JointId, Number};
 use crate::error::Place;
+use crate::joint::Manifold;
 use crate::joint::actuator::Part;
 use crate::number::computed;
 use crate::wording::quoted;
@@ -18,10 +19,10 @@ impl Mjcf<'_> {
         let (kind, has_axis) = match part.motion {
             ElementaryMotion::Rotation => ("hinge", true),
             ElementaryMotion::Translation => ("slide", true),
-            ElementaryMotion::Spherical => ("ball", false),
-            ElementaryMotion::Floating => ("free", false),
+            ElementaryMotion::Manifold(Manifold::Spherical) => ("ball", false),
+            ElementaryMotion::Manifold(Manifold::Floating) => ("free", false),
             ElementaryMotion::Fixed => return,
-            ElementaryMotion::Planar => {
+            ElementaryMotion::Manifold(Manifold::Planar) => {
                 let message = format!(
                     "joint {} is planar, with velocities in its own frame: MJCF has no such joint",
                     quoted(&part.name)
@@ -58,10 +59,9 @@ impl Mjcf<'_> {
         let is_range = lower.is_finite() && upper.is_finite() && lower < upper;
         let is_said = match part.motion {
             ElementaryMotion::Rotation | ElementaryMotion::Translation => is_range,
-            ElementaryMotion::Spherical => is_range && lower == 0.0,
-            ElementaryMotion::Fixed | ElementaryMotion::Planar | ElementaryMotion::Floating => {
-                false
-            }
+            ElementaryMotion::Manifold(Manifold::Spherical) => is_range && lower == 0.0,
+            ElementaryMotion::Fixed
+            | ElementaryMotion::Manifold(Manifold::Planar | Manifold::Floating) => false,
         };
         if is_written && is_said {
             attributes.push(("range", format!("{} {}", plain(lower), plain(upper))));
@@ -100,7 +100,9 @@ impl Mjcf<'_> {
                 None
             })
         });
-        if part.motion == ElementaryMotion::Floating && (armature.is_some() || friction.is_some()) {
+        if part.motion == ElementaryMotion::Manifold(Manifold::Floating)
+            && (armature.is_some() || friction.is_some())
+        {
             let message = format!(
                 "joint {} is floating, and MuJoCo has its armature and friction along other axes",
                 quoted(&part.name)

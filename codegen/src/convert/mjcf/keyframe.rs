@@ -4,6 +4,7 @@ use super::Mjcf;
 use crate::convert::elementary::ElementaryMotion;
 use crate::convert::numbers::text;
 use crate::description::{Configuration, JointId, Number};
+use crate::joint::Manifold;
 
 impl Mjcf<'_> {
     /// Writes all configurations that have a value for each joint.
@@ -38,10 +39,9 @@ impl Mjcf<'_> {
             let mut joints = configuration.joints.iter();
             let (_, own) = joints.find(|(other, _)| other.text == *name)?;
             let count = match motion {
-                ElementaryMotion::Fixed | ElementaryMotion::Planar => 0,
+                ElementaryMotion::Fixed | ElementaryMotion::Manifold(Manifold::Planar) => 0,
                 ElementaryMotion::Rotation | ElementaryMotion::Translation => 1,
-                ElementaryMotion::Spherical => 4,
-                ElementaryMotion::Floating => 7,
+                ElementaryMotion::Manifold(manifold) => manifold.coordinates().len(),
             };
             let own: &[Number] = own.get(first..first + count)?;
             // Quaternions are w, x, y, z there.

@@ -4,7 +4,7 @@
 //! generated code is compared with.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::body::{Body, Returns, body};
 use super::comments::doc;
@@ -14,7 +14,6 @@ use super::lengths::{Lengths, known, literal};
 use super::library::Library;
 use super::literals::Numerals;
 use super::results::{square_and_column, two_vectors};
-use crate::joint::Manifold;
 use crate::module::{ChainData, DataMotion, Module};
 use crate::print::{Fields, documentation};
 use crate::schedule::Length;
@@ -151,11 +150,7 @@ fn joint(
             quote! { #along.mimic(#mimicked, #multiplier) }
         }
         DataMotion::Manifold(manifold) => {
-            let manifold = match manifold {
-                Manifold::Planar => quote! { planar },
-                Manifold::Spherical => quote! { spherical },
-                Manifold::Floating => quote! { floating },
-            };
+            let manifold = format_ident!("{}", manifold.word());
             quote! { #runtime::Joint::#manifold(#name, #parent, #placement, #inertia) }
         }
     }
@@ -173,9 +168,11 @@ pub(super) fn motion_of(motion: DataMotion, runtime: &TokenStream) -> TokenStrea
             let multiplier = Numerals::Bare.write(multiplier);
             quote! { Mimic { mimicked: #mimicked, multiplier: #multiplier } }
         }
-        DataMotion::Manifold(Manifold::Planar) => quote! { Planar },
-        DataMotion::Manifold(Manifold::Spherical) => quote! { Spherical },
-        DataMotion::Manifold(Manifold::Floating) => quote! { Floating },
+        DataMotion::Manifold(manifold) => {
+            // Variants of the runtime have the names of the engine's.
+            let manifold = format_ident!("{manifold:?}");
+            quote! { #manifold }
+        }
     };
     quote! { #runtime::Motion::#kind }
 }

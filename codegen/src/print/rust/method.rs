@@ -150,7 +150,7 @@ pub(super) fn of_runtime(
     let [count, coordinates] = [Space::Velocities, Space::Coordinates].map(lengths);
     let same = count.to_string() == coordinates.to_string();
     let coordinates = (!same).then(|| quote! { , #coordinates });
-    let further = function.further().map(lengths);
+    let further = function.further().into_iter().map(lengths);
     quote! { #runtime::robot::#name<#count, #(#further,)* #number #coordinates> }
 }
 

@@ -167,14 +167,7 @@ impl Steps<'_> {
     /// Function of a single joint.
     fn kernel(&self, verb: &str, manifold: Manifold) -> TokenStream {
         let runtime = self.runtime;
-        let kernel = format_ident!(
-            "{verb}_{}",
-            match manifold {
-                Manifold::Planar => "planar",
-                Manifold::Spherical => "spherical",
-                Manifold::Floating => "floating",
-            }
-        );
+        let kernel = format_ident!("{verb}_{}", manifold.word());
         quote! { #runtime::robot::manifold::#kernel }
     }
 }

@@ -116,7 +116,7 @@ fn functions(
             let name = ident(&names.fresh(&module::name(functions, frame)));
             let further = functions
                 .iter()
-                .any(|function| function.further().next().is_some());
+                .any(|function| !function.further().is_empty());
             let further = further.then(|| constant(other));
             let parameters: Vec<_> = parameter.into_iter().cloned().chain(further).collect();
             let signature =

@@ -15,7 +15,9 @@ memory of the largest process (`ru_maxrss` of cargo and all that it runs). Needs
 | first build | `cargo build` in an empty target folder: runtime, engine and a derive of inverse dynamics |
 | check | `cargo check` after a change of `main.rs`, a derive of all functions; median of three changes |
 | release | `cargo build --release` of a derive of ten functions, each called |
-| batch | the same of five functions with `batch` |
+| again | the same after a change elsewhere in `main.rs`: what was expanded is kept |
+| again, no SLP | the same with `-C no-vectorize-slp`, without LLVM's vectorizer of straight-line code |
+| batch | `cargo build --release` of five functions with `batch` |
 | package | `cargo build --release` of the Python package of these five functions |
 | C, generated | `homogen generate --language c` of all functions, by a development build of the command line; size of the file |
 | C, compiled | `gcc -O2 -c` of it |
@@ -56,6 +58,7 @@ BARS = {
     ("C, generated", HUMANOID): (None, 5.1),
     ("C, compiled", HUMANOID): (56, None),
 }
+NO_SLP = ["cargo", "rustc", "--quiet", "--release", "--", "-C", "no-vectorize-slp"]
 # The user's choice of flags and profiles is not measured.
 ENVIRONMENT = {
     name: value
@@ -127,9 +130,13 @@ def costs(folder, robot, command):
     release = ["cargo", "build", "--quiet", "--release"]
     # Compiles the dependencies.
     run(release, crate)
-    for cost, functions, keys in (("release", TEN, ""), ("batch", FIVE, ", batch")):
-        write_main(crate, robot, functions, keys)
-        yield cost, *run(release, crate)
+    write_main(crate, robot, TEN)
+    yield "release", *run(release, crate)
+    for cost, words in (("again", release), ("again, no SLP", NO_SLP)):
+        change(crate)
+        yield cost, *run(words, crate)
+    write_main(crate, robot, FIVE, ", batch")
+    yield "batch", *run(release, crate)
     yield "package", *package(folder, robot, command)
     yield from in_c(folder, robot, command)
 
@@ -165,11 +172,18 @@ def checked(crate, robot):
     check = ["cargo", "check", "--quiet"]
     run(check, crate)
     found = []
-    for change in range(3):
-        source.write_text(source.read_text() + f"\npub fn change_{change}() {{}}\n")
+    for _ in range(3):
+        change(crate)
         found.append(run(check, crate))
     seconds, megabytes = zip(*found)
     return statistics.median(seconds), max(megabytes)
+
+
+def change(crate):
+    """Adds a function to `main.rs`."""
+    source = crate / "src/main.rs"
+    text = source.read_text()
+    source.write_text(f"{text}\npub fn change_{len(text)}() {{}}\n")
 
 
 def package(folder, robot, command):

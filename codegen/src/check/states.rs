@@ -63,7 +63,7 @@ fn state(chain: &Chain, random: &mut Random) -> State {
     // From numbers of their own, so that a further argument changes no carried test of another function.
     let mut own = Random(random.0);
     for variable in Variable::ALL {
-        if variable != Variable::Q && !FIRST.concat().contains(&variable) {
+        if state.arguments[variable].is_empty() {
             let entries = spaces.entries(variable.space()).iter();
             state.arguments[variable] = entries.map(|_| drawn(variable, &mut own)).collect();
         }

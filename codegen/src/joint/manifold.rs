@@ -22,7 +22,7 @@ pub enum Manifold {
 }
 
 impl Manifold {
-    /// Its name in generated code and in data.
+    /// Its name in descriptions, in generated code and in data.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {

@@ -3,7 +3,7 @@
 use super::{Along, Definition, DegreeOfFreedom, JointKind, Manifold};
 
 pub(super) const DEFINITION: Definition = Definition {
-    word: "planar",
+    word: Manifold::Planar.word(),
     degrees_of_freedom: &[
         DegreeOfFreedom::translation("vx", Along::Frame(0)),
         DegreeOfFreedom::translation("vy", Along::Frame(1)),

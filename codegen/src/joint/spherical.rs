@@ -3,7 +3,7 @@
 use super::{Along, Definition, DegreeOfFreedom, JointKind, Manifold};
 
 pub(super) const DEFINITION: Definition = Definition {
-    word: "spherical",
+    word: Manifold::Spherical.word(),
     degrees_of_freedom: &[
         DegreeOfFreedom::rotation("wx", Along::Frame(0)),
         DegreeOfFreedom::rotation("wy", Along::Frame(1)),

@@ -63,15 +63,22 @@ struct Trial<'s> {
     tried: Vec<Tried>,
     /// The same forms in more expensive layouts, with their costs; not measured yet.
     costlier: Vec<(usize, Found)>,
-    /// Dear forms that were tried in one layout, with their costs in it.
-    postponed: Vec<(usize, Form)>,
 }
 
 /// A program that is not accurate enough.
 struct Tried {
-    /// Its cost, if all layouts have been compared.
-    cost: Option<usize>,
+    /// Its cost.
+    cost: usize,
     found: Found,
+    /// True if it is the cheapest of all layouts; false if the form was tried in one.
+    is_cheapest: bool,
+}
+
+impl Tried {
+    /// True if its error is beyond what another layout could mend.
+    fn is_far(&self) -> bool {
+        self.found.error.worst > FAR * ENOUGH
+    }
 }
 
 impl<'s> Trial<'s> {
@@ -82,7 +89,6 @@ impl<'s> Trial<'s> {
             best: None,
             tried: Vec::new(),
             costlier: Vec::new(),
-            postponed: Vec::new(),
         }
     }
 
@@ -107,17 +113,16 @@ impl<'s> Trial<'s> {
         // Nor is one that is far from accurate in one layout; one that costs far more than another waits.
         if let Some(before) = self.tried.first() {
             let (cost, first) = self.search.like(&before.found, form, &mut made);
-            let waits = before.cost.is_some_and(|least| is_dear(cost, least));
-            let found = self.measured(first);
-            let error = found.error.worst;
-            if error > FAR * ENOUGH || (waits && error > ENOUGH) {
-                if error <= FAR * ENOUGH {
-                    self.postponed.push((cost, form));
-                }
-                let cost = None;
-                return self.tried.push(Tried { cost, found });
+            let waits = is_dear(cost, before.cost);
+            let tried = Tried {
+                cost,
+                found: self.measured(first),
+                is_cheapest: false,
+            };
+            if tried.is_far() || (waits && tried.found.error.worst > ENOUGH) {
+                return self.tried.push(tried);
             }
-            made.push((cost, found));
+            made.push((cost, tried.found));
         }
         let mut layouts = self.search.by_cost(form, made).into_iter();
         let (cost, found) = layouts.next().expect("there is at least one layout");
@@ -128,8 +133,11 @@ impl<'s> Trial<'s> {
         if found.error.worst <= ENOUGH {
             self.best = Some((cost, found));
         } else {
-            let cost = Some(cost);
-            self.tried.push(Tried { cost, found });
+            self.tried.push(Tried {
+                cost,
+                found,
+                is_cheapest: true,
+            });
             self.costlier.extend(layouts);
         }
     }
@@ -139,7 +147,14 @@ impl<'s> Trial<'s> {
     fn accurate(&mut self) -> Option<(usize, Found)> {
         let costlier = std::mem::take(&mut self.costlier);
         self.take_cheapest(costlier);
-        for (cost, form) in std::mem::take(&mut self.postponed) {
+        let waiting = self
+            .tried
+            .iter()
+            .filter(|tried| !tried.is_cheapest && !tried.is_far());
+        let waiting: Vec<(usize, Form)> = waiting
+            .map(|tried| (tried.cost, Form::of(tried.found.algorithm)))
+            .collect();
+        for (cost, form) in waiting {
             if (self.best.as_ref()).is_none_or(|(least, _)| !is_dear(cost, *least)) {
                 let layouts = self.search.by_cost(form, Vec::new());
                 self.take_cheapest(layouts);
@@ -195,11 +210,11 @@ impl<'s> Trial<'s> {
         let worst = good.iter().map(|tried| tried.found.error.worst);
         let least = worst.fold(f64::INFINITY, f64::min);
         good.retain(|tried| tried.found.error.worst <= 2.0 * least);
-        let weighed = good.into_iter().map(|Tried { cost, found }| {
-            if let Some(cost) = cost {
-                return (cost, found);
+        let weighed = good.into_iter().map(|tried| {
+            if tried.is_cheapest {
+                return (tried.cost, tried.found);
             }
-            let (cost, found) = self.search.best(Form::of(found.algorithm));
+            let (cost, found) = self.search.best(Form::of(tried.found.algorithm));
             (cost, self.measured(found))
         });
         let best = weighed.min_by_key(|(cost, _)| *cost);

@@ -45,6 +45,8 @@ pub(crate) use self::free_fall::FreeFall;
 pub(crate) use self::mass_center::MassCenter;
 pub(crate) use self::state::State;
 
+use std::iter::successors;
+
 use crate::chain::BodyId;
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
@@ -86,6 +88,15 @@ impl<'s, 'g> Scene<'s, 'g> {
     /// mimic joints, the nearest one coupled with any of its bodies.
     pub(crate) fn parents(&self) -> List<VelocityId, Option<VelocityId>> {
         velocities::parents(self.bodies)
+    }
+
+    /// The largest number of velocities of which each carries the next.
+    pub(crate) fn longest_path(&self) -> usize {
+        let parents = self.parents();
+        let lengths = parents
+            .ids()
+            .map(|k| successors(Some(k), |&k| parents[k]).count());
+        lengths.max().unwrap_or(0)
     }
 
     /// The path to the frame, in the frames of the links.
@@ -233,9 +244,25 @@ impl<'s, 'g> Scene<'s, 'g> {
         &self,
         second: impl Fn(BodyId) -> Term<'g>,
     ) -> Vec<List<VelocityId, Term<'g>>> {
-        let (joints, links) = (self.plain_joints(), self.links());
-        let columns = regressor::regressor(&joints, &links, self.gravity, &self.state, &second);
+        let (joints, state) = (self.plain_joints(), &self.state);
+        let columns = regressor::regressor(&joints, &self.links(), self.gravity, state, second);
         columns.iter().map(|column| self.forces(column)).collect()
+    }
+
+    /// λᵗ Y of the inertial parameters for each of some λ, where `second` is the joint acceleration of a body.
+    fn regressor_of_links_along(
+        &self,
+        second: impl Fn(BodyId) -> Term<'g>,
+        weights: &[List<VelocityId, Term<'g>>],
+    ) -> Vec<Vec<Term<'g>>> {
+        let (joints, state) = (self.plain_joints(), &self.state);
+        let links = regressor::motions(&joints, &self.links(), self.gravity, state, second);
+        // A twist is carried to each link, and each of its powers has two products or more.
+        let operations = 2 * regressor::PARAMETERS * joints.len();
+        alike(weights, operations, |weights| {
+            let weights = velocities::shared(state, self.bodies, weights);
+            regressor::along(&joints, &links, &weights)
+        })
     }
 
     /// The columns of armature, damping and friction, if they are parameters.

@@ -208,7 +208,7 @@ fn slopes(graph: &Graph, expr: Expr, node: Node) -> Vec<(Expr, Slope<'_>)> {
         Node::Sqrt(a) => vec![(a, Slope::Of(graph.constant(0.5) / term(expr)))],
         Node::Sin(a) => vec![(a, Slope::Of(term(a).sin_cos().1))],
         Node::Cos(a) => vec![(a, Slope::Of(-term(a).sin_cos().0))],
-        Node::Taken(a, _) => vec![(a, Slope::One)],
+        Node::Taken(a, _) | Node::Made(a) => vec![(a, Slope::One)],
     }
 }
 

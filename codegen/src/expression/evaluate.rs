@@ -151,7 +151,7 @@ impl<T: Arithmetic> Values<T> {
             Node::Sign(a) => at(a).sign(),
             Node::Sin(a) => turn(a).0.clone(),
             Node::Cos(a) => turn(a).1.clone(),
-            Node::Taken(a, _) => at(a),
+            Node::Taken(a, _) | Node::Made(a) => at(a),
         };
         self.nodes.push(value);
     }

@@ -8,7 +8,8 @@
 //!   one that starts with the older operand exists, the other is its `Neg`;
 //! * a product holds at most one constant factor, folded at 106 bits;
 //! * k x ± l x is (k ± l) x, and so where one of k and l is 1;
-//! * no rule applies across a [`Node::Taken`]: the nodes above it are the same, whatever it holds.
+//! * no rule applies across a [`Node::Taken`] or a [`Node::Made`]: the nodes between them are the same, whatever the
+//!   former holds and whoever reads the latter.
 
 mod sparse;
 #[cfg(test)]
@@ -69,6 +70,8 @@ pub enum Node {
     Cos(Expr),
     /// a, marked with the number of one of several equal computations.
     Taken(Expr, u16),
+    /// a, marked as a result of one of these.
+    Made(Expr),
 }
 
 /// Scalars in the order in which they were made.
@@ -227,6 +230,10 @@ impl Graph {
     pub(super) fn taken(&self, a: Expr, by: u16) -> Expr {
         self.inner.borrow_mut().taken(a, by)
     }
+
+    pub(super) fn made(&self, a: Expr) -> Expr {
+        self.inner.borrow_mut().made(a)
+    }
 }
 
 impl Node {
@@ -240,7 +247,8 @@ impl Node {
             | Self::Sign(a)
             | Self::Sin(a)
             | Self::Cos(a)
-            | Self::Taken(a, _) => Operands(Some(a), None),
+            | Self::Taken(a, _)
+            | Self::Made(a) => Operands(Some(a), None),
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => {
                 Operands(Some(a), Some(b))
             }
@@ -264,6 +272,7 @@ impl Node {
             Self::Sin(a) => (10, a.0, 0),
             Self::Cos(a) => (11, a.0, 0),
             Self::Taken(a, by) => (12, a.0, by.into()),
+            Self::Made(a) => (13, a.0, 0),
         };
         spread((u64::from(a) << 32) | u64::from(b), kind << 56)
     }
@@ -522,6 +531,15 @@ impl Inner {
             a
         } else {
             self.intern(Node::Taken(a, by), None)
+        }
+    }
+
+    /// Numbers stay numbers.
+    fn made(&mut self, a: Expr) -> Expr {
+        if self.is_constant(a) {
+            a
+        } else {
+            self.intern(Node::Made(a), None)
         }
     }
 

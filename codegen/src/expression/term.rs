@@ -49,6 +49,13 @@ impl<'g> Term<'g> {
         Self::new(self.graph, self.graph.taken(self.expr, number))
     }
 
+    /// The same value, marked as a result of a computation that takes marked terms, so that its readers do not change its
+    /// steps: no rule applies across it, and it has the sign in which it is computed.
+    #[must_use]
+    pub fn made(self) -> Self {
+        Self::new(self.graph, self.graph.made(self.expr))
+    }
+
     /// Labels it as an entry of a quantity.
     pub fn label(self, label: Label) {
         self.graph.set_label(self.expr, label);
@@ -70,6 +77,7 @@ impl<'g> Term<'g> {
             Node::Sin(a) => at(a).sin_cos().0,
             Node::Cos(a) => at(a).sin_cos().1,
             Node::Taken(a, by) => at(a).taken_by(by),
+            Node::Made(a) => at(a).made(),
         }
     }
 

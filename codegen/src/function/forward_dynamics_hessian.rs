@@ -14,8 +14,8 @@ use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
 use super::{forward_dynamics, inverse_dynamics_hessian, mass_matrix_inverse, quantities};
 use crate::expression::Term;
-use crate::list::Square;
-use crate::model::{FreeFall, Scene};
+use crate::list::{List, Square};
+use crate::model::{self, FreeFall, Scene};
 use crate::space::{Variable, VelocityId};
 
 pub(super) const DEFINITION: Definition = Definition {
@@ -52,29 +52,36 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let rows = q_qdd.rows().map(|row| row.map(|&entry| -entry));
     // M⁻¹ is symmetric: its products with the rows are the rows of D.
     let rows = mass_matrix_inverse::times(scene, &rows.collect::<Vec<_>>());
-    let by_tau = Square::of_rows(&rows.into_iter().flatten().collect::<Vec<_>>());
-    let [turned, slowed] = [by_q, by_qd].map(|by| product(&by_tau, &by));
+    let [turned, slowed] = [by_q, by_qd].map(|by| opposite_product(&rows, &by));
+    let by_tau = of_rows(rows);
     let places: Vec<(VelocityId, VelocityId)> = q_q.places().collect();
     let [by_orientation, by_motion] = falling.hessian(&scene.weights());
     let q_q = places.iter().map(|&(row, column)| {
         let both = turned[(row, column)] + turned[(column, row)];
-        by_orientation[(row, column)] - (q_q[(row, column)] + both)
+        by_orientation[(row, column)] - (q_q[(row, column)] - both)
     });
-    let q_qd = places.iter().map(|&place| -(q_qd[place] + slowed[place]));
+    let q_qd = places.iter().map(|&place| -(q_qd[place] - slowed[place]));
     let qd_qd = places.iter().map(|&place| by_motion[place] - qd_qd[place]);
     q_q.chain(q_qd)
         .chain(qd_qd)
-        .chain(Vec::from(by_tau.clone()))
+        .chain(Vec::from(by_tau))
         .collect()
 }
 
-/// The product A B.
-fn product<'g>(
-    a: &Square<VelocityId, Term<'g>>,
+/// The product −A B, of the rows of A. Results need it with this sign, which is free if all rows are computed with it.
+fn opposite_product<'g>(
+    rows: &[List<VelocityId, Term<'g>>],
     b: &Square<VelocityId, Term<'g>>,
 ) -> Square<VelocityId, Term<'g>> {
-    let columns = b
-        .ids()
-        .map(|column| mass_matrix_inverse::product(a, &b.column(column)));
-    Square::of_columns(&columns.collect())
+    let transposed = Square::of_columns(&b.rows().collect());
+    let operations = rows.len().pow(2);
+    let rows = model::alike(rows, operations, |row| {
+        let product = mass_matrix_inverse::product(&transposed, row);
+        product.map(|&entry| -entry)
+    });
+    of_rows(rows)
+}
+
+fn of_rows(rows: Vec<List<VelocityId, Term<'_>>>) -> Square<VelocityId, Term<'_>> {
+    Square::of_rows(&rows.into_iter().flatten().collect::<Vec<_>>())
 }

@@ -1,4 +1,8 @@
 //! Derivatives of forward dynamics by the inertial parameters: ∂q̈/∂π = −M⁻¹ Y, with the regressor Y at q̈.
+//!
+//! An entry is the power of the wrench of a unit parameter along the motion of its link that a unit torque at a joint
+//! causes, with the opposite sign. So rows cost a recursion outwards each, where columns cost a solution each, of which
+//! there are ten a link.
 
 use super::definition::{Definition, Given, Property, Truth};
 use super::tally::{Size, Tally};
@@ -33,12 +37,20 @@ fn dense(size: Size) -> Tally {
     parts.and(product, product)
 }
 
+/// Length of chains up to which columns take fewer operations than rows.
+const FEW: usize = 3;
+
 fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     let falling = FreeFall::of(scene);
     let scene = falling.scene();
-    let columns = falling.regressor(&forward_dynamics::accelerations(scene));
-    let columns = columns.iter().map(|column| column.map(|&entry| -entry));
-    let columns: Vec<List<VelocityId, Term<'g>>> = columns.collect();
-    let found = mass_matrix_inverse::times(scene, &columns);
-    scene.rows_of(&found.iter().collect::<Vec<_>>())
+    let accelerations = forward_dynamics::accelerations(scene);
+    let negated = |entries: List<VelocityId, Term<'g>>| entries.map(|&entry| -entry);
+    if scene.longest_path() <= FEW {
+        let columns = falling.regressor(&accelerations).into_iter().map(negated);
+        let found = mass_matrix_inverse::times(scene, &columns.collect::<Vec<_>>());
+        return scene.rows_of(&found.iter().collect::<Vec<_>>());
+    }
+    let inverse = mass_matrix_inverse::inverse(scene);
+    let rows: Vec<_> = inverse.rows().map(negated).collect();
+    falling.regressor_along(&accelerations, &rows).concat()
 }

@@ -59,7 +59,8 @@ pub(super) fn times<'g>(
         return forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), columns);
     }
     let inverse = inverse(scene);
-    model::alike(columns, |column| product(&inverse, column))
+    let operations = inverse.ids().len().pow(2);
+    model::alike(columns, operations, |column| product(&inverse, column))
 }
 
 /// The product A b.

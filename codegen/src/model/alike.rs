@@ -1,23 +1,28 @@
 //! Equal computations for several columns.
 //!
-//! In: columns, and a function of each. Out: the results, with columns that have the same zeros one after the other and
-//! computed by the same steps, so that the steps can be written once for all of them.
+//! In: columns, and a function of each. Out: its results, with columns that have the same zeros one after the other and
+//! computed by the same steps, so that the steps can be written once for all of them, whoever reads their results.
 
 use crate::expression::Term;
 use crate::list::List;
 use crate::space::VelocityId;
 
-/// Minimum operations saved for columns to share a loop: a column takes one or two for each square of its length, and
-/// no longer shares operations with others that it is a multiple of.
+/// Minimum operations saved for columns to share a loop: a column no longer shares operations with others that it is a
+/// multiple of.
 const WORTH: usize = 300;
 
 type Column<'g> = List<VelocityId, Term<'g>>;
 
-/// The function `of` of each column; columns whose zeros too few others have are not marked.
-pub fn alike<'g>(
+/// The results of `of` for each column, each of which takes at least some number of operations; columns whose zeros too
+/// few others have are not marked.
+pub fn alike<'g, R>(
     columns: &[Column<'g>],
-    of: impl Fn(&Column<'g>) -> Column<'g>,
-) -> Vec<Column<'g>> {
+    operations: usize,
+    of: impl Fn(&Column<'g>) -> R,
+) -> Vec<R>
+where
+    R: IntoIterator<Item = Term<'g>> + FromIterator<Term<'g>>,
+{
     let zeros = |column: &Column<'g>| -> Vec<bool> {
         let zeros = column.iter().map(|entry| entry.is_zero());
         zeros.collect()
@@ -25,7 +30,7 @@ pub fn alike<'g>(
     let zeros: Vec<Vec<bool>> = columns.iter().map(zeros).collect();
     let is_worth = |k: usize| {
         let others = zeros.iter().filter(|other| **other == zeros[k]).count() - 1;
-        others * columns[k].len().pow(2) >= WORTH
+        others * operations >= WORTH
     };
     // All are marked before the first result is computed, so that changes of signs precede all of them.
     let marked = columns.iter().zip(0_u16..).enumerate();
@@ -33,14 +38,14 @@ pub fn alike<'g>(
         is_worth(k).then(|| column.map(|entry| entry.taken_by(number)))
     });
     let marked: Vec<Option<Column<'g>>> = marked.collect();
-    let mut made: Vec<Option<Column<'g>>> = vec![None; columns.len()];
+    let mut made: Vec<Option<R>> = columns.iter().map(|_| None).collect();
     for first in 0..columns.len() {
         if marked[first].is_none() {
             made[first] = Some(of(&columns[first]));
         }
         for k in first..columns.len() {
             if let (Some(column), None, true) = (&marked[k], &made[k], zeros[k] == zeros[first]) {
-                made[k] = Some(of(column));
+                made[k] = Some(of(column).into_iter().map(Term::made).collect());
             }
         }
     }
@@ -51,7 +56,7 @@ pub fn alike<'g>(
 mod tests {
     use std::mem::{Discriminant, discriminant};
 
-    use super::alike;
+    use super::{WORTH, alike};
     use crate::expression::{Graph, Input, Term};
     use crate::list::List;
     use crate::schedule::{Operand, Operation, Program, run, schedule};
@@ -95,7 +100,7 @@ mod tests {
                 .map(|column| solved(&graph, column))
                 .collect()
         } else {
-            alike(&columns, |column| solved(&graph, column))
+            alike(&columns, WORTH, |column| solved(&graph, column))
         };
         let results: Vec<_> = found.iter().flatten().map(|term| term.expr()).collect();
         let (graph, results) = simplify(&graph, &results);
@@ -119,6 +124,30 @@ mod tests {
         // Unmarked, signs move outwards.
         let [first, second] = kinds(&program(true));
         assert_ne!(first, second);
+    }
+
+    /// A reader with a sign of its own would otherwise have the entries computed with it.
+    #[test]
+    fn readers_do_not_change_the_steps() {
+        let graph = Graph::new();
+        let columns = columns(&graph);
+        let found = alike(&columns, WORTH, |column| solved(&graph, column));
+        let results = found[0].iter().map(|&entry| -entry);
+        let results = results.chain(found[1].iter().copied());
+        let results: Vec<_> = results.map(|term| term.expr()).collect();
+        let (graph, results) = simplify(&graph, &results);
+        let program = schedule(&graph, &results);
+        let at = |operand: Operand| match operand {
+            Operand::Step(step) => program.steps[step as usize].operation,
+            _ => unreachable!("{operand:?}"),
+        };
+        let entry = |&result: &Operand| match at(result) {
+            Operation::Neg(entry) => discriminant(&at(entry)),
+            entry => discriminant(&entry),
+        };
+        let (first, second) = program.results.split_at(usize::from(LENGTH));
+        let [first, second] = [first, second].map(|of| of.iter().map(entry).collect::<Vec<_>>());
+        assert_eq!(first, second);
     }
 
     #[test]

@@ -69,7 +69,8 @@ pub fn solved<'g>(
     columns: &[List<VelocityId, Term<'g>>],
 ) -> Vec<List<VelocityId, Term<'g>>> {
     let factors = factor(matrix, parents);
-    alike(columns, |column| factors.solve(column))
+    let operations = parents.len().pow(2);
+    alike(columns, operations, |column| factors.solve(column))
 }
 
 /// For each joint the diagonal entry of the mass matrix and its pivot.

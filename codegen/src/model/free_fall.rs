@@ -9,7 +9,7 @@
 //! cancel, and no column of derivatives is computed for the base's position, orientation and velocity v but those of f.
 
 use super::{Scene, velocities};
-use crate::chain::Position;
+use crate::chain::{BodyId, Position};
 use crate::expression::Term;
 use crate::joint::Manifold;
 use crate::layout::Bodies;
@@ -170,19 +170,49 @@ impl<'s, 'g> FreeFall<'s, 'g> {
         }
     }
 
-    /// Y of τ = Y π by its columns at the given α. Actuators move with q̈.
+    /// Y of τ = Y π by its columns at the given α.
     pub(crate) fn regressor(
         &self,
         relative: &List<VelocityId, Term<'g>>,
     ) -> Vec<List<VelocityId, Term<'g>>> {
-        let shared = |of| velocities::shared(&self.scene.state, self.scene.bodies, of);
-        let second = shared(relative);
+        let second = self.shared(relative);
         let mut columns = self.scene.regressor_of_links(|k| second[k]);
-        if self.scene.bodies.identifies_actuators {
-            let second = shared(&self.accelerations(relative));
-            columns.extend(self.outside.regressor_of_actuators(|k| second[k]));
-        }
+        columns.extend(self.regressor_of_actuators(relative));
         columns
+    }
+
+    /// λᵗ Y at the given α, for each of some λ.
+    pub(crate) fn regressor_along(
+        &self,
+        relative: &List<VelocityId, Term<'g>>,
+        weights: &[List<VelocityId, Term<'g>>],
+    ) -> Vec<Vec<Term<'g>>> {
+        let second = self.shared(relative);
+        let mut rows = self.scene.regressor_of_links_along(|k| second[k], weights);
+        let columns = self.regressor_of_actuators(relative);
+        let zero = self.scene.state.zero();
+        for (row, weights) in rows.iter_mut().zip(weights) {
+            row.extend(columns.iter().map(|column| {
+                let terms = column.iter().zip(weights);
+                let terms = terms.map(|(&entry, &weight)| entry * weight);
+                terms.fold(zero, |sum, term| sum + term)
+            }));
+        }
+        rows
+    }
+
+    /// The columns of actuators, which move with q̈.
+    fn regressor_of_actuators(
+        &self,
+        relative: &List<VelocityId, Term<'g>>,
+    ) -> Vec<List<VelocityId, Term<'g>>> {
+        let second = self.shared(&self.accelerations(relative));
+        self.outside.regressor_of_actuators(|k| second[k])
+    }
+
+    /// The values of each body, from those of each velocity.
+    fn shared(&self, of: &List<VelocityId, Term<'g>>) -> List<BodyId, Term<'g>> {
+        velocities::shared(&self.scene.state, self.scene.bodies, of)
     }
 
     /// q̈ = α + f.

@@ -1,11 +1,11 @@
 //! Regressors: torques and energies as linear functions of the inertial parameters of each link and of armature, damping
 //! and friction, τ = Y π.
 //!
-//! In: the joints, the frames of the links, and the motion. Out: Y. Φ = skew\[H J\] is linear in J, and the power of
+//! In: the joints, the frames of the links, and the motion. Out: Y, or λᵗ Y for some velocities λ. Φ = skew\[H J\] is linear in J, and the power of
 //! each of its parts along L is computed in the frame of the link: L is passed outwards, one screw a joint, instead
-//! of ten wrenches inwards. ½ Tr(W J Wᵗ) and −Tr(H_g J) are linear in J too.
+//! of ten wrenches inwards; or the motion at λ, one twist a link. ½ Tr(W J Wᵗ) and −Tr(H_g J) are linear in J too.
 
-use super::carry::Joints;
+use super::carry::{Joint, Joints};
 use super::moving;
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
@@ -17,8 +17,69 @@ use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 /// Number of inertial parameters of a link.
 pub const PARAMETERS: usize = 10;
 
+/// The motion of a link, as the powers of its inertial parameters need it.
+pub struct LinkMotion<'g> {
+    /// The pose of the link's frame in its body's.
+    pose: Pose<Term<'g>>,
+    /// G, in the link's frame.
+    g: [[Term<'g>; 3]; 3],
+    /// The differences of its diagonal, in each of which one square of ω cancels: yy − xx, xx − zz, zz − yy of −ω̲².
+    differences: [Term<'g>; 3],
+    /// The acceleration of the frame's origin.
+    a: Vector<Term<'g>>,
+}
+
+impl<'g> LinkMotion<'g> {
+    /// The motion of a link on a body with the given H.
+    fn of(pose: Pose<Term<'g>>, h: Acceleration<Term<'g>>) -> Self {
+        let h = h.move_pole(pose.translation);
+        let h = h.rotate(pose.rotation.transposed());
+        let g = h.g();
+        let [xx, yy, zz] = h.omega.0.map(|entry| entry * entry);
+        Self {
+            pose,
+            g,
+            differences: [yy - xx, xx - zz, zz - yy],
+            a: h.a,
+        }
+    }
+}
+
+/// The motion of each body that is a link, at the given q̈.
+pub fn motions<'g>(
+    joints: &Joints<'g>,
+    links: &List<BodyId, Option<Pose<Term<'g>>>>,
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+    second: impl Fn(BodyId) -> Term<'g>,
+) -> List<BodyId, Option<LinkMotion<'g>>> {
+    let mut all = List::new();
+    for (k, joint) in joints.numbered() {
+        all.push(moved(&all, joint, gravity, state, second(k)));
+    }
+    let each = all.iter().zip(links);
+    each.map(|(moving, link)| Some(LinkMotion::of((*link)?, moving.h)))
+        .collect()
+}
+
+/// The motion of a body, after those inboard of it.
+fn moved<'g>(
+    all: &List<BodyId, Moving<'g>>,
+    joint: &Joint<'g>,
+    gravity: Vector<Term<'g>>,
+    state: &State<'g>,
+    second: Term<'g>,
+) -> Moving<'g> {
+    let base = Moving::still(Acceleration::linear(-gravity));
+    let outer = joint.parent.map_or(base, |parent| all[parent]);
+    let moving = beyond(outer, joint, state.qd(joint.body), second);
+    let (index, frame) = joint.numbers();
+    moving.h.label(index, frame);
+    moving
+}
+
 /// The columns of Y, one after the other, over the torques of each body: ten for each body that is a link, whose frame
-/// has a pose in the body's. `second` is q̈ of each body.
+/// has a pose in the body's.
 pub fn regressor<'g>(
     joints: &Joints<'g>,
     links: &List<BodyId, Option<Pose<Term<'g>>>>,
@@ -27,18 +88,11 @@ pub fn regressor<'g>(
     second: impl Fn(BodyId) -> Term<'g>,
 ) -> Vec<List<BodyId, Term<'g>>> {
     let mut columns = Vec::new();
-    let base = Moving::still(Acceleration::linear(-gravity));
-    let mut all: List<BodyId, Moving<'g>> = List::new();
+    let mut all = List::new();
     // The motion of a body at a unit velocity of each joint inboard of it, in its frame.
     let mut motions: List<BodyId, Vec<(BodyId, Velocity<Term<'g>>)>> = List::new();
     for (k, joint) in joints.numbered() {
-        let outer = joint.parent.map_or(base, |parent| all[parent]);
-        let moving = beyond(outer, joint, state.qd(joint.body), second(k));
-        let h = moving.h;
-        let (index, frame) = joint.numbers();
-        h.label(index, frame);
-        all.push(moving);
-
+        all.push(moved(&all, joint, gravity, state, second(k)));
         let inboard = joint.parent.map_or(&[][..], |parent| &motions[parent]);
         let inboard = inboard
             .iter()
@@ -48,13 +102,11 @@ pub fn regressor<'g>(
             v: joint.screw.b,
         };
         let moved: Vec<_> = inboard.chain([(k, own)]).collect();
-        if let Some(link) = links[k] {
-            let h = h
-                .move_pole(link.translation)
-                .rotate(link.rotation.transposed());
+        if let Some(pose) = links[k] {
+            let link = LinkMotion::of(pose, all[k].h);
             let mut own = vec![List::filled(state.zero(), joints.len()); PARAMETERS];
             for &(row, motion) in &moved {
-                for (column, power) in own.iter_mut().zip(powers(motion.seen_from(link), h)) {
+                for (column, power) in own.iter_mut().zip(powers(motion, &link)) {
                     column[row] = power;
                 }
             }
@@ -63,6 +115,28 @@ pub fn regressor<'g>(
         motions.push(moved);
     }
     columns
+}
+
+/// λᵗ Y of the inertial parameters, for velocities λ of the bodies: the power of each part of Φ along the motion of its
+/// link.
+pub fn along<'g>(
+    joints: &Joints<'g>,
+    links: &List<BodyId, Option<LinkMotion<'g>>>,
+    weights: &List<BodyId, Term<'g>>,
+) -> Vec<Term<'g>> {
+    let mut motions: List<BodyId, Velocity<Term<'g>>> = List::new();
+    let mut found = Vec::new();
+    for (k, joint) in joints.numbered() {
+        let own = Velocity::of_screw(joint.screw, weights[k]);
+        let motion = joint
+            .parent
+            .map_or(own, |parent| joint.motion_outboard(motions[parent]) + own);
+        if let Some(link) = &links[k] {
+            found.extend(powers(motion, link));
+        }
+        motions.push(motion);
+    }
+    found
 }
 
 /// The columns of armature, damping and friction, three for each joint: q̈, q̇ and its sign.
@@ -166,27 +240,31 @@ fn kinetic_energies(w: Velocity<Term<'_>>) -> [Term<'_>; PARAMETERS] {
 }
 
 /// L ⊗ skew\[H J\] for a J with one entry 1, and its mirror image: m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz,
-/// J_zz.
-fn powers<'g>(l: Velocity<Term<'g>>, h: Acceleration<Term<'g>>) -> [Term<'g>; PARAMETERS] {
-    let g = h.g();
+/// J_zz. L is that of the link's body.
+fn powers<'g>(l: Velocity<Term<'g>>, link: &LinkMotion<'g>) -> [Term<'g>; PARAMETERS] {
+    let LinkMotion {
+        pose,
+        g,
+        differences: [yx, xz, zy],
+        a,
+    } = *link;
+    let l = l.seen_from(pose);
     let column = |k: usize| Vector(g.map(|row| row[k]));
     let [[_, gxy, gxz], [gyx, _, gyz], [gzx, gzy, _]] = g;
-    // The diagonal of G enters by differences, in each of which one square of ω cancels.
-    let [ox, oy, oz] = h.omega.0.map(|entry| entry * entry);
     let (u, b) = (l.omega, l.v);
     let [ux, uy, uz] = u.0;
-    let lever = h.a.cross(u).0;
+    let lever = a.cross(u).0;
     let first = |k: usize| column(k).dot(b) + lever[k];
     [
-        h.a.dot(b),
+        a.dot(b),
         first(0),
         first(1),
         first(2),
         uz * gyx - uy * gzx,
-        ux * gzx - uy * gzy + uz * (oy - ox),
-        uz * gyz - ux * gyx + uy * (ox - oz),
+        ux * gzx - uy * gzy + uz * yx,
+        uz * gyz - ux * gyx + uy * xz,
         ux * gzy - uz * gxy,
-        uy * gxy - uz * gxz + ux * (oz - oy),
+        uy * gxy - uz * gxz + ux * zy,
         uy * gxz - ux * gyz,
     ]
 }

@@ -12,6 +12,7 @@ mod declarations;
 mod header;
 mod literals;
 mod names;
+mod results;
 mod review;
 mod roots;
 mod sections;

@@ -4,11 +4,12 @@
 //! execution, its loops, and its sections. Results are the same bits.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 
-use super::Program;
 use super::limbs::in_limbs;
 use super::repeats::{Repeat, repeats};
 use super::sections::{Length, Sections, sections};
+use super::{Operand, Program};
 use crate::space::Limbs;
 
 /// A program with its loops and sections.
@@ -16,7 +17,7 @@ use crate::space::Limbs;
 pub struct Arranged<'p> {
     /// The program, with the same results.
     pub program: Cow<'p, Program>,
-    /// Its loops, in order.
+    /// Its loops, in order, with their results in the order of those of the program.
     pub repeats: Vec<Repeat>,
     /// Its sections, if it is too long for one function.
     pub sections: Option<Sections>,
@@ -27,10 +28,15 @@ impl<'p> Arranged<'p> {
     #[must_use]
     pub fn of(program: &'p Program, limbs: &[Limbs], length: Length) -> Self {
         let columns = repeats(program);
-        let (program, repeats) = match in_limbs(program, limbs, &columns, length) {
+        let (program, mut repeats) = match in_limbs(program, limbs, &columns, length) {
             Some((program, repeats)) => (Cow::Owned(program), repeats),
             None => (Cow::Borrowed(program), columns),
         };
+        let first_result = first_result(&program);
+        for repeat in &mut repeats {
+            let place = |step: &u32| first_result.get(step).copied().unwrap_or(usize::MAX);
+            repeat.stores.sort_by_key(place);
+        }
         let sections = sections(&program, &repeats, length);
         Self {
             program,
@@ -38,4 +44,14 @@ impl<'p> Arranged<'p> {
             sections,
         }
     }
+}
+
+/// For each step that is a result, the index of the first such result.
+fn first_result(program: &Program) -> HashMap<u32, usize> {
+    let results = program.results.iter().enumerate().rev();
+    let results = results.filter_map(|(index, result)| match result {
+        Operand::Step(step) => Some((*step, index)),
+        _ => None,
+    });
+    results.collect()
 }

@@ -3,7 +3,7 @@
 //! In: a graph and expressions. Out: a [`Program`]. Expressions are created after their operands, so that filtering the
 //! graph keeps the order; nothing is sorted.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use super::fuse::{self, Form, Fused};
 use super::signs::Signs;
@@ -38,6 +38,7 @@ fn place(graph: &Graph, results: &[Expr], needed: &[Expr], fused: Fused) -> Prog
         fused,
         operands: vec![None; graph.len()],
         steps: Vec::new(),
+        opposites: HashMap::new(),
         open: BTreeMap::new(),
     };
     // True for each expression that an angle depends on.
@@ -91,6 +92,8 @@ struct Placing<'g> {
     /// Operand that holds each expression.
     operands: Vec<Option<Operand>>,
     steps: Vec<Step>,
+    /// Operands that hold expressions with their own sign, beside those that hold the opposite.
+    opposites: HashMap<Expr, Operand>,
     /// As [`Program::open`].
     open: BTreeMap<u64, f64>,
 }
@@ -126,7 +129,7 @@ impl Placing<'_> {
         }
         let operation = match self.graph.node(expr) {
             Node::Input(input) => return Operand::Input(input),
-            Node::Neg(a) => return self.at(a),
+            Node::Neg(a) | Node::Made(a) => return self.at(a),
             Node::Taken(a, _) => return self.positive(a),
             Node::Add(a, b) => self.sum(expr, a, (b, false)),
             Node::Sub(a, b) => self.sum(expr, a, (b, true)),
@@ -192,7 +195,14 @@ impl Placing<'_> {
     fn positive(&mut self, expr: Expr) -> Operand {
         match self.term(expr, false) {
             (operand, false) => operand,
-            (operand, true) => self.push(self.graph.label(expr), Operation::Neg(operand)),
+            (operand, true) => match self.opposites.get(&expr) {
+                Some(&known) => known,
+                None => {
+                    let operand = self.push(self.graph.label(expr), Operation::Neg(operand));
+                    self.opposites.insert(expr, operand);
+                    operand
+                }
+            },
         }
     }
 

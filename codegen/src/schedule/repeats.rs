@@ -11,6 +11,7 @@
 pub mod tests;
 
 use std::collections::HashMap;
+use std::hash::Hash;
 use std::mem::discriminant;
 use std::ops::Range;
 
@@ -24,7 +25,11 @@ const SHORTEST: usize = 900;
 /// Number of consecutive operations that must be of the same kinds at a candidate for the next iteration.
 const ALIKE: usize = 16;
 
-/// Maximum number of candidates for the length of an iteration.
+/// Number of such stretches, one after the other, that must be alike at a candidate for the next one of long iterations.
+/// In a product of matrices, the nearest candidates of a shorter stretch are rows of the same iteration.
+const FAR: usize = 6;
+
+/// Maximum number of candidates of each kind for the length of an iteration.
 const TRIED: usize = 4;
 
 /// Minimum number of iterations, of columns as of limbs.
@@ -75,6 +80,16 @@ impl Repeat {
         self.first.end - self.first.start
     }
 
+    /// Steps whose results are stored, each in all iterations.
+    #[must_use]
+    pub fn stored(&self) -> Vec<u32> {
+        let of_all = |store: &u32| {
+            let store = *store;
+            (0..self.iterations).map(move |iteration| store + iteration * self.length())
+        };
+        self.stores.iter().flat_map(of_all).collect()
+    }
+
     /// Number of steps saved.
     #[must_use]
     pub fn saved(&self) -> usize {
@@ -94,11 +109,14 @@ pub fn repeats(program: &Program) -> Vec<Repeat> {
     if program.steps.len() < SHORTEST {
         return found;
     }
-    let next = next_alike(program);
+    let [near, far] = next_alike(program);
     let read_until = read_until(program, &program.results);
     let mut at = program.before_angles;
-    while at < next.len() {
-        let starts = std::iter::successors(next[at], |&start| next[start]).take(TRIED);
+    while at < near.len() {
+        let starts = [&near, &far].into_iter().flat_map(|next| {
+            let next = |at: usize| next.get(at).copied().flatten();
+            std::iter::successors(next(at), move |&start| next(start)).take(TRIED)
+        });
         let mut tried = starts.filter_map(|start| {
             let most = (program.steps.len() - at) / (start - at);
             repeat(program, Over::Columns, at..start, most, &read_until)
@@ -114,15 +132,33 @@ pub fn repeats(program: &Program) -> Vec<Repeat> {
     found
 }
 
-/// For each step, the next one at which the same kinds of operations begin.
-fn next_alike(program: &Program) -> Vec<Option<usize>> {
+/// For each step, the next one at which the same kinds of operations begin: one stretch of them, and [`FAR`].
+fn next_alike(program: &Program) -> [Vec<Option<usize>>; 2] {
     let kinds: Vec<_> = (program.steps.iter())
         .map(|step| discriminant(&step.operation))
         .collect();
-    let mut seen: HashMap<&[_], usize> = HashMap::with_capacity(kinds.len());
-    let windows = kinds.windows(ALIKE).enumerate().rev();
-    let mut next: Vec<_> = windows
-        .map(|(at, window)| seen.insert(window, at))
+    let near = next_equal(kinds.windows(ALIKE));
+    // For each step, the last one at which the same stretch begins.
+    let mut last: Vec<usize> = (0..near.len()).collect();
+    for at in (0..near.len()).rev() {
+        if let Some(next) = near[at] {
+            last[at] = last[next];
+        }
+    }
+    let stretches = last.windows(ALIKE * (FAR - 1) + 1);
+    let far = stretches
+        .map(|window| -> [usize; FAR] { std::array::from_fn(|stretch| window[ALIKE * stretch]) });
+    let far = next_equal(far);
+    [near, far]
+}
+
+/// For each key, the index of the next equal one.
+fn next_equal<K: Eq + Hash>(
+    keys: impl DoubleEndedIterator<Item = K> + ExactSizeIterator,
+) -> Vec<Option<usize>> {
+    let mut seen = HashMap::with_capacity(keys.len());
+    let mut next: Vec<_> = (keys.enumerate().rev())
+        .map(|(at, key)| seen.insert(key, at))
         .collect();
     next.reverse();
     next

@@ -184,7 +184,7 @@ impl Routine {
         let mut repeats = repeats.iter();
         for parts in &parts.after {
             statements.extend(naming.statements(parts));
-            let each = repeats.next().map(|repeat| naming.loop_of(repeat));
+            let each = repeats.next().map(|repeat| naming.loop_of(repeat, None));
             statements.extend(each.map(Statement::Loop));
         }
         let results = program.results.iter();

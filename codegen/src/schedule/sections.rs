@@ -132,7 +132,8 @@ pub struct Section {
     pub steps: Range<u32>,
     /// Values that they read from the work array.
     pub loads: Vec<(Shared, usize)>,
-    /// Steps whose results are stored in the work array.
+    /// Steps whose results are stored in the work array. Those of a repeat have consecutive places: each
+    /// step of its first iteration is followed by that of all others.
     pub stores: Vec<(u32, usize)>,
     /// Repeat, if the section is one.
     pub repeat: Option<Repeat>,
@@ -179,16 +180,25 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
     }
 
     let mut places = Places::default();
+    // Results wait in their order, so that languages copy them in loops.
+    for value in program.results.iter().filter_map(result) {
+        if home(&value).is_some_and(|number| repeats[number].is_none()) {
+            places.find_or_take(value);
+        }
+    }
     let initial = until.keys().filter(|value| home(value).is_none());
     let initial = initial.map(|&value| (value, places.take(value))).collect();
     let sections = ranges.into_iter().zip(loads).zip(repeats).enumerate();
     let sections = sections.map(|(number, ((steps, loads), repeat))| {
-        let stores = steps
-            .clone()
-            .filter(|&step| until.contains_key(&Shared::Step(step)));
-        let stores = stores
-            .map(|step| (step, places.take(Shared::Step(step))))
-            .collect();
+        let stores = if let Some(repeat) = &repeat {
+            places.take_in_a_row(&repeat.stored())
+        } else {
+            let read_later = |&step: &u32| until.contains_key(&Shared::Step(step));
+            let stores = steps.clone().filter(read_later);
+            stores
+                .map(|step| (step, places.find_or_take(Shared::Step(step))))
+                .collect()
+        };
         let loads: Vec<_> = (loads.into_iter())
             .map(|value| (value, places.of[&value]))
             .collect();
@@ -231,6 +241,26 @@ impl Places {
         });
         self.of.insert(value, place);
         place
+    }
+
+    fn find_or_take(&mut self, value: Shared) -> usize {
+        let known = self.of.get(&value).copied();
+        known.unwrap_or_else(|| self.take(value))
+    }
+
+    /// Consecutive places for some steps.
+    fn take_in_a_row(&mut self, steps: &[u32]) -> Vec<(u32, usize)> {
+        let count = steps.len();
+        let is_free = |first: &usize| (*first..first + count).all(|at| self.free.contains(&at));
+        let first = self.free.iter().copied().find(is_free);
+        let first = first.unwrap_or(self.len);
+        self.len = self.len.max(first + count);
+        let places = steps.iter().zip(first..).map(|(&step, place)| {
+            self.free.remove(&place);
+            self.of.insert(Shared::Step(step), place);
+            (step, place)
+        });
+        places.collect()
     }
 }
 

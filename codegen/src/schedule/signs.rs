@@ -57,6 +57,7 @@ impl Signs {
                     }
                 }
                 (Node::Neg(a), _) => Some(!signs.turned(a)),
+                (Node::Made(a), _) => Some(signs.turned(a)),
                 (Node::Add(a, b), _) => sum(signs.term(a), signs.term(b)),
                 (Node::Sub(a, b), _) => sum(signs.term(a), signs.term(b).map(|minus| !minus)),
                 (Node::Mul(a, _), _) if signs.numbers[a.index()] => None,
@@ -84,6 +85,11 @@ fn wishes(graph: &Graph, needed: &[Expr], results: &[Expr]) -> Vec<Option<bool>>
         wishes[result.index()].get_or_insert(false);
     }
     for &expr in needed.iter().rev() {
+        // The sign of what is made by equal computations does not depend on its reader.
+        if let Node::Made(a) = graph.node(expr) {
+            wishes[a.index()].get_or_insert(false);
+            continue;
+        }
         let named = || graph.label(expr).map(|label| label.negative);
         let Some(wish) = wishes[expr.index()].or_else(named) else {
             continue;

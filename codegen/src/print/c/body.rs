@@ -23,7 +23,7 @@ use crate::real::Real;
 use crate::schedule::{
     Angle, Length, Loop, Names, Operation, Program, Readable, Routine, Stored, Value,
 };
-use crate::space::{Quantity, Variable};
+use crate::space::Variable;
 
 /// Function body, and the sections that it calls.
 pub(super) struct Body {
@@ -54,7 +54,7 @@ pub(super) fn body(
         (names, writing),
     );
     let sections = writer.sections(&routine, own);
-    writer.store(&routine, module, &results);
+    writer.store_results(&routine, module, &results);
     Body {
         sections,
         text: writer.text,
@@ -158,7 +158,7 @@ pub(super) struct Writer<'w> {
     pub(super) text: String,
     /// Text around the current loop.
     outer: Vec<String>,
-    names: Names,
+    pub(super) names: Names,
     /// Name of the work array, if there is one.
     pub(super) work: String,
     /// Matrix in which results are stored as soon as they are computed, with its lengths.
@@ -289,7 +289,7 @@ impl<'w> Writer<'w> {
     }
 
     /// The same as a number of its type: classes may have no conversion from a literal.
-    fn stored(&self, value: &Value) -> String {
+    pub(super) fn stored(&self, value: &Value) -> String {
         match (value, self.read(value)) {
             (Value::Literal(_), literal) if self.writing.templates => format!("T({literal})"),
             (_, value) => value,
@@ -306,7 +306,7 @@ impl<'w> Writer<'w> {
     }
 
     /// Place of an entry of a result.
-    fn entry(&self, name: &str, index: usize, lengths: &[usize]) -> String {
+    pub(super) fn entry(&self, name: &str, index: usize, lengths: &[usize]) -> String {
         if self.writing.templates && lengths.is_empty() {
             name.to_owned()
         } else {
@@ -384,25 +384,6 @@ impl<'w> Writer<'w> {
             self.constant(name, &format!("{both}.{member}"));
         }
     }
-
-    /// Stores the results that are not stored yet.
-    fn store(&mut self, routine: &Routine, module: &Module, results: &[(String, Quantity)]) {
-        let mut values = routine.results.iter().enumerate();
-        for (name, quantity) in results {
-            let lengths = lengths(quantity, &module.spaces);
-            let size = lengths.iter().product::<usize>();
-            for (k, (result, value)) in values.by_ref().take(size).enumerate() {
-                if routine.stored.contains(&result) {
-                    continue;
-                }
-                let value = self.stored(value);
-                let halves = quantity.entity.halves();
-                let k = halves.map_or(k, |_| self.writing.order.place(k));
-                let place = self.entry(name, k, &lengths);
-                self.line(&format!("{place} = {value};"));
-            }
-        }
-    }
 }
 
 /// Scopes are omitted: names are unique in the function, and C compilers have no limit on their number.
@@ -438,8 +419,9 @@ impl Language for Writer<'_> {
             format!("{{{}}}", row.join(", "))
         });
         let rows: Vec<String> = rows.collect();
-        let [height, count] = [rows.len(), each.count()];
-        let start = format!("    {number} {table}[{height}][{count}] = {{");
+        let [height, count] = [rows.len() + each.unread(), each.count()];
+        let constant = if each.first.is_some() { "const " } else { "" };
+        let start = format!("    {constant}{number} {table}[{height}][{count}] = {{");
         let filled = filled((&start, "        "), &rows, "};");
         let _ = writeln!(self.text, "{filled}");
         self.line(&format!(
@@ -452,9 +434,21 @@ impl Language for Writer<'_> {
     }
 
     fn end_loop(&mut self, each: &Loop) {
-        let Loop { table, column, .. } = each;
-        for (row, name) in each.stores.iter().enumerate() {
-            self.line(&format!("{table}[{row}][{column}] = {name};"));
+        let Loop {
+            table,
+            column,
+            stores,
+            ..
+        } = each;
+        for (row, name) in stores.iter().enumerate() {
+            let place = match each.first {
+                Some(first) => {
+                    let (work, first) = (&self.work, first + row * each.count());
+                    format!("{work}[{first} + {column}]")
+                }
+                None => format!("{table}[{row}][{column}]"),
+            };
+            self.line(&format!("{place} = {name};"));
         }
         let outer = self.outer.pop().expect("a loop that began");
         let inside = mem::replace(&mut self.text, outer);

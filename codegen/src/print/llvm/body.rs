@@ -252,8 +252,10 @@ impl Language for Writer {
             ..
         } = each;
         let kind = format!("[{} x {}]", each.count(), self.lanes.value());
-        for (row, values) in rows.iter().enumerate() {
+        for row in 0..rows.len() + each.unread() {
             self.array(&format!("{table}.{row}"), &kind);
+        }
+        for (row, values) in rows.iter().enumerate() {
             for (column, value) in values.iter().enumerate() {
                 let value = self.read(value);
                 let address = self.cell(table, row, &column.to_string());
@@ -275,9 +277,17 @@ impl Language for Writer {
 
     fn end_loop(&mut self, each: &Loop) {
         let (table, column) = (&each.table, &each.column);
-        for (row, name) in each.stores.iter().enumerate() {
-            let address = self.cell(table, row, &local(column));
-            self.store_at(&address, &local(name));
+        if let Some(first) = each.first {
+            for (row, name) in each.stores.iter().enumerate() {
+                let row = self.work_entry(first + row * each.count());
+                let address = self.entry(&row, &local(column));
+                self.store_at(&address, &local(name));
+            }
+        } else {
+            for (row, name) in each.stores.iter().enumerate() {
+                let address = self.cell(table, row, &local(column));
+                self.store_at(&address, &local(name));
+            }
         }
         let counter = local(&format!("{column}.at"));
         let next = self.between(&format!("add i64 {}, 1", local(column)));

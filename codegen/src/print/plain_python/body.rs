@@ -106,7 +106,7 @@ impl Language for Writer {
 
     fn begin_loop(&mut self, each: &Loop) {
         let Loop { table, column, .. } = each;
-        let rows = each.rows.iter().map(|row| {
+        let rows = each.all_rows().map(|row| {
             let row: Vec<String> = row.iter().map(read).collect();
             list(&row)
         });

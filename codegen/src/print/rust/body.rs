@@ -369,12 +369,14 @@ impl Language for Writer<'_> {
 
     fn begin_loop(&mut self, each: &Loop) {
         let (table, column) = (ident(&each.table), ident(&each.column));
-        let rows = each.rows.iter().map(|row| {
+        let rows = each.all_rows().map(|row| {
             let row = row.iter().map(|value| self.read(value));
             quote! { [#(#row),*] }
         });
         let rows: Vec<_> = rows.collect();
-        self.text.extend(quote! { let mut #table = [#(#rows),*]; });
+        let mutable = each.first.is_none().then(|| quote! { mut });
+        self.text
+            .extend(quote! { let #mutable #table = [#(#rows),*]; });
         self.begin_scope();
         let names = each.loads.iter().map(|name| ident(name));
         let places = rows_at(&table, &column);
@@ -388,10 +390,21 @@ impl Language for Writer<'_> {
         let (table, column) = (ident(&each.table), ident(&each.column));
         let count = Literal::usize_unsuffixed(each.count());
         let names = each.stores.iter().map(|name| ident(name));
-        let places = rows_at(&table, &column);
-        let leaves = names
-            .zip(places)
-            .map(|(name, place)| quote! { #place = #name; });
+        let leaves: TokenStream = match each.first {
+            Some(first) => {
+                let (work, rows) = (&self.work, (first..).step_by(each.count()));
+                let leaves = names.zip(rows.map(Literal::usize_unsuffixed));
+                leaves
+                    .map(|(name, row)| quote! { #work[#row + #column] = #name; })
+                    .collect()
+            }
+            None => {
+                let leaves = names.zip(rows_at(&table, &column));
+                leaves
+                    .map(|(name, place)| quote! { #place = #name; })
+                    .collect()
+            }
+        };
         self.text.extend(leaves);
         let inside = self.inside();
         // A processor with vectors reads along a row; clippy prefers a loop over the rows.

@@ -79,6 +79,43 @@ fn iterations_are_found_with_their_inputs() {
     assert!(repeat.saved() >= SAVED);
 }
 
+/// Rows of a matrix times columns: within the first row, stretches of operations are as alike as columns are.
+#[test]
+fn columns_are_found_behind_the_rows_of_a_product() {
+    const TERMS: u32 = 40;
+    const ROWS: u32 = 6;
+    let mut program = program(HEAD, LENGTH);
+    program.steps.truncate(HEAD as usize);
+    let mut random = Random::new(5);
+    let kinds: Vec<bool> = (0..ROWS * TERMS)
+        .map(|k| k >= TERMS && random.below(2) == 0)
+        .collect();
+    program.results.clear();
+    for column in 0..ITERATIONS {
+        for (k, &plus) in (0..).zip(&kinds) {
+            let (entry, of_column) = (Operand::Step(k), Operand::Step(2 * (k % 4) + 10 * column));
+            let last = u32::try_from(program.steps.len() - 1).expect("few steps");
+            let operation = match (k % TERMS, plus) {
+                (0, _) => Operation::Mul(entry, of_column),
+                (_, true) => Operation::MulAdd(entry, of_column, Operand::Step(last)),
+                (_, false) => Operation::NegMulAdd(entry, of_column, Operand::Step(last)),
+            };
+            program.steps.push(Step {
+                label: None,
+                operation,
+            });
+            if k % TERMS == TERMS - 1 {
+                program.results.push(Operand::Step(last + 1));
+            }
+        }
+    }
+    let found = repeats(&program);
+    let lengths = found
+        .iter()
+        .map(|repeat| (repeat.length(), repeat.iterations));
+    assert_eq!(lengths.collect::<Vec<_>>(), [(ROWS * TERMS, ITERATIONS)]);
+}
+
 #[test]
 fn an_iteration_that_reads_another_is_rejected() {
     let mut program = program(HEAD, LENGTH);

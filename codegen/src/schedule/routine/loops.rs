@@ -1,7 +1,7 @@
 //! Loops of a routine.
 //!
 //! In: a repeat of a program, and the naming of its routine. Out: the statements of one iteration, and the table that
-//! values which differ between iterations are read from and written to.
+//! values which differ between iterations are read from and, outside of sections, written to.
 
 use super::{Meaning, Naming, Statement, Value};
 use crate::schedule::Operand;
@@ -13,7 +13,7 @@ use crate::schedule::repeats::{Over, Repeat};
 pub struct Loop {
     /// Name of the table.
     pub table: String,
-    /// Initial rows of the table, with an entry for each iteration.
+    /// Rows of the table that are read, with an entry for each iteration.
     pub rows: Vec<Vec<Value>>,
     /// Name of the loop's index, from 0.
     pub column: String,
@@ -21,8 +21,11 @@ pub struct Loop {
     pub loads: Vec<String>,
     /// Statements of an iteration.
     pub statements: Vec<Statement>,
-    /// Names of the values that an iteration writes to the table, row by row.
+    /// Names of the values that an iteration stores: in the table, row by row, or in the work array.
     pub stores: Vec<String>,
+    /// Index of the first of them in the work array, where each is followed by that of all iterations; `None` if they
+    /// are stored in the table.
+    pub first: Option<usize>,
 }
 
 impl Loop {
@@ -31,19 +34,30 @@ impl Loop {
     pub fn count(&self) -> usize {
         self.rows.first().map_or(0, Vec::len)
     }
+
+    /// Number of rows of the table that are stored and not read.
+    #[must_use]
+    pub fn unread(&self) -> usize {
+        match self.first {
+            Some(_) => 0,
+            None => self.stores.len().saturating_sub(self.rows.len()),
+        }
+    }
+
+    /// The rows, and for those that are not read others.
+    pub fn all_rows(&self) -> impl Iterator<Item = &Vec<Value>> {
+        let unread = self.rows.iter().take(1).cycle().take(self.unread());
+        self.rows.iter().chain(unread)
+    }
 }
 
 impl Naming<'_> {
-    /// Loop of a repeat.
-    pub(super) fn loop_of(&mut self, repeat: &Repeat) -> Loop {
+    /// Loop of a repeat; `first` is the place of its first result in the work array, if they are stored there.
+    pub(super) fn loop_of(&mut self, repeat: &Repeat, first: Option<usize>) -> Loop {
         let [table, column] =
             [Meaning::Table, Meaning::LoopIndex].map(|meaning| self.named(meaning));
         let row = |row: &Vec<Operand>| row.iter().map(|&operand| self.value(operand)).collect();
-        let mut rows: Vec<Vec<Value>> = repeat.loads.iter().map(row).collect();
-        // Rows that are written and not read.
-        let missing = repeat.stores.len().saturating_sub(rows.len());
-        rows.extend(std::iter::repeat_n(rows[0].clone(), missing));
-
+        let rows: Vec<Vec<Value>> = repeat.loads.iter().map(row).collect();
         let loads: Vec<String> = repeat.loads.iter().map(|_| self.unnamed()).collect();
         let reads = repeat.reads.iter();
         let reads = reads.map(|(&place, &row)| (place, loads[row].clone()));
@@ -62,6 +76,7 @@ impl Naming<'_> {
             loads,
             statements,
             stores,
+            first,
         }
     }
 
@@ -124,14 +139,19 @@ mod tests {
                     Statement::Block { statements, .. } => self.run(statements),
                     Statement::Loop(each) => {
                         let row = |row: &Vec<Value>| row.iter().map(|of| self.read(of)).collect();
-                        let mut table: Vec<Vec<f64>> = each.rows.iter().map(row).collect();
-                        for column in 0..table[0].len() {
+                        let mut table: Vec<Vec<f64>> = each.all_rows().map(row).collect();
+                        let count = each.count();
+                        for column in 0..count {
                             for (name, row) in each.loads.iter().zip(&table) {
                                 self.bound.insert(name.clone(), row[column]);
                             }
                             self.run(&each.statements);
-                            for (name, row) in each.stores.iter().zip(&mut table) {
-                                row[column] = self.bound[name];
+                            for (row, name) in each.stores.iter().enumerate() {
+                                let value = self.bound[name];
+                                match each.first {
+                                    Some(first) => self.work[first + row * count + column] = value,
+                                    None => table[row][column] = value,
+                                }
                             }
                         }
                         self.tables.insert(each.table.clone(), table);

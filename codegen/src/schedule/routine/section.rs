@@ -111,17 +111,15 @@ impl Naming<'_> {
         }
     }
 
-    /// A loop, and the stores of its results in the work array.
+    /// A loop that stores its results in the work array.
     fn loop_section(&mut self, repeat: &Repeat, stores: &[(u32, usize)]) -> Vec<Statement> {
-        let mut statements = vec![Statement::Loop(self.loop_of(repeat))];
-        for &(step, place) in stores {
-            let name = self.unnamed();
-            let step = &mut self.steps[step as usize];
+        let first = stores.first().map(|&(_, place)| place);
+        let each = self.loop_of(repeat, first);
+        for &(step, _) in stores {
             // Other sections bind it to a name.
-            let value = std::mem::replace(step, Value::Name(name));
-            statements.push(Statement::StoreWork(place, value));
+            self.steps[step as usize] = Value::Name(self.unnamed());
         }
-        statements
+        vec![Statement::Loop(each)]
     }
 }
 

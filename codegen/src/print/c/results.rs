@@ -1,0 +1,132 @@
+//! Stores of results in the arrays of the caller.
+//!
+//! In: a routine and the names of its results. Out: a statement for each result, or a loop for those that are in a row.
+
+use super::body::Writer;
+use super::declarations::lengths;
+use crate::module::Module;
+use crate::schedule::{Routine, Value};
+use crate::space::Quantity;
+
+impl Writer<'_> {
+    /// Stores the results that are not stored yet.
+    pub(super) fn store_results(
+        &mut self,
+        routine: &Routine,
+        module: &Module,
+        results: &[(String, Quantity)],
+    ) {
+        let index = self.names.fresh("k");
+        let mut first = 0;
+        for (name, quantity) in results {
+            let lengths = lengths(quantity, &module.spaces);
+            let values = &routine.results[first..];
+            let size = lengths.iter().product::<usize>().min(values.len());
+            let row = lengths.last().copied().unwrap_or(1);
+            let has_order = quantity.entity.halves().is_some();
+            // In C++, results may be of types with another index.
+            let is_array = !has_order && !self.writing.templates;
+            let mut k = 0;
+            while k < size {
+                let end = size.min((k / row + 1) * row);
+                let copied = InARow::of(&values[k..end]).filter(|_| is_array);
+                if let Some(copied) = copied {
+                    let place = self.entry(name, k, &lengths);
+                    k += copied.count;
+                    self.copy(&copied, &place, &index);
+                    continue;
+                }
+                if !routine.stored.contains(&(first + k)) {
+                    let value = self.stored(&values[k]);
+                    let k = if has_order {
+                        self.writing.order.place(k)
+                    } else {
+                        k
+                    };
+                    let place = self.entry(name, k, &lengths);
+                    self.line(&format!("{place} = {value};"));
+                }
+                k += 1;
+            }
+            first += size;
+        }
+    }
+
+    /// Copies values to a row of a result, from an entry on.
+    fn copy(&mut self, copied: &InARow, to: &str, index: &str) {
+        let InARow {
+            from,
+            first,
+            stride,
+            count,
+        } = copied;
+        let step = if *stride == 1 {
+            index.to_owned()
+        } else {
+            format!("{stride} * {index}")
+        };
+        let from = match from {
+            Source::Zeros => self.stored(&Value::Literal(0.0)),
+            Source::Work => format!("{}[{first} + {step}]", self.work),
+            Source::Column(table, column) => format!("{table}[{first} + {step}][{column}]"),
+        };
+        let (row, column) = to.rsplit_once('[').expect("an entry of a matrix or vector");
+        let to = format!("{row}[{} + {index}]", column.trim_end_matches(']'));
+        self.line(&format!(
+            "for (int {index} = 0; {index} < {count}; {index}++) {{"
+        ));
+        self.line(&format!("    {to} = {from};"));
+        self.line("}");
+    }
+}
+
+/// Minimum number of values that a loop copies.
+const COPIED: usize = 8;
+
+/// Values that a loop copies: zeros, or values at equal distances in the work array or in one column of a loop's table.
+struct InARow {
+    from: Source,
+    first: usize,
+    stride: usize,
+    count: usize,
+}
+
+/// Where values in a row are.
+enum Source {
+    Zeros,
+    Work,
+    Column(String, usize),
+}
+
+impl InARow {
+    /// The longest stretch from the first value on, if a loop is shorter.
+    fn of(values: &[Value]) -> Option<Self> {
+        let from = match values.first()? {
+            Value::Literal(0.0) => Source::Zeros,
+            Value::Work(_) => Source::Work,
+            Value::Entry(table, _, column) => Source::Column(table.clone(), *column),
+            _ => return None,
+        };
+        let place = |value: &Value| match (value, &from) {
+            (Value::Literal(0.0), Source::Zeros) => Some(0),
+            (Value::Work(place), Source::Work) => Some(*place),
+            (Value::Entry(of, row, column), Source::Column(table, own)) => {
+                (of == table && column == own).then_some(*row)
+            }
+            _ => None,
+        };
+        let mut places = values.iter().map_while(place);
+        let first = places.next()?;
+        let stride = places.next()?.checked_sub(first)?;
+        let places = values.iter().map_while(place).enumerate();
+        let count = places
+            .take_while(|(k, place)| *place == first + k * stride)
+            .count();
+        (count >= COPIED).then_some(Self {
+            from,
+            first,
+            stride,
+            count,
+        })
+    }
+}

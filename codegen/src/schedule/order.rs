@@ -193,17 +193,16 @@ impl Placing<'_> {
 
     /// Operand of the value with its own sign.
     fn positive(&mut self, expr: Expr) -> Operand {
-        match self.term(expr, false) {
-            (operand, false) => operand,
-            (operand, true) => match self.opposites.get(&expr) {
-                Some(&known) => known,
-                None => {
-                    let operand = self.push(self.graph.label(expr), Operation::Neg(operand));
-                    self.opposites.insert(expr, operand);
-                    operand
-                }
-            },
+        let (operand, is_opposite) = self.term(expr, false);
+        if !is_opposite {
+            return operand;
         }
+        if let Some(&known) = self.opposites.get(&expr) {
+            return known;
+        }
+        let operand = self.push(self.graph.label(expr), Operation::Neg(operand));
+        self.opposites.insert(expr, operand);
+        operand
     }
 
     fn push(&mut self, label: Option<Label>, operation: Operation) -> Operand {

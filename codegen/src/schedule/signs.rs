@@ -57,13 +57,12 @@ impl Signs {
                     }
                 }
                 (Node::Neg(a), _) => Some(!signs.turned(a)),
-                (Node::Made(a), _) => Some(signs.turned(a)),
                 (Node::Add(a, b), _) => sum(signs.term(a), signs.term(b)),
                 (Node::Sub(a, b), _) => sum(signs.term(a), signs.term(b).map(|minus| !minus)),
                 (Node::Mul(a, _), _) if signs.numbers[a.index()] => None,
                 (Node::Mul(a, b) | Node::Div(a, b), _) => Some(signs.of_factors(a, b)),
                 // sin(−a) = −sin a and cos(−a) = cos a.
-                (Node::Sin(a), _) => Some(signs.turned(a)),
+                (Node::Made(a) | Node::Sin(a), _) => Some(signs.turned(a)),
                 _ => Some(false),
             };
             signs.turned[expr.index()] = forced.unwrap_or(wishes[expr.index()] == Some(true));

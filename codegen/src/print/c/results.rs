@@ -22,7 +22,7 @@ impl Writer<'_> {
             let lengths = lengths(quantity, &module.spaces);
             let values = &routine.results[first..];
             let size = lengths.iter().product::<usize>().min(values.len());
-            let row = lengths.last().copied().unwrap_or(1);
+            let (row, outer) = lengths.split_last().unwrap_or((&1, &[]));
             let has_order = quantity.entity.halves().is_some();
             // In C++, results may be of types with another index.
             let is_array = !has_order && !self.writing.templates;
@@ -31,9 +31,13 @@ impl Writer<'_> {
                 let end = size.min((k / row + 1) * row);
                 let copied = InARow::of(&values[k..end]).filter(|_| is_array);
                 if let Some(copied) = copied {
-                    let place = self.entry(name, k, &lengths);
+                    let array = if outer.is_empty() {
+                        name.clone()
+                    } else {
+                        self.entry(name, k / row, outer)
+                    };
+                    self.copy(&copied, (&array, k % row), &index);
                     k += copied.count;
-                    self.copy(&copied, &place, &index);
                     continue;
                 }
                 if !routine.stored.contains(&(first + k)) {
@@ -52,8 +56,8 @@ impl Writer<'_> {
         }
     }
 
-    /// Copies values to a row of a result, from an entry on.
-    fn copy(&mut self, copied: &InARow, to: &str, index: &str) {
+    /// Copies values to an array, from an entry on.
+    fn copy(&mut self, copied: &InARow, (array, start): (&str, usize), index: &str) {
         let InARow {
             from,
             first,
@@ -70,12 +74,10 @@ impl Writer<'_> {
             Source::Work => format!("{}[{first} + {step}]", self.work),
             Source::Column(table, column) => format!("{table}[{first} + {step}][{column}]"),
         };
-        let (row, column) = to.rsplit_once('[').expect("an entry of a matrix or vector");
-        let to = format!("{row}[{} + {index}]", column.trim_end_matches(']'));
         self.line(&format!(
             "for (int {index} = 0; {index} < {count}; {index}++) {{"
         ));
-        self.line(&format!("    {to} = {from};"));
+        self.line(&format!("    {array}[{start} + {index}] = {from};"));
         self.line("}");
     }
 }

@@ -277,17 +277,15 @@ impl Language for Writer {
 
     fn end_loop(&mut self, each: &Loop) {
         let (table, column) = (&each.table, &each.column);
-        if let Some(first) = each.first {
-            for (row, name) in each.stores.iter().enumerate() {
-                let row = self.work_entry(first + row * each.count());
-                let address = self.entry(&row, &local(column));
-                self.store_at(&address, &local(name));
-            }
-        } else {
-            for (row, name) in each.stores.iter().enumerate() {
-                let address = self.cell(table, row, &local(column));
-                self.store_at(&address, &local(name));
-            }
+        for (row, name) in each.stores.iter().enumerate() {
+            let address = match each.first {
+                Some(first) => {
+                    let row = self.work_entry(first + row * each.count());
+                    self.entry(&row, &local(column))
+                }
+                None => self.cell(table, row, &local(column)),
+            };
+            self.store_at(&address, &local(name));
         }
         let counter = local(&format!("{column}.at"));
         let next = self.between(&format!("add i64 {}, 1", local(column)));

@@ -378,33 +378,29 @@ impl Language for Writer<'_> {
         self.text
             .extend(quote! { let #mutable #table = [#(#rows),*]; });
         self.begin_scope();
-        let names = each.loads.iter().map(|name| ident(name));
-        let places = rows_at(&table, &column);
-        let takes = names
-            .zip(places)
-            .map(|(name, place)| quote! { let #name = #place; });
+        let takes = each.loads.iter().enumerate().map(|(row, name)| {
+            let (name, row) = (ident(name), Literal::usize_unsuffixed(row));
+            quote! { let #name = #table[#row][#column]; }
+        });
+        let takes: TokenStream = takes.collect();
         self.text.extend(takes);
     }
 
     fn end_loop(&mut self, each: &Loop) {
         let (table, column) = (ident(&each.table), ident(&each.column));
         let count = Literal::usize_unsuffixed(each.count());
-        let names = each.stores.iter().map(|name| ident(name));
-        let leaves: TokenStream = match each.first {
-            Some(first) => {
-                let (work, rows) = (&self.work, (first..).step_by(each.count()));
-                let leaves = names.zip(rows.map(Literal::usize_unsuffixed));
-                leaves
-                    .map(|(name, row)| quote! { #work[#row + #column] = #name; })
-                    .collect()
+        let work = &self.work;
+        let leaves = each.stores.iter().enumerate().map(|(row, name)| {
+            let name = ident(name);
+            if let Some(first) = each.first {
+                let row = Literal::usize_unsuffixed(first + row * each.count());
+                quote! { #work[#row + #column] = #name; }
+            } else {
+                let row = Literal::usize_unsuffixed(row);
+                quote! { #table[#row][#column] = #name; }
             }
-            None => {
-                let leaves = names.zip(rows_at(&table, &column));
-                leaves
-                    .map(|(name, place)| quote! { #place = #name; })
-                    .collect()
-            }
-        };
+        });
+        let leaves: TokenStream = leaves.collect();
         self.text.extend(leaves);
         let inside = self.inside();
         // A processor with vectors reads along a row; clippy prefers a loop over the rows.
@@ -422,12 +418,6 @@ impl Language for Writer<'_> {
         let inside = self.inside();
         self.text.extend(block(&inside, outputs.iter()));
     }
-}
-
-/// Entries of an iteration in each row of a table.
-fn rows_at<'t>(table: &'t Ident, column: &'t Ident) -> impl Iterator<Item = TokenStream> + 't {
-    let rows = (0..).map(Literal::usize_unsuffixed);
-    rows.map(move |row| quote! { #table[#row][#column] })
 }
 
 /// `let [phi_2_in_2_cz, _, payload_m] = self.values;`, if any of them is read.

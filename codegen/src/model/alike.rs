@@ -134,7 +134,7 @@ mod tests {
         let found = alike(&columns, WORTH, |column| solved(&graph, column));
         let results = found[0].iter().map(|&entry| -entry);
         let results = results.chain(found[1].iter().copied());
-        let results: Vec<_> = results.map(|term| term.expr()).collect();
+        let results: Vec<_> = results.map(Term::expr).collect();
         let (graph, results) = simplify(&graph, &results);
         let program = schedule(&graph, &results);
         let at = |operand: Operand| match operand {

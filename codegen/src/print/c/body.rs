@@ -414,12 +414,12 @@ impl Language for Writer<'_> {
     fn begin_loop(&mut self, each: &Loop) {
         let Loop { table, column, .. } = each;
         let number = self.number();
-        let rows = each.rows.iter().map(|row| {
+        let rows = each.all_rows().map(|row| {
             let row: Vec<String> = row.iter().map(|value| self.stored(value)).collect();
             format!("{{{}}}", row.join(", "))
         });
         let rows: Vec<String> = rows.collect();
-        let [height, count] = [rows.len() + each.unread(), each.count()];
+        let [height, count] = [rows.len(), each.count()];
         let constant = if each.first.is_some() { "const " } else { "" };
         let start = format!("    {constant}{number} {table}[{height}][{count}] = {{");
         let filled = filled((&start, "        "), &rows, "};");

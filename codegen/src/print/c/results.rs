@@ -64,15 +64,11 @@ impl Writer<'_> {
             stride,
             count,
         } = copied;
-        let step = if *stride == 1 {
-            index.to_owned()
-        } else {
-            format!("{stride} * {index}")
-        };
         let from = match from {
-            Source::Zeros => self.stored(&Value::Literal(0.0)),
-            Source::Work => format!("{}[{first} + {step}]", self.work),
-            Source::Column(table, column) => format!("{table}[{first} + {step}][{column}]"),
+            Source::Work => format!("{}[{first} + {stride} * {index}]", self.work),
+            Source::Column(table, column) => {
+                format!("{table}[{first} + {stride} * {index}][{column}]")
+            }
         };
         self.line(&format!(
             "for (int {index} = 0; {index} < {count}; {index}++) {{"
@@ -85,7 +81,8 @@ impl Writer<'_> {
 /// Minimum number of values that a loop copies.
 const COPIED: usize = 8;
 
-/// Values that a loop copies: zeros, or values at equal distances in the work array or in one column of a loop's table.
+/// Values that a loop copies, at equal distances in the work array or in one column of a loop's table. Neighbours in the
+/// array are none: compilers would call `memcpy`, which firmware may lack.
 struct InARow {
     from: Source,
     first: usize,
@@ -95,7 +92,6 @@ struct InARow {
 
 /// Where values in a row are.
 enum Source {
-    Zeros,
     Work,
     Column(String, usize),
 }
@@ -104,13 +100,11 @@ impl InARow {
     /// The longest stretch from the first value on, if a loop is shorter.
     fn of(values: &[Value]) -> Option<Self> {
         let from = match values.first()? {
-            Value::Literal(0.0) => Source::Zeros,
             Value::Work(_) => Source::Work,
             Value::Entry(table, _, column) => Source::Column(table.clone(), *column),
             _ => return None,
         };
         let place = |value: &Value| match (value, &from) {
-            (Value::Literal(0.0), Source::Zeros) => Some(0),
             (Value::Work(place), Source::Work) => Some(*place),
             (Value::Entry(of, row, column), Source::Column(table, own)) => {
                 (of == table && column == own).then_some(*row)
@@ -124,7 +118,8 @@ impl InARow {
         let count = places
             .take_while(|(k, place)| *place == first + k * stride)
             .count();
-        (count >= COPIED).then_some(Self {
+        let is_apart = stride > 1 || matches!(from, Source::Column(..));
+        (count >= COPIED && is_apart).then_some(Self {
             from,
             first,
             stride,

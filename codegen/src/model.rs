@@ -261,7 +261,7 @@ impl<'s, 'g> Scene<'s, 'g> {
         let operations = 2 * regressor::PARAMETERS * joints.len();
         alike(weights, operations, |weights| {
             let weights = velocities::shared(state, self.bodies, weights);
-            regressor::along(&joints, &links, &weights)
+            regressor::along(&joints, &links, state, &weights)
         })
     }
 

@@ -49,8 +49,8 @@ impl<'g> Term<'g> {
         Self::new(self.graph, self.graph.taken(self.expr, number))
     }
 
-    /// The same value, marked as a result of a computation that takes marked terms, so that its readers do not change its
-    /// steps: no rule applies across it, and it has the sign in which it is computed.
+    /// The same value, marked as a result of a computation that takes marked terms, so that its readers do not change
+    /// its steps: no rule applies across it, and it has the sign in which it is computed.
     #[must_use]
     pub fn made(self) -> Self {
         Self::new(self.graph, self.graph.made(self.expr))

@@ -190,13 +190,8 @@ impl<'s, 'g> FreeFall<'s, 'g> {
         let second = self.shared(relative);
         let mut rows = self.scene.regressor_of_links_along(|k| second[k], weights);
         let columns = self.regressor_of_actuators(relative);
-        let zero = self.scene.state.zero();
         for (row, weights) in rows.iter_mut().zip(weights) {
-            row.extend(columns.iter().map(|column| {
-                let terms = column.iter().zip(weights);
-                let terms = terms.map(|(&entry, &weight)| entry * weight);
-                terms.fold(zero, |sum, term| sum + term)
-            }));
+            row.extend(columns.iter().map(|column| self.dot(column, weights)));
         }
         rows
     }
@@ -280,11 +275,8 @@ impl<'s, 'g> FreeFall<'s, 'g> {
         weights: &List<VelocityId, Term<'g>>,
     ) -> [List<VelocityId, Term<'g>>; 2] {
         self.derivatives().map(|matrix| {
-            let columns = matrix.ids().map(|column| {
-                let terms = matrix.ids().map(|row| matrix[(row, column)] * weights[row]);
-                terms.fold(self.scene.state.zero(), |sum, term| sum + term)
-            });
-            columns.collect()
+            let columns = matrix.ids().map(|column| matrix.column(column));
+            columns.map(|column| self.dot(&column, weights)).collect()
         })
     }
 
@@ -307,6 +299,16 @@ impl<'s, 'g> FreeFall<'s, 'g> {
             }
         }
         [by_q, by_qd]
+    }
+
+    /// The sum of products, which may be empty.
+    fn dot(
+        &self,
+        one: &List<VelocityId, Term<'g>>,
+        other: &List<VelocityId, Term<'g>>,
+    ) -> Term<'g> {
+        let terms = one.iter().zip(other).map(|(&one, &other)| one * other);
+        terms.fold(self.scene.state.zero(), |sum, term| sum + term)
     }
 
     /// The axes of the base, each with the velocities along and about it.

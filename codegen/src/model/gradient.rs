@@ -134,13 +134,17 @@ impl<'g> WeightedMotion<'g> {
 /// Λ = Σ λ L of the joints that carry a body.
 pub(super) struct Lambda<'g> {
     /// Λ of each body.
-    bodies: List<BodyId, Velocity<Term<'g>>>,
+    pub(super) bodies: List<BodyId, Velocity<Term<'g>>>,
     /// Λ of the parent body of each joint.
     outer: List<BodyId, Velocity<Term<'g>>>,
 }
 
 impl<'g> Lambda<'g> {
-    fn of(joints: &Joints<'g>, state: &State<'g>, weights: &List<BodyId, Term<'g>>) -> Self {
+    pub(super) fn of(
+        joints: &Joints<'g>,
+        state: &State<'g>,
+        weights: &List<BodyId, Term<'g>>,
+    ) -> Self {
         let rest = Velocity::zero(state.graph);
         let mut outer: List<BodyId, Velocity<Term<'g>>> = List::new();
         let mut bodies: List<BodyId, Velocity<Term<'g>>> = List::new();

@@ -1,11 +1,13 @@
 //! Regressors: torques and energies as linear functions of the inertial parameters of each link and of armature, damping
 //! and friction, τ = Y π.
 //!
-//! In: the joints, the frames of the links, and the motion. Out: Y, or λᵗ Y for some velocities λ. Φ = skew\[H J\] is linear in J, and the power of
-//! each of its parts along L is computed in the frame of the link: L is passed outwards, one screw a joint, instead
-//! of ten wrenches inwards; or the motion at λ, one twist a link. ½ Tr(W J Wᵗ) and −Tr(H_g J) are linear in J too.
+//! In: the joints, the frames of the links, and the motion. Out: Y, or λᵗ Y for some velocities λ. Φ = skew\[H J\] is
+//! linear in J, and the power of each of its parts along L, or along the motion at λ, is computed in the frame of the
+//! link: L is passed outwards, one screw a joint, instead of ten wrenches inwards. ½ Tr(W J Wᵗ) and −Tr(H_g J) are
+//! linear in J too.
 
 use super::carry::{Joint, Joints};
+use super::gradient::Lambda;
 use super::moving;
 use super::newton_euler::{Moving, beyond};
 use super::state::State;
@@ -23,7 +25,8 @@ pub struct LinkMotion<'g> {
     pose: Pose<Term<'g>>,
     /// G, in the link's frame.
     g: [[Term<'g>; 3]; 3],
-    /// The differences of its diagonal, in each of which one square of ω cancels: yy − xx, xx − zz, zz − yy of −ω̲².
+    /// The differences of its diagonal, in each of which one square of ω cancels: ω_y² − ω_x², ω_x² − ω_z² and
+    /// ω_z² − ω_y².
     differences: [Term<'g>; 3],
     /// The acceleration of the frame's origin.
     a: Vector<Term<'g>>,
@@ -122,21 +125,13 @@ pub fn regressor<'g>(
 pub fn along<'g>(
     joints: &Joints<'g>,
     links: &List<BodyId, Option<LinkMotion<'g>>>,
+    state: &State<'g>,
     weights: &List<BodyId, Term<'g>>,
 ) -> Vec<Term<'g>> {
-    let mut motions: List<BodyId, Velocity<Term<'g>>> = List::new();
-    let mut found = Vec::new();
-    for (k, joint) in joints.numbered() {
-        let own = Velocity::of_screw(joint.screw, weights[k]);
-        let motion = joint
-            .parent
-            .map_or(own, |parent| joint.motion_outboard(motions[parent]) + own);
-        if let Some(link) = &links[k] {
-            found.extend(powers(motion, link));
-        }
-        motions.push(motion);
-    }
-    found
+    let lambda = Lambda::of(joints, state, weights);
+    let links = links.iter().zip(&lambda.bodies);
+    let powers = links.filter_map(|(link, &motion)| Some(powers(motion, link.as_ref()?)));
+    powers.flatten().collect()
 }
 
 /// The columns of armature, damping and friction, three for each joint: q̈, q̇ and its sign.

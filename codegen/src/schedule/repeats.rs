@@ -25,8 +25,8 @@ const SHORTEST: usize = 900;
 /// Number of consecutive operations that must be of the same kinds at a candidate for the next iteration.
 const ALIKE: usize = 16;
 
-/// Number of such stretches, one after the other, that must be alike at a candidate for the next one of long iterations.
-/// In a product of matrices, the nearest candidates of a shorter stretch are rows of the same iteration.
+/// Number of such stretches, one after the other, that must be alike at a candidate for the next one of long
+/// iterations. In a product of matrices, the nearest candidates of a shorter stretch are rows of the same iteration.
 const FAR: usize = 6;
 
 /// Maximum number of candidates of each kind for the length of an iteration.

@@ -132,8 +132,8 @@ pub struct Section {
     pub steps: Range<u32>,
     /// Values that they read from the work array.
     pub loads: Vec<(Shared, usize)>,
-    /// Steps whose results are stored in the work array. Those of a repeat have consecutive places: each
-    /// step of its first iteration is followed by that of all others.
+    /// Steps whose results are stored in the work array. Those of a repeat have consecutive places: each step of its
+    /// first iteration is followed by that of all others.
     pub stores: Vec<(u32, usize)>,
     /// Repeat, if the section is one.
     pub repeat: Option<Repeat>,
@@ -180,12 +180,6 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
     }
 
     let mut places = Places::default();
-    // Results wait in their order, so that languages copy them in loops.
-    for value in program.results.iter().filter_map(result) {
-        if home(&value).is_some_and(|number| repeats[number].is_none()) {
-            places.find_or_take(value);
-        }
-    }
     let initial = until.keys().filter(|value| home(value).is_none());
     let initial = initial.map(|&value| (value, places.take(value))).collect();
     let sections = ranges.into_iter().zip(loads).zip(repeats).enumerate();
@@ -196,7 +190,7 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
             let read_later = |&step: &u32| until.contains_key(&Shared::Step(step));
             let stores = steps.clone().filter(read_later);
             stores
-                .map(|step| (step, places.find_or_take(Shared::Step(step))))
+                .map(|step| (step, places.take(Shared::Step(step))))
                 .collect()
         };
         let loads: Vec<_> = (loads.into_iter())
@@ -241,11 +235,6 @@ impl Places {
         });
         self.of.insert(value, place);
         place
-    }
-
-    fn find_or_take(&mut self, value: Shared) -> usize {
-        let known = self.of.get(&value).copied();
-        known.unwrap_or_else(|| self.take(value))
     }
 
     /// Consecutive places for some steps.

@@ -81,8 +81,8 @@ impl Writer<'_> {
 /// Minimum number of values that a loop copies.
 const COPIED: usize = 8;
 
-/// Values that a loop copies, at equal distances in the work array or in one column of a loop's table. Neighbours in the
-/// array are none: compilers would call `memcpy`, which firmware may lack.
+/// Values that a loop copies, at equal distances in the work array or in one column of a loop's table. Neighbours in
+/// the array are none: compilers would call `memcpy`, which firmware may lack.
 struct InARow {
     from: Source,
     first: usize,
@@ -90,7 +90,7 @@ struct InARow {
     count: usize,
 }
 
-/// Where values in a row are.
+/// Array that values in a row are read from.
 enum Source {
     Work,
     Column(String, usize),

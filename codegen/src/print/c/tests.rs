@@ -258,10 +258,10 @@ fn long_functions_have_sections() {
     };
     let text = written(&cut).text;
     let section = "
-HOMOGEN_FN HOMOGEN_CLONES static PENDULUM_APART void pendulum_gravity_section_3(float work[4])
+HOMOGEN_FN HOMOGEN_CLONES static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
 {
-    const float t_1 = work[2];
-    const float t_2 = work[3];
+    const float t_1 = work[1];
+    const float t_2 = work[2];
     const float t_3 = t_1 * t_2;
     work[0] = t_3;
 }
@@ -269,8 +269,8 @@ HOMOGEN_FN HOMOGEN_CLONES static PENDULUM_APART void pendulum_gravity_section_3(
     assert!(text.contains(section), "{text}");
     let whole = "{
     const float q_1 = q[0];
-    float work[4];
-    work[1] = q_1;
+    float work[3];
+    work[0] = q_1;
     pendulum_gravity_section_1(work);
     pendulum_gravity_section_2(work);
     pendulum_gravity_section_3(work);

@@ -30,8 +30,8 @@ pub use once::{Parts, part};
 pub use operation_count::OperationCount;
 pub use order::{schedule, schedule_unfused};
 pub use routine::{
-    Angle, Entries, Loop, Meaning, Readable, RotationAngle, Routine, SectionBody, Statement,
-    Stored, Value, Work,
+    Angle, Cells, Entries, Found, Loop, Meaning, Readable, RotationAngle, Routine, SectionBody,
+    Statement, Stored, Value, Work,
 };
 pub use run::run;
 pub use sections::{Length, Sections};

@@ -150,8 +150,8 @@ pub struct Limbs {
 }
 
 impl Limbs {
-    /// Minimum number of equal limbs; fewer do not fill the vector registers of a processor.
-    pub const FEWEST: usize = 4;
+    /// Minimum number of equal limbs: two fill the smallest vector register.
+    pub const FEWEST: usize = 2;
 
     /// Number of limbs.
     #[must_use]

@@ -231,6 +231,7 @@ fn data(meaning: &Meaning) -> Value {
         Meaning::Cosine(rotation) => angle(rotation, false),
         Meaning::Part(number) => json!({ "kind": "part", "index": number }),
         Meaning::Table => json!({ "kind": "table" }),
+        Meaning::Found => json!({ "kind": "found" }),
         Meaning::LoopIndex => json!({ "kind": "loop" }),
     }
 }

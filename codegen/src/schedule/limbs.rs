@@ -13,11 +13,9 @@ mod groups;
 mod loops;
 mod order;
 #[cfg(test)]
-mod tests;
+pub mod tests;
 
 pub use fusing::fused_alike;
-
-use std::ops::Range;
 
 use groups::Groups;
 use loops::loops;
@@ -28,8 +26,7 @@ use super::repeats::{Repeat, repeat};
 use super::{Length, Program};
 use crate::space::Limbs;
 
-/// The program in the order of limbs, with loops over limbs and columns; `None` if there is no loop over limbs that is
-/// short enough for a function.
+/// The program in the order of limbs, with loops over limbs and columns; `None` if there is no loop over limbs.
 pub fn in_limbs(
     program: &Program,
     limbs: &[Limbs],
@@ -41,11 +38,7 @@ pub fn in_limbs(
     }
     let groups = Groups::of(program, limbs);
     let loops = loops(program, &groups, columns)?;
-    let (program, iterations) = ordered(program, &groups, &loops, columns);
-    let is_short = |first: &Range<usize>| first.len() <= length.of_section();
-    if !iterations.iter().all(|(_, first, _)| is_short(first)) {
-        return None;
-    }
+    let (program, iterations) = ordered(program, &groups, &loops, columns, length.of_section());
     let read_until = read_until(&program, &program.results);
     let repeats = iterations.into_iter().map(|(over, first, count)| {
         let repeat = repeat(&program, over, first, count, &read_until);

@@ -32,9 +32,6 @@ const FAR: usize = 6;
 /// Maximum number of candidates of each kind for the length of an iteration.
 const TRIED: usize = 4;
 
-/// Minimum number of iterations, of columns as of limbs.
-const ITERATIONS: usize = Limbs::FEWEST;
-
 /// Minimum number of steps saved.
 const SAVED: usize = 300;
 
@@ -48,6 +45,16 @@ pub enum Over {
     Columns,
     /// Equal limbs. Values have the names of the first limb.
     Limbs,
+}
+
+impl Over {
+    /// Minimum number of iterations.
+    const fn fewest(self) -> usize {
+        match self {
+            Self::Columns => 4,
+            Self::Limbs => Limbs::FEWEST,
+        }
+    }
 }
 
 /// Iterations of the same operations, one after the other; none reads a result of another.
@@ -177,7 +184,7 @@ pub(super) fn repeat(
         + (1..most)
             .take_while(|iteration| is_alike(program, &first, iteration * length))
             .count();
-    if iterations < ITERATIONS {
+    if iterations < over.fewest() {
         return None;
     }
     let of_iteration = |at: usize| (0..iterations).map(move |iteration| at + iteration * length);

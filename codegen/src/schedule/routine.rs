@@ -11,12 +11,12 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-pub use self::loops::Loop;
+pub use self::loops::{Cells, Found, Loop};
 pub use self::meaning::{Meaning, RotationAngle};
 pub use self::section::{SectionBody, Work};
 use super::blocks::{Block, Part, nested};
 use super::names::Names;
-use super::sections::Length;
+use super::sections::{Length, Shared};
 use super::{Arranged, Operand, Operation, Program, Step};
 use crate::expression::Input;
 use crate::space::{Limbs, Spaces, Variable};
@@ -115,6 +115,8 @@ pub enum Value {
     Work(usize),
     /// Entry of a loop's table: name of the table, row, and iteration.
     Entry(String, usize, usize),
+    /// Entry of a row for the iteration that is the value of this index.
+    Cell(Cells, String),
 }
 
 impl Routine {
@@ -149,6 +151,7 @@ impl Routine {
             found: BTreeMap::new(),
             is_named: true,
             loads: HashMap::new(),
+            waiting: HashMap::new(),
         };
         let arguments = readable.arguments.iter().map(|&argument| {
             let count = readable.spaces.len(argument.space());
@@ -235,8 +238,10 @@ struct Naming<'p> {
     found: BTreeMap<u32, Vec<usize>>,
     /// False in loops over columns, where a value stands for entries of several matrices.
     is_named: bool,
-    /// Names of the table entries that the steps of the current loop read, by step and operand; empty outside of loops.
-    loads: HashMap<(u32, usize), String>,
+    /// Entries of rows that the steps of the current loop read, by step and operand; empty outside of loops.
+    loads: HashMap<(u32, usize), Value>,
+    /// Places of the values that the current section reads once, in the work array.
+    waiting: HashMap<Shared, usize>,
 }
 
 impl Naming<'_> {
@@ -277,6 +282,10 @@ impl Naming<'_> {
     }
 
     fn value(&self, operand: Operand) -> Value {
+        let place = Shared::of(operand).and_then(|value| self.waiting.get(&value));
+        if let Some(&place) = place {
+            return Value::Work(place);
+        }
         let name = match operand {
             Operand::Literal(value) => return Value::Literal(value),
             Operand::Input(input) => self.inputs[&input].as_ref(),
@@ -332,7 +341,7 @@ impl Naming<'_> {
         let operation = step.operation.map(|of| {
             let loaded = self.loads.get(&(self.next(), operand));
             operand += 1;
-            loaded.map_or_else(|| self.value(of), |name| Value::Name(name.clone()))
+            loaded.map_or_else(|| self.value(of), Value::clone)
         });
         let label = step.label.filter(|_| self.is_named);
         let sum = self.sum(step.operation).filter(|_| self.is_named);
@@ -380,7 +389,9 @@ impl Naming<'_> {
     fn turn(&self, angle: Operand, value: &Value) -> RotationAngle {
         let name = match value {
             Value::Name(name) => name.clone(),
-            Value::Literal(_) | Value::Work(_) | Value::Entry(..) => "a".to_owned(),
+            Value::Literal(_) | Value::Work(_) | Value::Entry(..) | Value::Cell(..) => {
+                "a".to_owned()
+            }
         };
         RotationAngle {
             name,

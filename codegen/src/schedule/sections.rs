@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::readers::note_readers;
-use super::repeats::Repeat;
+use super::repeats::{Over, Repeat};
 use super::{Operand, Program};
 use crate::expression::Input;
 
@@ -130,8 +130,11 @@ pub struct Sections {
 pub struct Section {
     /// Range of steps.
     pub steps: Range<u32>,
-    /// Values that they read from the work array.
+    /// Values that they read from the work array, without those in `rows`.
     pub loads: Vec<(Shared, usize)>,
+    /// For each value of [`Repeat::loads`], the index of that of the first iteration in the work array, if those of the
+    /// others follow it.
+    pub rows: Vec<Option<usize>>,
     /// Steps whose results are stored in the work array. Those of a repeat have consecutive places: each step of its
     /// first iteration is followed by that of all others.
     pub stores: Vec<(u32, usize)>,
@@ -147,7 +150,13 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
     }
     let mut repeats = repeats.to_vec();
     repeats.retain(|repeat| repeat.first.len() <= length.section);
-    let saved: usize = repeats.iter().map(Repeat::saved).sum();
+    // Compilers take some twice as long for steps on vectors as for others.
+    let saved: usize = (repeats.iter())
+        .map(|repeat| match repeat.over {
+            Over::Columns => repeat.saved(),
+            Over::Limbs => repeat.saved() - repeat.first.len(),
+        })
+        .sum();
     if program.steps.len() - saved <= length.whole {
         return None;
     }
@@ -179,32 +188,43 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
         until.insert(value, usize::MAX);
     }
 
-    let mut places = Places::default();
+    let mut places = Places::of_repeats(&repeats);
     let initial = until.keys().filter(|value| home(value).is_none());
-    let initial = initial.map(|&value| (value, places.take(value))).collect();
+    let initial = places.take_all(&initial.copied().collect::<Vec<_>>());
     let sections = ranges.into_iter().zip(loads).zip(repeats).enumerate();
-    let sections = sections.map(|(number, ((steps, loads), repeat))| {
+    let sections = sections.map(|(number, ((steps, mut loads), repeat))| {
         let stores = if let Some(repeat) = &repeat {
-            places.take_in_a_row(&repeat.stored())
+            let stored = repeat.stored().into_iter().map(Shared::Step);
+            places.take_in_a_row(&stored.collect::<Vec<_>>())
         } else {
-            let read_later = |&step: &u32| until.contains_key(&Shared::Step(step));
-            let stores = steps.clone().filter(read_later);
-            stores
-                .map(|step| (step, places.take(Shared::Step(step))))
-                .collect()
+            let stored = steps.clone().map(Shared::Step);
+            let stored = stored.filter(|value| until.contains_key(value));
+            places.take_all(&stored.collect::<Vec<_>>())
         };
-        let loads: Vec<_> = (loads.into_iter())
-            .map(|value| (value, places.of[&value]))
-            .collect();
+        let stores = stores.into_iter().map(|(value, place)| match value {
+            Shared::Step(step) => (step, place),
+            _ => unreachable!("sections compute steps"),
+        });
+        let stores = stores.collect();
         // A section may read and write the array in any order, so its own values need other entries.
-        for (value, place) in &loads {
+        for value in &loads {
             if until[value] == number {
-                places.free.insert(*place);
+                places.free.insert(places.of[value]);
             }
+        }
+        let mut rows = Vec::new();
+        if let Some(repeat) = &repeat {
+            rows.extend(repeat.loads.iter().map(|row| places.first_of(row)));
+            let named = named(program, repeat, &rows);
+            loads.retain(|value| named.contains(value));
         }
         Section {
             steps,
-            loads,
+            loads: loads
+                .into_iter()
+                .map(|value| (value, places.of[&value]))
+                .collect(),
+            rows,
             stores,
             repeat,
         }
@@ -219,15 +239,54 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
     })
 }
 
+/// Values that a repeat reads by name: those that are the same for all iterations, and those of rows without a place.
+fn named(program: &Program, repeat: &Repeat, rows: &[Option<usize>]) -> BTreeSet<Shared> {
+    let mut named = BTreeSet::new();
+    for at in repeat.first.clone() {
+        let operands = program.steps[at as usize].operation.operands();
+        for (slot, operand) in operands.into_iter().enumerate() {
+            match repeat.reads.get(&(at, slot)) {
+                Some(&row) if rows[row].is_some() => {}
+                Some(&row) => {
+                    let row = repeat.loads[row].iter().copied();
+                    named.extend(row.filter_map(Shared::of));
+                }
+                None => named.extend(Shared::of(operand)),
+            }
+        }
+    }
+    named
+}
+
 /// Allocation of the work array.
-#[derive(Default)]
 struct Places {
     of: BTreeMap<Shared, usize>,
     free: BTreeSet<usize>,
     len: usize,
+    /// For each value that differs between the iterations of a repeat, the values of all of them.
+    rows: BTreeMap<Shared, Vec<Shared>>,
 }
 
 impl Places {
+    /// Places of values, which these repeats read.
+    fn of_repeats(repeats: &[Option<Repeat>]) -> Self {
+        let mut rows = BTreeMap::new();
+        let loads = repeats.iter().flatten().flat_map(|repeat| &repeat.loads);
+        for row in loads {
+            let row: Option<Vec<Shared>> = row.iter().copied().map(Shared::of).collect();
+            let Some(row) = row else { continue };
+            if let Some(&first) = row.first() {
+                rows.entry(first).or_insert(row);
+            }
+        }
+        Self {
+            of: BTreeMap::new(),
+            free: BTreeSet::new(),
+            len: 0,
+            rows,
+        }
+    }
+
     fn take(&mut self, value: Shared) -> usize {
         let place = self.free.pop_first().unwrap_or_else(|| {
             self.len += 1;
@@ -237,19 +296,46 @@ impl Places {
         place
     }
 
-    /// Consecutive places for some steps.
-    fn take_in_a_row(&mut self, steps: &[u32]) -> Vec<(u32, usize)> {
-        let count = steps.len();
+    /// Places of some values, consecutive ones for those of all iterations of a repeat.
+    fn take_all(&mut self, values: &[Shared]) -> Vec<(Shared, usize)> {
+        let all: BTreeSet<Shared> = values.iter().copied().collect();
+        for value in values {
+            let is_new = |value: &Shared| all.contains(value) && !self.of.contains_key(value);
+            let row = self.rows.get(value).filter(|row| row.iter().all(is_new));
+            if let Some(row) = row.cloned() {
+                self.take_in_a_row(&row);
+            }
+        }
+        let places = values.iter().map(|&value| {
+            let known = self.of.get(&value).copied();
+            (value, known.unwrap_or_else(|| self.take(value)))
+        });
+        places.collect()
+    }
+
+    /// Consecutive places.
+    fn take_in_a_row(&mut self, values: &[Shared]) -> Vec<(Shared, usize)> {
+        let count = values.len();
         let is_free = |first: &usize| (*first..first + count).all(|at| self.free.contains(&at));
         let first = self.free.iter().copied().find(is_free);
         let first = first.unwrap_or(self.len);
         self.len = self.len.max(first + count);
-        let places = steps.iter().zip(first..).map(|(&step, place)| {
+        let places = values.iter().zip(first..).map(|(&value, place)| {
             self.free.remove(&place);
-            self.of.insert(Shared::Step(step), place);
-            (step, place)
+            self.of.insert(value, place);
+            (value, place)
         });
         places.collect()
+    }
+
+    /// The place of the first of some values, if those of the others follow it.
+    fn first_of(&self, values: &[Operand]) -> Option<usize> {
+        let place = |value: &Operand| self.of.get(&Shared::of(*value)?).copied();
+        let first = place(values.first()?)?;
+        let mut places = values.iter().map(place).zip(first..);
+        places
+            .all(|(place, expected)| place == Some(expected))
+            .then_some(first)
     }
 }
 

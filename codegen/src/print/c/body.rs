@@ -21,7 +21,7 @@ use crate::print::steps::Step;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
 use crate::schedule::{
-    Angle, Length, Loop, Names, Operation, Program, Readable, Routine, Stored, Value,
+    Angle, Found, Length, Loop, Names, Operation, Program, Readable, Routine, Stored, Value,
 };
 use crate::space::Variable;
 
@@ -285,6 +285,7 @@ impl<'w> Writer<'w> {
             Value::Name(name) => name.clone(),
             Value::Work(place) => self.place(*place),
             Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
+            Value::Cell(row, column) => self.cell(row, column),
         }
     }
 
@@ -412,43 +413,38 @@ impl Language for Writer<'_> {
     }
 
     fn begin_loop(&mut self, each: &Loop) {
-        let Loop { table, column, .. } = each;
-        let number = self.number();
-        let rows = each.all_rows().map(|row| {
-            let row: Vec<String> = row.iter().map(|value| self.stored(value)).collect();
-            format!("{{{}}}", row.join(", "))
-        });
-        let rows: Vec<String> = rows.collect();
-        let [height, count] = [rows.len(), each.count()];
-        let constant = if each.first.is_some() { "const " } else { "" };
-        let start = format!("    {constant}{number} {table}[{height}][{count}] = {{");
-        let filled = filled((&start, "        "), &rows, "};");
-        let _ = writeln!(self.text, "{filled}");
+        let (number, column, count) = (self.number(), &each.column, each.count);
+        if !each.rows.is_empty() {
+            let rows = each.rows.iter().map(|row| {
+                let row: Vec<String> = row.iter().map(|value| self.stored(value)).collect();
+                format!("{{{}}}", row.join(", "))
+            });
+            let rows: Vec<String> = rows.collect();
+            let start = format!(
+                "    const {number} {}[{}][{count}] = {{",
+                each.table,
+                rows.len()
+            );
+            let filled = filled((&start, "        "), &rows, "};");
+            let _ = writeln!(self.text, "{filled}");
+        }
+        if let Some(Found { table, height, .. }) = &each.found {
+            self.line(&format!("{number} {table}[{height}][{count}];"));
+        }
         self.line(&format!(
             "for (int {column} = 0; {column} < {count}; {column}++) {{"
         ));
         self.outer.push(mem::take(&mut self.text));
-        for (row, name) in each.loads.iter().enumerate() {
-            self.constant(name, &format!("{table}[{row}][{column}]"));
+        for (name, row) in &each.loads {
+            let cell = self.cell(row, column);
+            self.constant(name, &cell);
         }
     }
 
     fn end_loop(&mut self, each: &Loop) {
-        let Loop {
-            table,
-            column,
-            stores,
-            ..
-        } = each;
-        for (row, name) in stores.iter().enumerate() {
-            let place = match each.first {
-                Some(first) => {
-                    let (work, first) = (&self.work, first + row * each.count());
-                    format!("{work}[{first} + {column}]")
-                }
-                None => format!("{table}[{row}][{column}]"),
-            };
-            self.line(&format!("{place} = {name};"));
+        for (name, row) in &each.stores {
+            let cell = self.cell(row, &each.column);
+            self.line(&format!("{cell} = {name};"));
         }
         let outer = self.outer.pop().expect("a loop that began");
         let inside = mem::replace(&mut self.text, outer);

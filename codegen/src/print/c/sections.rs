@@ -8,7 +8,7 @@ use std::mem;
 use super::body::Writer;
 use super::declarations::number;
 use crate::print::walk::walk;
-use crate::schedule::Routine;
+use crate::schedule::{Cells, Routine};
 
 /// Macro that prevents inlining.
 pub(super) fn no_inline_macro(name: &str) -> String {
@@ -66,6 +66,14 @@ impl Writer<'_> {
         }
         self.text = caller;
         definitions
+    }
+
+    /// `columns[3][column]` or `work[7 + column]`.
+    pub(super) fn cell(&self, row: &Cells, column: &str) -> String {
+        match row {
+            Cells::Table(table, row) => format!("{table}[{row}][{column}]"),
+            Cells::Work(first) => format!("{}[{first} + {column}]", self.work),
+        }
     }
 
     /// `work[3]`.

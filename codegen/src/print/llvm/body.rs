@@ -8,7 +8,7 @@ use std::fmt::Write;
 use super::lanes::Lanes;
 use crate::formulation::Sines;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Loop, Operation, Value};
+use crate::schedule::{Angle, Cells, Found, Loop, Operation, Value};
 
 /// Name within a function, in quotes if LLVM needs them.
 pub(super) fn local(name: &str) -> String {
@@ -115,6 +115,10 @@ impl Writer {
                 let address = self.cell(table, *row, &column.to_string());
                 self.load(&address)
             }
+            Value::Cell(row, column) => {
+                let address = self.row(row, column);
+                self.load(&address)
+            }
         }
     }
 
@@ -123,6 +127,17 @@ impl Writer {
         let work = self.work.clone();
         let work = work.expect("what waits has an array to wait in");
         self.entry(&local(&work), &place.to_string())
+    }
+
+    /// Address of the entry of a row for the current iteration.
+    fn row(&mut self, row: &Cells, column: &str) -> String {
+        match row {
+            Cells::Table(table, row) => self.cell(table, *row, &local(column)),
+            Cells::Work(first) => {
+                let first = self.work_entry(*first);
+                self.entry(&first, &local(column))
+            }
+        }
     }
 
     /// Address of an entry of a table, which is stored by rows with an entry for each iteration.
@@ -251,9 +266,14 @@ impl Language for Writer {
             loads,
             ..
         } = each;
-        let kind = format!("[{} x {}]", each.count(), self.lanes.value());
-        for row in 0..rows.len() + each.unread() {
+        let kind = format!("[{} x {}]", each.count, self.lanes.value());
+        for row in 0..rows.len() {
             self.array(&format!("{table}.{row}"), &kind);
+        }
+        if let Some(Found { table, height, .. }) = &each.found {
+            for row in 0..*height {
+                self.array(&format!("{table}.{row}"), &kind);
+            }
         }
         for (row, values) in rows.iter().enumerate() {
             for (column, value) in values.iter().enumerate() {
@@ -269,28 +289,22 @@ impl Language for Writer {
         self.line(&format!("br label %{label}"));
         let _ = writeln!(self.text, "{label}:");
         self.bind(column, &format!("load i64, ptr {counter}, align 8"));
-        for (row, name) in loads.iter().enumerate() {
-            let address = self.cell(table, row, &local(column));
+        for (name, row) in loads {
+            let address = self.row(row, column);
             self.load_as(name, &address);
         }
     }
 
     fn end_loop(&mut self, each: &Loop) {
-        let (table, column) = (&each.table, &each.column);
-        for (row, name) in each.stores.iter().enumerate() {
-            let address = match each.first {
-                Some(first) => {
-                    let row = self.work_entry(first + row * each.count());
-                    self.entry(&row, &local(column))
-                }
-                None => self.cell(table, row, &local(column)),
-            };
+        let column = &each.column;
+        for (name, row) in &each.stores {
+            let address = self.row(row, column);
             self.store_at(&address, &local(name));
         }
         let counter = local(&format!("{column}.at"));
         let next = self.between(&format!("add i64 {}, 1", local(column)));
         self.line(&format!("store i64 {next}, ptr {counter}, align 8"));
-        let more = self.between(&format!("icmp ult i64 {next}, {}", each.count()));
+        let more = self.between(&format!("icmp ult i64 {next}, {}", each.count));
         let label = label(column);
         self.line(&format!("br i1 {more}, label %{label}, label %{label}.end"));
         let _ = writeln!(self.text, "{label}.end:");

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use super::names::{LIBRARY, SIGN};
 use crate::print::review::filled;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Loop, Operation, Value};
+use crate::schedule::{Angle, Cells, Found, Loop, Operation, Value};
 
 /// Indentation of a level.
 const LEVEL: &str = "    ";
@@ -42,6 +42,7 @@ pub(super) fn read(value: &Value) -> String {
         Value::Literal(value) => literal(*value),
         Value::Name(name) => name.clone(),
         Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
+        Value::Cell(row, column) => cell(row, column),
         Value::Work(_) => unreachable!("functions of Python have no sections"),
     }
 }
@@ -105,27 +106,41 @@ impl Language for Writer {
     }
 
     fn begin_loop(&mut self, each: &Loop) {
-        let Loop { table, column, .. } = each;
-        let rows = each.all_rows().map(|row| {
-            let row: Vec<String> = row.iter().map(read).collect();
-            list(&row)
-        });
-        let rows: Vec<String> = rows.collect();
-        let text = nested(&rows);
-        self.bind(table, &text);
-        self.line(&format!("for {column} in range({}):", each.count()));
+        let (column, count) = (&each.column, each.count);
+        if !each.rows.is_empty() {
+            let rows = each.rows.iter().map(|row| {
+                let row: Vec<String> = row.iter().map(read).collect();
+                list(&row)
+            });
+            let text = nested(&rows.collect::<Vec<_>>());
+            self.bind(&each.table, &text);
+        }
+        if let Some(Found { table, height, .. }) = &each.found {
+            self.bind(
+                table,
+                &format!("[[None] * {count} for _ in range({height})]"),
+            );
+        }
+        self.line(&format!("for {column} in range({count}):"));
         self.loops += 1;
-        for (row, name) in each.loads.iter().enumerate() {
-            self.bind(name, &format!("{table}[{row}][{column}]"));
+        for (name, row) in &each.loads {
+            self.bind(name, &cell(row, column));
         }
     }
 
     fn end_loop(&mut self, each: &Loop) {
-        let Loop { table, column, .. } = each;
-        for (row, name) in each.stores.iter().enumerate() {
-            self.bind(&format!("{table}[{row}][{column}]"), name);
+        for (name, row) in &each.stores {
+            self.bind(&cell(row, &each.column), name);
         }
         self.loops -= 1;
+    }
+}
+
+/// `columns[3][column]`.
+fn cell(row: &Cells, column: &str) -> String {
+    match row {
+        Cells::Table(table, row) => format!("{table}[{row}][{column}]"),
+        Cells::Work(_) => unreachable!("functions of Python have no sections"),
     }
 }
 

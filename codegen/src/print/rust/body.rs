@@ -276,6 +276,7 @@ impl Writer<'_> {
             Value::Literal(value) => self.numerals.write(*value),
             Value::Name(name) => ident(name).into_token_stream(),
             Value::Work(place) => self.place(*place),
+            Value::Cell(row, column) => self.cell(row, column),
             Value::Entry(table, row, column) => {
                 let table = ident(table);
                 let [row, column] = [*row, *column].map(Literal::usize_unsuffixed);
@@ -368,45 +369,50 @@ impl Language for Writer<'_> {
     }
 
     fn begin_loop(&mut self, each: &Loop) {
-        let (table, column) = (ident(&each.table), ident(&each.column));
-        let rows = each.all_rows().map(|row| {
+        let rows = each.rows.iter().map(|row| {
             let row = row.iter().map(|value| self.read(value));
             quote! { [#(#row),*] }
         });
         let rows: Vec<_> = rows.collect();
-        let mutable = each.first.is_none().then(|| quote! { mut });
-        self.text
-            .extend(quote! { let #mutable #table = [#(#rows),*]; });
+        if !rows.is_empty() {
+            let table = ident(&each.table);
+            self.text.extend(quote! { let #table = [#(#rows),*]; });
+        }
+        if let Some(found) = &each.found {
+            let (table, before) = (ident(&found.table), self.read(&found.before));
+            let [height, count] = [found.height, each.count].map(Literal::usize_unsuffixed);
+            self.text
+                .extend(quote! { let mut #table = [[#before; #count]; #height]; });
+        }
         self.begin_scope();
-        let takes = each.loads.iter().enumerate().map(|(row, name)| {
-            let (name, row) = (ident(name), Literal::usize_unsuffixed(row));
-            quote! { let #name = #table[#row][#column]; }
+        let takes = each.loads.iter().map(|(name, row)| {
+            let (name, cell) = (ident(name), self.cell(row, &each.column));
+            quote! { let #name = #cell; }
         });
         let takes: TokenStream = takes.collect();
         self.text.extend(takes);
     }
 
     fn end_loop(&mut self, each: &Loop) {
-        let (table, column) = (ident(&each.table), ident(&each.column));
-        let count = Literal::usize_unsuffixed(each.count());
-        let work = &self.work;
-        let leaves = each.stores.iter().enumerate().map(|(row, name)| {
-            let name = ident(name);
-            if let Some(first) = each.first {
-                let row = Literal::usize_unsuffixed(first + row * each.count());
-                quote! { #work[#row + #column] = #name; }
-            } else {
-                let row = Literal::usize_unsuffixed(row);
-                quote! { #table[#row][#column] = #name; }
-            }
+        let column = ident(&each.column);
+        let count = Literal::usize_unsuffixed(each.count);
+        let leaves = each.stores.iter().map(|(name, row)| {
+            let (name, cell) = (ident(name), self.cell(row, &each.column));
+            quote! { #cell = #name; }
         });
         let leaves: TokenStream = leaves.collect();
         self.text.extend(leaves);
         let inside = self.inside();
+        // LLVM computes two iterations in a vector only if they are counted down.
+        let range = if each.count == 2 {
+            quote! { (0..#count).rev() }
+        } else {
+            quote! { 0..#count }
+        };
         // A processor with vectors reads along a row; clippy prefers a loop over the rows.
         self.text.extend(quote! {
             #[allow(clippy::needless_range_loop)]
-            for #column in 0..#count { #inside }
+            for #column in #range { #inside }
         });
     }
 

@@ -12,7 +12,7 @@ use super::dispatch::{Argument, dispatched};
 use super::lengths::{array, literal};
 use super::literals::Numerals;
 use super::names::ident;
-use crate::schedule::{LONGEST_SCOPE, SectionBody, Value, Work};
+use crate::schedule::{Cells, LONGEST_SCOPE, SectionBody, Value, Work};
 
 impl Writer<'_> {
     /// The functions; `constant` and `mul_add` are statements that bind the functions for literals and fused products.
@@ -95,6 +95,21 @@ impl Writer<'_> {
             return quote! { let [#(#names),*] = [#(#places),*]; };
         }
         quote! { #(let #names = #places;)* }
+    }
+
+    /// `columns[3][column]` or `work[7 + column]`.
+    pub(super) fn cell(&self, row: &Cells, column: &str) -> TokenStream {
+        let column = ident(column);
+        match row {
+            Cells::Table(table, row) => {
+                let (table, row) = (ident(table), Literal::usize_unsuffixed(*row));
+                quote! { #table[#row][#column] }
+            }
+            Cells::Work(first) => {
+                let (work, first) = (&self.work, Literal::usize_unsuffixed(*first));
+                quote! { #work[#first + #column] }
+            }
+        }
     }
 
     /// `work[3]`.

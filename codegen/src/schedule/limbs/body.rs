@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 
 use super::groups::{Groups, Like};
+use crate::schedule::sections::Shared;
 use crate::schedule::{Operand, Operation, Program};
 
 /// Operand in a loop.
@@ -25,8 +26,8 @@ pub struct Body<'g> {
     groups: &'g Groups,
     /// Row of each group that the loop computes.
     own: HashMap<usize, usize>,
-    /// Row of each value with these signs; true is minus.
-    signed: HashMap<(Like, Vec<bool>), usize>,
+    /// Row of the values of all lanes with these signs; true is minus.
+    signed: HashMap<Vec<(Shared, bool)>, usize>,
     /// Rows, operands before their readers.
     pub rows: Vec<Row>,
 }
@@ -59,7 +60,7 @@ impl<'g> Body<'g> {
     fn read(&self, operand: Operand) -> Read {
         let own = match self.groups.like(operand) {
             Like::Group(group) => self.own.get(&group),
-            Like::Same(_) | Like::Literal => None,
+            Like::Same(_) | Like::Literal | Like::Other => None,
         };
         own.map_or(Read::Outside(operand), |&row| Read::Inside(row))
     }
@@ -67,10 +68,16 @@ impl<'g> Body<'g> {
     /// The operations of a group in the form of that of its first lane.
     fn row(&mut self, operations: &[Operation]) -> Vec<Operation<Read>> {
         let all: Vec<Signed> = (operations.iter()).map(Signed::of).collect();
-        let first = self.groups.like(all[0].operands[0]);
+        let like = |signed: &Signed| self.groups.like(signed.operands[0]);
+        let first = like(&all[0]);
         let all = all.into_iter().map(|signed| {
-            let is_first = self.groups.like(signed.operands[0]) == first;
-            if is_first { signed } else { signed.swapped() }
+            let found = like(&signed);
+            if found == first {
+                return signed;
+            }
+            let swapped = signed.swapped();
+            let is_first = like(&swapped) != first && found.loose() == first.loose();
+            if is_first { signed } else { swapped }
         });
         let all: Vec<Signed> = all.collect();
         let minus = all[0].minus;
@@ -106,29 +113,31 @@ impl<'g> Body<'g> {
         if !minus.contains(&true) {
             return values.iter().map(|&value| self.read(value)).collect();
         }
-        let (like, lanes) = (self.groups.like(values[0]), values.len());
-        let values = values.iter().zip(&minus);
-        if like == Like::Literal {
-            let turned = values.map(|(&value, &minus)| match value {
+        let shared: Option<Vec<Shared>> = values.iter().copied().map(Shared::of).collect();
+        let signs = values.iter().zip(&minus);
+        let Some(shared) = shared else {
+            let turned = signs.map(|(&value, &minus)| match value {
                 Operand::Literal(literal) if minus => Read::Outside(Operand::Literal(-literal)),
                 value => Read::Outside(value),
             });
             return turned.collect();
-        }
-        let product = values.map(|(&value, &minus)| {
+        };
+        let product = signs.map(|(&value, &minus)| {
             let sign = Operand::Literal(if minus { -1.0 } else { 1.0 });
             (None, Operation::Mul(Read::Outside(sign), self.read(value)))
         });
         let row: Row = product.collect();
-        let row = *self.signed.entry((like, minus)).or_insert_with(|| {
+        let key = shared.into_iter().zip(minus).collect();
+        let row = *self.signed.entry(key).or_insert_with(|| {
             self.rows.push(row);
             self.rows.len() - 1
         });
-        vec![Read::Inside(row); lanes]
+        vec![Read::Inside(row); values.len()]
     }
 }
 
 /// Operands of an operation, with the signs of its terms.
+#[derive(Clone)]
 struct Signed {
     operands: Vec<Operand>,
     /// Signs of the first term, which may be a product, and of the last one; true is minus. Both are plus for other
@@ -153,13 +162,14 @@ impl Signed {
     }
 
     /// The same with both terms of a sum, or both factors, in the other order.
-    fn swapped(mut self) -> Self {
+    fn swapped(&self) -> Self {
+        let mut swapped = self.clone();
         if self.commutes {
-            self.operands.swap(0, 1);
+            swapped.operands.swap(0, 1);
             if self.operands.len() == 2 {
-                self.minus.swap(0, 1);
+                swapped.minus.swap(0, 1);
             }
         }
-        self
+        swapped
     }
 }

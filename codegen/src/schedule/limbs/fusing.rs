@@ -2,6 +2,7 @@
 //!
 //! In: a program. Out: the same with fewer fused operations: where the same product and sum are fused in one limb and
 //! not in another, such as a sum in one and a difference that can cancel in its mirror image, they are fused in none.
+//! Columns of a matrix that a loop computes stay alike.
 //! Nothing changes where there is no loop over limbs.
 
 use super::groups::Groups;
@@ -31,10 +32,17 @@ pub fn fused_alike(program: Program, limbs: &[Limbs]) -> Program {
         let group = groups.find(Operand::Step(sum));
         group.is_some_and(|(group, _)| !groups.all[group].lanes.iter().all(is_fused))
     };
+    let columns = repeats(&program);
+    let is_in_columns = |step: u32| {
+        let after = columns.partition_point(|repeat| repeat.steps().end <= step);
+        columns
+            .get(after)
+            .is_some_and(|repeat| repeat.steps().contains(&step))
+    };
     let mixed: Vec<u32> = all
         .sums
         .iter()
-        .filter(|(_, sum)| is_mixed(*sum))
+        .filter(|(fused, sum)| !is_in_columns(*fused) && is_mixed(*sum))
         .map(|(fused, _)| *fused)
         .collect();
     if mixed.is_empty() {

@@ -4,8 +4,9 @@
 //! index of its limb.
 //!
 //! Steps are visited by depth. Steps of different lanes are a group if they are the same operation on operands that
-//! are in the same groups, in their own lanes, or the same for all, or literals. A sum and a difference are the same
-//! operation.
+//! are in the same groups, in their own lanes, or in none, or literals. A sum and a difference are the same operation.
+//! Steps that read the same value in no lane are found first: equal limbs have joints at other places, so that a
+//! velocity of their common body may be turned for each.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -43,10 +44,48 @@ pub enum Like {
     Same(Shared),
     /// It is a literal.
     Literal,
+    /// It is computed for each lane, from values that are in none.
+    Other,
 }
 
-/// Set of limbs, kind of operation, and operands, which the steps of one group share.
-type Key = (usize, u8, [Option<Like>; 3]);
+impl Like {
+    /// The property of operands that are the same for all lanes, or one for each.
+    pub const fn loose(self) -> Self {
+        match self {
+            Self::Same(_) => Self::Other,
+            other => other,
+        }
+    }
+}
+
+/// What the steps of one group share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    /// Index of the set of limbs.
+    set: usize,
+    /// Kind of operation.
+    kind: u8,
+    /// Operands; those that commute are in order.
+    like: [Option<Like>; 3],
+}
+
+impl Key {
+    /// What steps share that read another value in each lane.
+    fn loose(self) -> Self {
+        let like = self.like.map(|like| like.map(Like::loose));
+        Self { like, ..self }
+    }
+}
+
+/// Step that may be in a group.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    key: Key,
+    /// Magnitudes of its literals.
+    literals: [u64; 3],
+    lane: usize,
+    step: u32,
+}
 
 impl Groups {
     /// Groups of a program.
@@ -138,45 +177,48 @@ impl Groups {
         }
     }
 
-    /// Groups steps that do not read each other: first those with the same magnitudes of literals.
+    /// Groups steps that do not read each other: first those with the same magnitudes of literals, then those that read
+    /// the same values, then all others.
     fn level(&mut self, program: &Program, limbs: &[Limbs], steps: &[u32]) {
         let all = steps.iter().filter_map(|&step| {
             let operation = &program.steps[step as usize].operation;
             let (key, lane) = self.key(operation)?;
-            Some((key, literals(operation), lane, step))
+            Some(Candidate {
+                key,
+                literals: literals(operation),
+                lane,
+                step,
+            })
         });
-        let mut all: Vec<_> = all.collect();
-        all.sort_unstable();
-        for of_key in all.chunk_by(|one, other| one.0 == other.0) {
-            let set = of_key[0].0.0;
-            let mut rest = vec![Vec::new(); limbs[set].count()];
-            for alike in of_key.chunk_by(|one, other| one.1 == other.1) {
-                let mut lanes = vec![Vec::new(); rest.len()];
-                for &(_, _, lane, step) in alike {
-                    lanes[lane].push(step);
-                }
-                self.pair(set, &mut lanes);
-                for (rest, steps) in rest.iter_mut().zip(lanes) {
-                    rest.extend(steps);
-                }
-            }
-            for steps in &mut rest {
-                steps.sort_unstable();
-            }
-            self.pair(set, &mut rest);
-        }
+        let all: Vec<_> = all.collect();
+        let all = self.pair(limbs, all, |candidate| (candidate.key, candidate.literals));
+        let all = self.pair(limbs, all, |candidate| candidate.key);
+        self.pair(limbs, all, |candidate| candidate.key.loose());
     }
 
-    /// Groups the first steps of all lanes, then the second ones, and removes them.
-    fn pair(&mut self, set: usize, lanes: &mut [Vec<u32>]) {
-        let least = lanes.iter().map(Vec::len).min().unwrap_or_default();
-        for k in 0..least {
-            let steps = lanes.iter().map(|steps| Operand::Step(steps[k]));
-            self.push(set, steps.collect());
+    /// Groups steps with equal properties, the first ones of all lanes, then the second ones. Returns the others.
+    fn pair<P: Ord>(
+        &mut self,
+        limbs: &[Limbs],
+        mut all: Vec<Candidate>,
+        property: impl Fn(&Candidate) -> P,
+    ) -> Vec<Candidate> {
+        all.sort_by_key(|candidate| (property(candidate), candidate.step));
+        let mut rest = Vec::new();
+        for alike in all.chunk_by(|one, other| property(one) == property(other)) {
+            let set = alike[0].key.set;
+            let mut lanes = vec![Vec::new(); limbs[set].count()];
+            for &candidate in alike {
+                lanes[candidate.lane].push(candidate);
+            }
+            let least = lanes.iter().map(Vec::len).min().unwrap_or_default();
+            for k in 0..least {
+                let steps = lanes.iter().map(|lane| Operand::Step(lane[k].step));
+                self.push(set, steps.collect());
+            }
+            rest.extend(lanes.iter().flat_map(|lane| &lane[least..]));
         }
-        for steps in lanes {
-            steps.drain(..least);
-        }
+        rest
     }
 
     /// Key of an operation, and its lane; `None` if it is in no lane or in several.
@@ -201,7 +243,7 @@ impl Groups {
         };
         like[..commuting].sort();
         let (set, lane) = place?;
-        Some(((set, kind, like), lane))
+        Some((Key { set, kind, like }, lane))
     }
 }
 

@@ -20,6 +20,7 @@ pub fn ordered(
     groups: &Groups,
     loops: &Loops,
     columns: &[Repeat],
+    longest: usize,
 ) -> (Program, Iterations) {
     let mut order = Order {
         program,
@@ -34,7 +35,7 @@ pub fn ordered(
     let last = last_loop.max(loops.stretches.keys().next_back().copied());
     for at in 0..=last.unwrap_or_default() {
         for (_, groups) in loops.loops.range((at, 0)..=(at, usize::MAX)) {
-            order.over_limbs(groups);
+            order.over_limbs(groups, longest);
         }
         for &unit in loops.stretches.get(&at).into_iter().flatten() {
             order.unit(unit);
@@ -95,8 +96,21 @@ impl Order<'_> {
         self.steps.push(Step { label, operation });
     }
 
+    /// A loop over limbs, or several if it is longer than a section.
+    fn over_limbs(&mut self, groups: &[usize], longest: usize) {
+        let parts = |parts: usize| groups.chunks(groups.len().div_ceil(parts));
+        let rows = |groups: &[usize]| Body::of(self.program, self.groups, groups).rows.len();
+        let fewest = rows(groups).div_ceil(longest);
+        let count = (fewest..groups.len())
+            .find(|&count| parts(count).all(|groups| rows(groups) <= longest))
+            .unwrap_or(groups.len());
+        for groups in parts(count) {
+            self.iterations(groups);
+        }
+    }
+
     /// All iterations of a loop over limbs.
-    fn over_limbs(&mut self, groups: &[usize]) {
+    fn iterations(&mut self, groups: &[usize]) {
         let rows = Body::of(self.program, self.groups, groups).rows;
         let (start, lanes) = (self.steps.len(), rows[0].len());
         let all = start..start + rows.len();

@@ -10,7 +10,7 @@ use crate::schedule::{Arranged, Length, Operand, Operation, Program, Step, run};
 use crate::space::{Limbs, Variable};
 
 /// Operations that the limbs of [`Builder::limbs`] have in common, in each of two stretches.
-const COMMON: usize = 200;
+pub const COMMON: usize = 200;
 
 fn input(variable: Variable, entry: usize) -> Operand {
     let entry = u16::try_from(entry).expect("few entries");
@@ -18,7 +18,7 @@ fn input(variable: Variable, entry: usize) -> Operand {
 }
 
 /// Limbs of two joints each, after a base with one.
-fn limbs(count: usize) -> Limbs {
+pub fn limbs(count: usize) -> Limbs {
     let place = |first: usize| (0..count).map(move |limb| first + 2 * limb);
     Limbs {
         coordinates: [1, 2]
@@ -69,17 +69,24 @@ impl Builder {
         self.push(operation)
     }
 
-    /// The same operations in each limb, on their own values and those of the base, limb after limb.
+    /// The same operations in each limb, on their own values and those of the base, limb after limb. A value of the base
+    /// may be turned for each limb.
     fn limbs(&mut self, values: &mut [Vec<Operand>], base: &[Operand]) {
+        let turned = values.iter().map(|_| {
+            let literal = Operand::Literal(self.value());
+            self.push(Operation::Mul(literal, base[0]))
+        });
+        let turned: Vec<Operand> = turned.collect();
         let recipe: Vec<_> = (0..COMMON)
             .map(|k| {
                 let own = [(); 2].map(|()| self.random.below(values[0].len() + k));
-                (k % 5, own, self.random.below(base.len()))
+                (k % 5, own, self.random.below(base.len() + 1))
             })
             .collect();
-        for values in values {
+        for (values, turned) in values.iter_mut().zip(turned) {
             for &(kind, [own, other], shared) in &recipe {
-                let operands = [values[own], base[shared], values[other]];
+                let shared = base.get(shared).copied().unwrap_or(turned);
+                let operands = [values[own], shared, values[other]];
                 let found = self.common(kind, operands);
                 values.push(found);
             }
@@ -96,7 +103,7 @@ impl Builder {
 }
 
 /// Two stretches of operations of limbs, with a sum over limbs between them.
-fn program(count: usize, seed: u64) -> Program {
+pub fn program(count: usize, seed: u64) -> Program {
     let mut builder = Builder {
         random: Random::new(seed),
         steps: Vec::new(),
@@ -142,21 +149,21 @@ fn bits(program: &Program) -> Vec<u64> {
 
 #[test]
 fn operations_that_limbs_have_in_common_are_loops_with_the_same_bits() {
-    for (count, seed) in [(4, 1), (4, 2), (5, 3), (6, 4)] {
+    for (count, seed) in [(2, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6)] {
         let program = program(count, seed);
         let arranged = Arranged::of(&program, &[limbs(count)], Length::UNBOUNDED);
         assert_eq!(bits(&arranged.program), bits(&program));
         let loops = arranged.repeats.iter();
         let loops = loops.map(|repeat| (repeat.over, repeat.iterations as usize));
         assert_eq!(loops.collect::<Vec<_>>(), [(Over::Limbs, count); 2]);
-        // All but the sums over limbs are in the loops.
+        // All but the sums over limbs, and what is turned for each, are in the loops.
         let inside: usize = arranged
             .repeats
             .iter()
             .map(|repeat| repeat.steps().len())
             .sum();
         let single = arranged.program.steps.len() - inside;
-        assert_eq!(single, 2 * (count - 1));
+        assert_eq!(single, 2 * (count - 1) + 2 * count);
     }
 }
 
@@ -180,8 +187,12 @@ fn limbs_without_common_operations_have_no_loops() {
 #[test]
 fn loops_are_not_longer_than_a_section() {
     let program = program(4, 1);
-    let arranged = Arranged::of(&program, &[limbs(4)], Length::at_most(COMMON / 2));
-    assert_eq!(*arranged.program, program);
+    let longest = COMMON / 2;
+    let arranged = Arranged::of(&program, &[limbs(4)], Length::at_most(longest));
+    assert_eq!(bits(&arranged.program), bits(&program));
+    assert!(arranged.repeats.len() > 2);
+    let mut lengths = arranged.repeats.iter().map(|repeat| repeat.first.len());
+    assert!(lengths.all(|length| length <= longest));
     assert!(arranged.sections.is_some());
 }
 

@@ -1,83 +1,139 @@
 //! Loops of a routine.
 //!
-//! In: a repeat of a program, and the naming of its routine. Out: the statements of one iteration, and the table that
-//! values which differ between iterations are read from and, outside of sections, written to.
+//! In: a repeat of a program, and the naming of its routine. Out: the statements of one iteration, and the rows that
+//! values which differ between iterations are read from and written to: of the loop's own tables, of that of an earlier
+//! loop, which has stored them, or of the work array.
+
+#[cfg(test)]
+mod tests;
 
 use super::{Meaning, Naming, Statement, Value};
 use crate::schedule::Operand;
 use crate::schedule::blocks::within;
 use crate::schedule::repeats::{Over, Repeat};
+use crate::schedule::sections::Section;
 
 /// Loop over the columns of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// Name of the table.
+    /// Number of iterations.
+    pub count: usize,
+    /// Name of the table that iterations read; none is needed if it has no rows.
     pub table: String,
-    /// Rows of the table that are read, with an entry for each iteration.
+    /// Its rows, with a value for each iteration.
     pub rows: Vec<Vec<Value>>,
+    /// Table that iterations write; none in a section.
+    pub found: Option<Found>,
     /// Name of the loop's index, from 0.
     pub column: String,
-    /// Names of the values that an iteration reads from the table, row by row.
-    pub loads: Vec<String>,
+    /// Names of the values that an iteration reads several times, and the row of each.
+    pub loads: Vec<(String, Cells)>,
     /// Statements of an iteration.
     pub statements: Vec<Statement>,
-    /// Names of the values that an iteration stores: in the table, row by row, or in the work array.
-    pub stores: Vec<String>,
-    /// Index of the first of them in the work array, where each is followed by that of all iterations; `None` if they
-    /// are stored in the table.
-    pub first: Option<usize>,
+    /// Names of the values that an iteration stores, and the row of each.
+    pub stores: Vec<(String, Cells)>,
 }
 
-impl Loop {
-    /// Number of iterations.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.rows.first().map_or(0, Vec::len)
-    }
+/// Table that the iterations of a loop write.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// Its name.
+    pub table: String,
+    /// Number of its rows.
+    pub height: usize,
+    /// A value that its entries have before the loop, in languages in which they need one.
+    pub before: Value,
+}
 
-    /// Number of rows of the table that are stored and not read.
-    #[must_use]
-    pub fn unread(&self) -> usize {
-        match self.first {
-            Some(_) => 0,
-            None => self.stores.len().saturating_sub(self.rows.len()),
-        }
-    }
+/// Values of all iterations, one after the other.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cells {
+    /// Row with this index of a table, which may be that of an earlier loop.
+    Table(String, usize),
+    /// Entries of the work array from this index on.
+    Work(usize),
+}
 
-    /// The rows, and for those that are not read others.
-    pub fn all_rows(&self) -> impl Iterator<Item = &Vec<Value>> {
-        let unread = self.rows.iter().take(1).cycle().take(self.unread());
-        self.rows.iter().chain(unread)
+impl Cells {
+    /// Row of values that are stored like one.
+    fn of(values: &[Value]) -> Option<Self> {
+        let Value::Entry(table, row, _) = values.first()? else {
+            return None;
+        };
+        let mut values = values.iter().enumerate();
+        let is_row = values.all(|(column, value)| {
+            matches!(value, Value::Entry(of, at, entry) if (of, at, *entry) == (table, row, column))
+        });
+        is_row.then(|| Self::Table(table.clone(), *row))
     }
 }
 
 impl Naming<'_> {
-    /// Loop of a repeat; `first` is the place of its first result in the work array, if they are stored there.
-    pub(super) fn loop_of(&mut self, repeat: &Repeat, first: Option<usize>) -> Loop {
-        let [table, column] =
-            [Meaning::Table, Meaning::LoopIndex].map(|meaning| self.named(meaning));
-        let row = |row: &Vec<Operand>| row.iter().map(|&operand| self.value(operand)).collect();
-        let rows: Vec<Vec<Value>> = repeat.loads.iter().map(row).collect();
-        let loads: Vec<String> = repeat.loads.iter().map(|_| self.unnamed()).collect();
+    /// Loop of a repeat, in a section or in none.
+    pub(super) fn loop_of(&mut self, repeat: &Repeat, section: Option<&Section>) -> Loop {
+        let [table, found, column] =
+            [Meaning::Table, Meaning::Found, Meaning::LoopIndex].map(|meaning| self.named(meaning));
+        let mut rows = Vec::new();
+        let mut readers = vec![0; repeat.loads.len()];
+        for &row in repeat.reads.values() {
+            readers[row] += 1;
+        }
+        let mut loads = Vec::new();
+        let values = repeat.loads.iter().enumerate().map(|(at, operands)| {
+            let waiting = section.and_then(|section| section.rows[at]);
+            let row = waiting.map_or_else(|| self.row(&table, operands, &mut rows), Cells::Work);
+            if readers[at] == 1 {
+                return Value::Cell(row, column.clone());
+            }
+            let name = self.unnamed();
+            loads.push((name.clone(), row));
+            Value::Name(name)
+        });
+        let values: Vec<Value> = values.collect();
         let reads = repeat.reads.iter();
-        let reads = reads.map(|(&place, &row)| (place, loads[row].clone()));
+        let reads = reads.map(|(&place, &row)| (place, values[row].clone()));
         self.loads = reads.collect();
         self.is_named = repeat.over == Over::Limbs;
         let parts = within(self.program, repeat.first.clone(), &repeat.stores);
         let statements = self.statements(&parts);
         self.loads.clear();
         self.is_named = true;
-        let stores = repeat.stores.iter().map(|&step| self.name(step)).collect();
-        self.leave(repeat, &table);
+        let count = repeat.iterations as usize;
+        let first = section.map(|section| section.stores.first().map_or(0, |&(_, place)| place));
+        let stores = repeat.stores.iter().enumerate().map(|(at, &step)| {
+            let row = first.map(|first| Cells::Work(first + at * count));
+            let row = row.unwrap_or_else(|| Cells::Table(found.clone(), at));
+            (self.name(step), row)
+        });
+        let stores: Vec<(String, Cells)> = stores.collect();
+        self.leave(repeat, &found);
+        let before = repeat.loads.first().and_then(|row| row.first());
+        let before = before.map(|&operand| self.value(operand));
+        let of_stores = |before| Found {
+            table: found,
+            height: stores.len(),
+            before,
+        };
+        let found = before.filter(|_| section.is_none()).map(of_stores);
         Loop {
+            count,
             table,
             rows,
+            found,
             column,
             loads,
             statements,
             stores,
-            first,
         }
+    }
+
+    /// Row of values that an earlier loop has stored like one, or a new row of a table.
+    fn row(&self, table: &str, operands: &[Operand], rows: &mut Vec<Vec<Value>>) -> Cells {
+        let values: Vec<Value> = operands.iter().map(|&of| self.value(of)).collect();
+        Cells::of(&values).unwrap_or_else(|| {
+            rows.push(values);
+            Cells::Table(table.to_owned(), rows.len() - 1)
+        })
     }
 
     /// Records the places of the results of all iterations in the table.
@@ -92,118 +148,5 @@ impl Naming<'_> {
             }
         }
         self.sums.resize(self.steps.len(), None);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::collections::BTreeMap;
-
-    use super::super::tests::of_a_hinge;
-    use super::super::{Statement, Stored, Value};
-    use crate::schedule::repeats::tests::{HEAD, LENGTH, program};
-    use crate::schedule::{Length, Names, Operation, Program, run};
-
-    /// Interpreter of a routine.
-    #[derive(Default)]
-    struct Written {
-        bound: BTreeMap<String, f64>,
-        tables: BTreeMap<String, Vec<Vec<f64>>>,
-        work: Vec<f64>,
-    }
-
-    impl Written {
-        fn read(&self, value: &Value) -> f64 {
-            match value {
-                Value::Literal(value) => *value,
-                Value::Name(name) => self.bound[name],
-                Value::Work(place) => self.work[*place],
-                Value::Entry(table, row, column) => self.tables[table][*row][*column],
-            }
-        }
-
-        fn run(&mut self, statements: &[Statement]) {
-            for statement in statements {
-                match statement {
-                    Statement::Operation(name, operation) => {
-                        let value = match operation.clone().map(|value| self.read(&value)) {
-                            Operation::Add(a, b) => a + b,
-                            Operation::Sub(a, b) => a - b,
-                            Operation::Mul(a, b) => a * b,
-                            Operation::Neg(a) => -a,
-                            Operation::MulSub(a, b, c) => a * b - c,
-                            other => unreachable!("{other:?}"),
-                        };
-                        self.bound.insert(name.clone(), value);
-                    }
-                    Statement::Block { statements, .. } => self.run(statements),
-                    Statement::Loop(each) => {
-                        let row = |row: &Vec<Value>| row.iter().map(|of| self.read(of)).collect();
-                        let mut table: Vec<Vec<f64>> = each.all_rows().map(row).collect();
-                        let count = each.count();
-                        for column in 0..count {
-                            for (name, row) in each.loads.iter().zip(&table) {
-                                self.bound.insert(name.clone(), row[column]);
-                            }
-                            self.run(&each.statements);
-                            for (row, name) in each.stores.iter().enumerate() {
-                                let value = self.bound[name];
-                                match each.first {
-                                    Some(first) => self.work[first + row * count + column] = value,
-                                    None => table[row][column] = value,
-                                }
-                            }
-                        }
-                        self.tables.insert(each.table.clone(), table);
-                    }
-                    Statement::StoreWork(place, value) => self.work[*place] = self.read(value),
-                    Statement::SinesAndCosines(_) | Statement::StoreResult(..) => {
-                        unreachable!("{statement:?}")
-                    }
-                }
-            }
-        }
-    }
-
-    /// Results of a program with functions of this length, and its number of loops.
-    fn results(program: &Program, length: Length) -> (Vec<f64>, usize) {
-        let names = Names::beside(&["columns"]);
-        let routine = of_a_hinge((program, length), names, Stored::AtTheEnd);
-        let mut written = Written::default();
-        written.bound.insert("q_1".to_owned(), 0.7);
-        written.run(&routine.statements);
-        let mut statements = routine.statements.clone();
-        if let Some(work) = &routine.work {
-            written.work = vec![f64::NAN; work.len];
-            for (place, value) in &work.initial {
-                written.work[*place] = written.read(value);
-            }
-            for section in &work.sections {
-                // A section has only the names that it binds.
-                written.bound.clear();
-                for (place, name) in &section.loads {
-                    written.bound.insert(name.clone(), written.work[*place]);
-                }
-                written.run(&section.statements);
-                statements.extend(section.statements.clone());
-            }
-        }
-        let found = routine.results.iter().map(|result| written.read(result));
-        let found = found.collect();
-        let is_loop = |statement: &&Statement| matches!(statement, Statement::Loop(_));
-        (found, statements.iter().filter(is_loop).count())
-    }
-
-    #[test]
-    fn loops_compute_the_same_as_all_steps() {
-        // Iterations of one scope, and of several blocks.
-        for program in [program(HEAD, LENGTH), program(HEAD, 1000)] {
-            let expected = run::<f64>(&program, |_| 0.7);
-            for length in [Length::UNBOUNDED, Length::at_most(1000)] {
-                assert_eq!(results(&program, length), (expected.clone(), 1));
-            }
-            // Sections shorter than an iteration hold no loop.
-            assert_eq!(results(&program, Length::at_most(50)), (expected, 0));
-        }
     }
 }

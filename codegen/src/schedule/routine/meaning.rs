@@ -24,6 +24,8 @@ pub enum Meaning {
     Part(usize),
     /// The table that a loop reads its columns from.
     Table,
+    /// The table that a loop writes its results to.
+    Found,
     /// The index of a loop.
     LoopIndex,
 }
@@ -52,6 +54,7 @@ impl fmt::Display for Meaning {
             Self::Cosine(turn) => write!(out, "c_{turn}"),
             Self::Part(number) => write!(out, "t_{number}"),
             Self::Table => out.write_str("columns"),
+            Self::Found => out.write_str("found"),
             Self::LoopIndex => out.write_str("column"),
         }
     }

@@ -3,13 +3,13 @@
 //! In: the sections of a program, and the naming of its routine. Out: the routine, with the values that each section
 //! reads from the work array, computes, and stores there.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use super::{Entries, Naming, Routine, Statement, Value};
 use crate::schedule::blocks::{before, within};
 use crate::schedule::repeats::Repeat;
-use crate::schedule::sections::{Section, Sections};
-use crate::schedule::{Operand, Step};
+use crate::schedule::sections::{Section, Sections, Shared};
+use crate::schedule::{Operand, Program, Step};
 use crate::space::Variable;
 
 /// Sections of a routine and their work array.
@@ -86,20 +86,25 @@ impl Naming<'_> {
 
     fn section_body(&mut self, section: &Section, number: usize) -> SectionBody {
         let name = self.names.fresh(&format!("section_{number}"));
-        let loads = section.loads.iter().map(|&(value, place)| {
-            let Value::Name(name) = self.value(value.operand()) else {
-                unreachable!("what waits has a name");
-            };
-            (place, name)
-        });
-        let loads = loads.collect();
+        let mut loads = Vec::new();
+        let mut waiting = HashMap::new();
+        let readers = readers(self.program, section);
+        for &(value, place) in &section.loads {
+            if readers[&value] == 1 {
+                waiting.insert(value, place);
+            } else if let Value::Name(name) = self.value(value.operand()) {
+                loads.push((place, name));
+            }
+        }
+        self.waiting = waiting;
         let steps = section.steps.clone();
         let statements = if let Some(repeat) = &section.repeat {
-            self.loop_section(repeat, &section.stores)
+            self.loop_section(repeat, section)
         } else {
             self.stores = section.stores.iter().copied().collect();
             self.statements(&within(self.program, steps.clone(), &[]))
         };
+        self.waiting.clear();
         let steps = &self.program.steps[steps.start as usize..steps.end as usize];
         let mut read = steps.iter().flat_map(|step| step.operation.operands());
         SectionBody {
@@ -112,15 +117,43 @@ impl Naming<'_> {
     }
 
     /// A loop that stores its results in the work array.
-    fn loop_section(&mut self, repeat: &Repeat, stores: &[(u32, usize)]) -> Vec<Statement> {
-        let first = stores.first().map(|&(_, place)| place);
-        let each = self.loop_of(repeat, first);
-        for &(step, _) in stores {
+    fn loop_section(&mut self, repeat: &Repeat, section: &Section) -> Vec<Statement> {
+        let each = self.loop_of(repeat, Some(section));
+        for &(step, _) in &section.stores {
             // Other sections bind it to a name.
             self.steps[step as usize] = Value::Name(self.unnamed());
         }
         vec![Statement::Loop(each)]
     }
+}
+
+/// How often a section reads each value that it loads. Those that are the same for all iterations of a loop count twice,
+/// so that they are read before it.
+fn readers(program: &Program, section: &Section) -> HashMap<Shared, usize> {
+    let mut readers = HashMap::new();
+    let mut read = |operand, count| {
+        if let Some(value) = Shared::of(operand) {
+            *readers.entry(value).or_default() += count;
+        }
+    };
+    let Some(repeat) = &section.repeat else {
+        let steps = &program.steps[section.steps.start as usize..section.steps.end as usize];
+        let operands = steps.iter().flat_map(|step| step.operation.operands());
+        operands.for_each(|operand| read(operand, 1));
+        return readers;
+    };
+    for at in repeat.first.clone() {
+        let operands = program.steps[at as usize].operation.operands();
+        for (slot, operand) in operands.into_iter().enumerate() {
+            if !repeat.reads.contains_key(&(at, slot)) {
+                read(operand, 2);
+            }
+        }
+    }
+    for &operand in repeat.loads.iter().flatten() {
+        read(operand, 1);
+    }
+    readers
 }
 
 fn is_fused(steps: &[Step]) -> bool {

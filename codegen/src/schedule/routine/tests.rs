@@ -130,7 +130,7 @@ fn results_are_stored_early_on_request() {
 }
 
 /// Routine of a program that reads the angle of a hinge.
-pub(super) fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stored) -> Routine {
+fn of_a_hinge(program: (&Program, Length), names: Names, stored: Stored) -> Routine {
     let entry = Entry {
         name: "hip".to_owned(),
         kind: Kind::Rotation,

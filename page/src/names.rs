@@ -230,9 +230,9 @@ fn data(meaning: &Meaning) -> Value {
         Meaning::Sine(rotation) => angle(rotation, true),
         Meaning::Cosine(rotation) => angle(rotation, false),
         Meaning::Part(number) => json!({ "kind": "part", "index": number }),
-        Meaning::Table => json!({ "kind": "table" }),
-        Meaning::Found => json!({ "kind": "found" }),
-        Meaning::LoopIndex => json!({ "kind": "loop" }),
+        Meaning::Table(_) => json!({ "kind": "table" }),
+        Meaning::Found(_) => json!({ "kind": "found" }),
+        Meaning::LoopIndex(_) => json!({ "kind": "loop" }),
     }
 }
 

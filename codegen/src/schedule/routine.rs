@@ -147,6 +147,7 @@ impl Routine {
             steps: Vec::with_capacity(program.steps.len()),
             sums: Vec::with_capacity(program.steps.len()),
             unnamed: 0,
+            loops: 0,
             stores: BTreeMap::new(),
             found: BTreeMap::new(),
             is_named: true,
@@ -232,6 +233,8 @@ struct Naming<'p> {
     /// Coordinates whose sum a step is.
     sums: Vec<Option<Vec<u16>>>,
     unnamed: usize,
+    /// Number of loops.
+    loops: usize,
     /// Steps that are stored in the work array, with their indices.
     stores: BTreeMap<u32, usize>,
     /// Steps that are stored as results, with the indices of the results.

@@ -263,7 +263,7 @@ struct Places {
     of: BTreeMap<Shared, usize>,
     free: BTreeSet<usize>,
     len: usize,
-    /// For each value that differs between the iterations of a repeat, the values of all of them.
+    /// For the value of the first iteration of a repeat, those of all of them, if they are different.
     rows: BTreeMap<Shared, Vec<Shared>>,
 }
 
@@ -275,8 +275,9 @@ impl Places {
         for row in loads {
             let row: Option<Vec<Shared>> = row.iter().copied().map(Shared::of).collect();
             let Some(row) = row else { continue };
-            if let Some(&first) = row.first() {
-                rows.entry(first).or_insert(row);
+            let different: BTreeSet<&Shared> = row.iter().collect();
+            if different.len() == row.len() {
+                rows.entry(row[0]).or_insert(row);
             }
         }
         Self {

@@ -260,9 +260,7 @@ fn long_functions_have_sections() {
     let section = "
 HOMOGEN_FN HOMOGEN_CLONES static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
 {
-    const float t_1 = work[1];
-    const float t_2 = work[2];
-    const float t_3 = t_1 * t_2;
+    const float t_3 = work[1] * work[2];
     work[0] = t_3;
 }
 ";

@@ -71,8 +71,9 @@ impl Cells {
 impl Naming<'_> {
     /// Loop of a repeat, in a section or in none.
     pub(super) fn loop_of(&mut self, repeat: &Repeat, section: Option<&Section>) -> Loop {
-        let [table, found, column] =
-            [Meaning::Table, Meaning::Found, Meaning::LoopIndex].map(|meaning| self.named(meaning));
+        self.loops += 1;
+        let [table, found, column] = [Meaning::Table, Meaning::Found, Meaning::LoopIndex]
+            .map(|of_loop| self.named(of_loop(self.loops)));
         let mut rows = Vec::new();
         let mut readers = vec![0; repeat.loads.len()];
         for &row in repeat.reads.values() {

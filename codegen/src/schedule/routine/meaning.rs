@@ -22,12 +22,12 @@ pub enum Meaning {
     Cosine(RotationAngle),
     /// A part of a sum or product, by its number from 1 on.
     Part(usize),
-    /// The table that a loop reads its columns from.
-    Table,
+    /// The table that a loop reads its columns from; loops count from 1.
+    Table(usize),
     /// The table that a loop writes its results to.
-    Found,
+    Found(usize),
     /// The index of a loop.
-    LoopIndex,
+    LoopIndex(usize),
 }
 
 /// The angle of a sine and a cosine.
@@ -53,9 +53,9 @@ impl fmt::Display for Meaning {
             Self::Sine(turn) => write!(out, "s_{turn}"),
             Self::Cosine(turn) => write!(out, "c_{turn}"),
             Self::Part(number) => write!(out, "t_{number}"),
-            Self::Table => out.write_str("columns"),
-            Self::Found => out.write_str("found"),
-            Self::LoopIndex => out.write_str("column"),
+            Self::Table(number) => of_loop(out, "columns", *number),
+            Self::Found(number) => of_loop(out, "found", *number),
+            Self::LoopIndex(number) => of_loop(out, "column", *number),
         }
     }
 }
@@ -67,6 +67,14 @@ impl fmt::Display for RotationAngle {
             [] => out.write_str(&self.name),
             coordinates => out.write_str(&numbers(coordinates)),
         }
+    }
+}
+
+/// `columns`, and `columns_2` of the second loop.
+fn of_loop(out: &mut fmt::Formatter<'_>, word: &str, number: usize) -> fmt::Result {
+    match number {
+        1 => out.write_str(word),
+        number => write!(out, "{word}_{number}"),
     }
 }
 

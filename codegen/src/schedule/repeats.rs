@@ -87,6 +87,16 @@ impl Repeat {
         self.first.end - self.first.start
     }
 
+    /// Operands of the first iteration that are in no row: its own results, and values that are the same for all.
+    pub fn in_no_row<'a>(&'a self, program: &'a Program) -> impl Iterator<Item = Operand> + 'a {
+        self.first.clone().flat_map(move |at| {
+            let operands = program.steps[at as usize].operation.operands();
+            let operands = operands.into_iter().enumerate();
+            let others = operands.filter(move |&(slot, _)| !self.reads.contains_key(&(at, slot)));
+            others.map(|(_, operand)| operand)
+        })
+    }
+
     /// Steps whose results are stored, each in all iterations.
     #[must_use]
     pub fn stored(&self) -> Vec<u32> {

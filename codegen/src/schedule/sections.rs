@@ -241,21 +241,11 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
 
 /// Values that a repeat reads by name: those that are the same for all iterations, and those of rows without a place.
 fn named(program: &Program, repeat: &Repeat, rows: &[Option<usize>]) -> BTreeSet<Shared> {
-    let mut named = BTreeSet::new();
-    for at in repeat.first.clone() {
-        let operands = program.steps[at as usize].operation.operands();
-        for (slot, operand) in operands.into_iter().enumerate() {
-            match repeat.reads.get(&(at, slot)) {
-                Some(&row) if rows[row].is_some() => {}
-                Some(&row) => {
-                    let row = repeat.loads[row].iter().copied();
-                    named.extend(row.filter_map(Shared::of));
-                }
-                None => named.extend(Shared::of(operand)),
-            }
-        }
-    }
-    named
+    let rows = repeat.loads.iter().zip(rows);
+    let without_place = rows.filter(|(_, place)| place.is_none());
+    let without_place = without_place.flat_map(|(row, _)| row.iter().copied());
+    let read = repeat.in_no_row(program).chain(without_place);
+    read.filter_map(Shared::of).collect()
 }
 
 /// Allocation of the work array.

@@ -58,7 +58,7 @@ impl Like {
     }
 }
 
-/// What the steps of one group share.
+/// Properties that the steps of one group share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     /// Index of the set of limbs.
@@ -70,7 +70,7 @@ struct Key {
 }
 
 impl Key {
-    /// What steps share that read another value in each lane.
+    /// The properties of steps that read another value in each lane.
     fn loose(self) -> Self {
         let like = self.like.map(|like| like.map(Like::loose));
         Self { like, ..self }

@@ -127,7 +127,7 @@ impl Naming<'_> {
     }
 }
 
-/// How often a section reads each value that it loads. Those that are the same for all iterations of a loop count twice,
+/// Number of times that a section reads each value that it loads. Those that are the same for all iterations of a loop count twice,
 /// so that they are read before it.
 fn readers(program: &Program, section: &Section) -> HashMap<Shared, usize> {
     let mut readers = HashMap::new();
@@ -142,13 +142,8 @@ fn readers(program: &Program, section: &Section) -> HashMap<Shared, usize> {
         operands.for_each(|operand| read(operand, 1));
         return readers;
     };
-    for at in repeat.first.clone() {
-        let operands = program.steps[at as usize].operation.operands();
-        for (slot, operand) in operands.into_iter().enumerate() {
-            if !repeat.reads.contains_key(&(at, slot)) {
-                read(operand, 2);
-            }
-        }
+    for operand in repeat.in_no_row(program) {
+        read(operand, 2);
     }
     for &operand in repeat.loads.iter().flatten() {
         read(operand, 1);

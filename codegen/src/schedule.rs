@@ -133,10 +133,10 @@ impl<T> Operation<T> {
     }
 }
 
-impl Operation {
+impl<T: Copy> Operation<T> {
     /// Operands.
     #[must_use]
-    pub fn operands(&self) -> Vec<Operand> {
+    pub fn operands(&self) -> Vec<T> {
         match *self {
             Self::Sqrt(a) | Self::Sign(a) | Self::Neg(a) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],

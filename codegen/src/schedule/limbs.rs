@@ -12,6 +12,7 @@ mod fusing;
 mod groups;
 mod loops;
 mod order;
+mod parts;
 #[cfg(test)]
 pub mod tests;
 

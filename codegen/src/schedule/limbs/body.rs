@@ -19,7 +19,7 @@ pub enum Read {
 }
 
 /// For each lane: the step that a row computes, if it is one, and its operation.
-type Row = Vec<(Option<u32>, Operation<Read>)>;
+pub type Row = Vec<(Option<u32>, Operation<Read>)>;
 
 /// Iteration of a loop.
 pub struct Body<'g> {
@@ -33,28 +33,38 @@ pub struct Body<'g> {
 }
 
 impl<'g> Body<'g> {
-    /// Iteration that computes some groups, operands before their readers.
-    pub fn of(program: &Program, groups: &'g Groups, members: &[usize]) -> Self {
-        let mut body = Self {
+    /// Iteration that computes nothing yet.
+    pub fn new(groups: &'g Groups) -> Self {
+        Self {
             groups,
             own: HashMap::new(),
             signed: HashMap::new(),
             rows: Vec::new(),
-        };
+        }
+    }
+
+    /// Iteration that computes some groups, operands before their readers.
+    pub fn of(program: &Program, groups: &'g Groups, members: &[usize]) -> Self {
+        let mut body = Self::new(groups);
         for &group in members {
-            let steps = groups.all[group].lanes.iter().map(|lane| match lane {
-                Operand::Step(step) => *step,
-                _ => unreachable!("loops compute steps"),
-            });
-            let steps: Vec<u32> = steps.collect();
-            let operation = |&step: &u32| program.steps[step as usize].operation;
-            let operations: Vec<Operation> = steps.iter().map(operation).collect();
-            let row = body.row(&operations);
-            let steps = steps.into_iter().map(Some);
-            body.own.insert(group, body.rows.len());
-            body.rows.push(steps.zip(row).collect());
+            body.push(program, group);
         }
         body
+    }
+
+    /// Adds a group whose operands are there.
+    pub fn push(&mut self, program: &Program, group: usize) {
+        let steps = self.groups.all[group].lanes.iter().map(|lane| match lane {
+            Operand::Step(step) => *step,
+            _ => unreachable!("loops compute steps"),
+        });
+        let steps: Vec<u32> = steps.collect();
+        let operation = |&step: &u32| program.steps[step as usize].operation;
+        let operations: Vec<Operation> = steps.iter().map(operation).collect();
+        let row = self.row(&operations);
+        let steps = steps.into_iter().map(Some);
+        self.own.insert(group, self.rows.len());
+        self.rows.push(steps.zip(row).collect());
     }
 
     fn read(&self, operand: Operand) -> Read {

@@ -8,6 +8,7 @@ use std::ops::Range;
 use super::body::{Body, Read};
 use super::groups::Groups;
 use super::loops::{Loops, Unit};
+use super::parts::Parts;
 use crate::schedule::repeats::{Over, Repeat};
 use crate::schedule::{Operand, Program, Step, number};
 
@@ -22,6 +23,7 @@ pub fn ordered(
     columns: &[Repeat],
     longest: usize,
 ) -> (Program, Iterations) {
+    let parts = Parts::of(program, groups, loops);
     let mut order = Order {
         program,
         groups,
@@ -35,7 +37,9 @@ pub fn ordered(
     let last = last_loop.max(loops.stretches.keys().next_back().copied());
     for at in 0..=last.unwrap_or_default() {
         for (_, groups) in loops.loops.range((at, 0)..=(at, usize::MAX)) {
-            order.over_limbs(groups, longest);
+            for part in parts.cut(groups, longest) {
+                order.iterations(part);
+            }
         }
         for &unit in loops.stretches.get(&at).into_iter().flatten() {
             order.unit(unit);
@@ -94,19 +98,6 @@ impl Order<'_> {
         let operation = operation.map(|operand| self.outside(operand));
         self.places[step as usize] = Some(number(self.steps.len()));
         self.steps.push(Step { label, operation });
-    }
-
-    /// A loop over limbs, or several if it is longer than a section.
-    fn over_limbs(&mut self, groups: &[usize], longest: usize) {
-        let parts = |parts: usize| groups.chunks(groups.len().div_ceil(parts));
-        let rows = |groups: &[usize]| Body::of(self.program, self.groups, groups).rows.len();
-        let fewest = rows(groups).div_ceil(longest);
-        let count = (fewest..groups.len())
-            .find(|&count| parts(count).all(|groups| rows(groups) <= longest))
-            .unwrap_or(groups.len());
-        for groups in parts(count) {
-            self.iterations(groups);
-        }
     }
 
     /// All iterations of a loop over limbs.

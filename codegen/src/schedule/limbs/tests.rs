@@ -3,6 +3,7 @@
 use homogen_random::Random;
 
 use super::fused_alike;
+use super::parts::MOST_ROWS;
 use crate::expression::Input;
 use crate::list::Id;
 use crate::schedule::repeats::Over;
@@ -10,7 +11,7 @@ use crate::schedule::{Arranged, Length, Operand, Operation, Program, Step, run};
 use crate::space::{Limbs, Variable};
 
 /// Operations that the limbs of [`Builder::limbs`] have in common, in each of two stretches.
-pub const COMMON: usize = 200;
+pub const COMMON: usize = 120;
 
 fn input(variable: Variable, entry: usize) -> Operand {
     let entry = u16::try_from(entry).expect("few entries");
@@ -80,7 +81,7 @@ impl Builder {
         let recipe: Vec<_> = (0..COMMON)
             .map(|k| {
                 let own = [(); 2].map(|()| self.random.below(values[0].len() + k));
-                (k % 5, own, self.random.below(base.len() + 1))
+                (k % 9, own, self.random.below(base.len() + 1))
             })
             .collect();
         for (values, turned) in values.iter_mut().zip(turned) {
@@ -194,6 +195,23 @@ fn loops_are_not_longer_than_a_section() {
     let mut lengths = arranged.repeats.iter().map(|repeat| repeat.first.len());
     assert!(lengths.all(|length| length <= longest));
     assert!(arranged.sections.is_some());
+}
+
+#[test]
+fn loops_have_few_rows() {
+    let mut program = program(4, 1);
+    let loops = Arranged::of(&program, &[limbs(4)], Length::UNBOUNDED).repeats;
+    program.results = (0..program.steps.len())
+        .map(|step| Operand::Step(u32::try_from(step).expect("few steps")))
+        .collect();
+    let arranged = Arranged::of(&program, &[limbs(4)], Length::UNBOUNDED);
+    assert_eq!(bits(&arranged.program), bits(&program));
+    assert!(arranged.repeats.len() > loops.len());
+    let mut rows = arranged
+        .repeats
+        .iter()
+        .map(|repeat| repeat.loads.len() + repeat.stores.len());
+    assert!(rows.all(|rows| rows <= MOST_ROWS));
 }
 
 /// A value of each limb, and `length` fused operations on it. In the fourth limb the last is not fused if `is_mixed`.

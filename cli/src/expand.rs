@@ -7,8 +7,7 @@ use clap::Args;
 
 use super::options::{Asked, STANDARD_INPUT, is_standard_input, mistake, read};
 use super::{Answer, Outcome, options};
-use homogen_codegen::description::expand_file;
-use homogen_codegen::description::xacro::{self, Given};
+use homogen_codegen::description::{Given, expand_file, xacro};
 use homogen_codegen::error::Errors;
 use homogen_codegen::request::Request;
 use homogen_codegen::request::setting::SOURCE;

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
 use homogen_codegen::chain::Chain;
+use homogen_codegen::description::Given;
 use homogen_codegen::description::LARGEST_FILE;
-use homogen_codegen::description::xacro::Given;
 use homogen_codegen::description::{self, Description, Source, inline};
 use homogen_codegen::error::{Diagnostic, Errors, Place};
 use homogen_codegen::real::Real;

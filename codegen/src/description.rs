@@ -12,34 +12,43 @@ mod constant;
 pub mod denavit_hartenberg;
 mod file;
 pub(crate) mod fingerprint;
+mod format;
+#[cfg(feature = "formats")]
 pub(crate) mod fresh;
+mod given;
 pub mod inline;
 mod item;
 mod kind;
 mod load;
+#[cfg(feature = "formats")]
 pub mod mjcf;
 mod names;
 mod number;
 mod position;
 mod robot;
+#[cfg(feature = "formats")]
 pub mod sdf;
 mod settings;
+#[cfg(feature = "formats")]
 pub(crate) mod spatial;
 mod tokens;
 mod unmodelled;
 pub mod urdf;
 #[doc(hidden)]
 pub mod words;
+#[cfg(feature = "formats")]
 pub mod xacro;
 mod xml;
 
-pub use self::file::{
-    expand_file, is_utf_16, read_bytes, read_bytes_in, read_file, read_file_with, read_text,
-};
+#[cfg(feature = "formats")]
+pub use self::file::expand_file;
+pub use self::file::{is_utf_16, read_bytes, read_bytes_in, read_file, read_file_with, read_text};
+pub use self::format::FileFormat;
+pub use self::given::Given;
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Configuration, Description, FileFormat, Inertial, Joint, JointId, Limits, Link, LinkId,
-    Loop, Mimic, Source, Step,
+    Axis, Configuration, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic,
+    Source, Step,
 };
 pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};

@@ -33,7 +33,8 @@
 //!
 //! | feature | |
 //! |---|---|
-//! | `files` (default) | [`Builder`]: files in Rust, C and LLVM, packages for Python, and what reviewers read |
+//! | `files` (default) | [`Builder`]: files in Rust, C and LLVM, packages for Python, and what reviewers read; with `formats` |
+//! | `formats` | MJCF, SDF and xacro files; those of URDF and tables are read without it |
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

@@ -13,7 +13,7 @@ use std::sync::{PoisonError, RwLock};
 use super::states::Fields;
 use homogen_codegen::builder::Builder;
 use homogen_codegen::chain::Chain;
-use homogen_codegen::description::xacro::Given;
+use homogen_codegen::description::Given;
 use homogen_codegen::description::{self, Description, inline};
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::expand;

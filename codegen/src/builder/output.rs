@@ -7,7 +7,7 @@ use quote::quote;
 use syn::ext::IdentExt;
 
 use super::{Builder, Origin};
-use crate::description::xacro::Given;
+use crate::description::Given;
 use crate::description::{self, Description, inline};
 use crate::error::{Errors, Place};
 use crate::formulation::{Products, Sines};

@@ -184,7 +184,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
 /// Reports a type that holds more or fewer numbers than its target.
 fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
     let entries = target.entries();
-    let is_mjcf = match of {
+    let is_as_large = match of {
         Type::Paren(inner) => return check_type(&inner.elem, target, field, errors),
         Type::Group(inner) => return check_type(&inner.elem, target, field, errors),
         Type::Array(array) => match &array.len {
@@ -201,7 +201,7 @@ fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
         Type::Reference(_) | Type::Slice(_) | Type::Tuple(_) => false,
         _ => true,
     };
-    if is_mjcf {
+    if is_as_large {
         return;
     }
     let what = target.words();

@@ -8,8 +8,9 @@ use proc_macro2::Span;
 
 use super::inline::text as inline;
 use super::load::load;
-use super::xacro::{self, Given};
-use super::{Description, denavit_hartenberg, mjcf, sdf, urdf};
+use super::{Description, FileFormat, Given, denavit_hartenberg, urdf};
+#[cfg(feature = "formats")]
+use super::{mjcf, sdf, xacro};
 use crate::error::{Diagnostic, Errors, Place};
 
 /// Reads a file without arguments: see [`read_file_with`].
@@ -49,6 +50,7 @@ pub fn read_file_with(
 }
 
 /// The URDF that a xacro file expands to.
+#[cfg(feature = "formats")]
 pub fn expand_file(path: &Path, given: &Given, errors: &mut Errors) -> Option<String> {
     let name = path
         .file_name()
@@ -130,8 +132,8 @@ fn text_in(
     anchor: Option<Span>,
     errors: &mut Errors,
 ) -> Option<Description> {
-    let form = Form::of(text, file, anchor);
-    if form != Form::Xacro && !given.arguments.is_empty() {
+    let format = FileFormat::of(text, file);
+    if format != Some(FileFormat::Xacro) && !given.arguments.is_empty() {
         errors.set_file(file, anchor);
         errors.push_with_hint(
             anchor.map_or(Place::Unknown, Place::Token),
@@ -139,51 +141,28 @@ fn text_in(
             "a xacro file declares xmlns:xacro=\"http://www.ros.org/wiki/xacro\" and uses it, or its name ends in .xacro",
         );
     }
-    match form {
-        Form::Inline => inline::read(text, file, errors),
-        Form::Table => denavit_hartenberg::read(text, file, anchor, errors),
-        Form::Mjcf => mjcf::read(text, file, folder, anchor, errors),
-        Form::Sdf => sdf::read(text, file, folder, given, anchor, errors),
-        Form::Xacro => xacro::read(text, file, folder, given, anchor, errors),
-        Form::Urdf => urdf::read(text, file, anchor, errors),
-    }
-}
-
-/// Form of a text.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
-    Inline,
-    Table,
-    Mjcf,
-    Sdf,
-    Xacro,
-    Urdf,
-}
-
-impl Form {
-    /// The form of a file, by its ending and its text.
-    fn of(text: &str, file: &str, anchor: Option<Span>) -> Self {
-        let is_xml = || {
-            let text = text.trim_start_matches('\u{feff}');
-            text.trim_start().starts_with('<')
-        };
+    match format {
         // A macro has its inline descriptions in its own tokens.
-        let is_inline = || anchor.is_none() && inline::is_inline(text);
-        match file.rsplit_once('.') {
-            Some((_, "dh")) => return Self::Table,
-            Some((_, "urdf" | "xml" | "xacro")) => {}
-            _ if is_xml() => {}
-            _ if is_inline() => return Self::Inline,
-            _ => return Self::Table,
-        }
-        if mjcf::is_mjcf(text) {
-            Self::Mjcf
-        } else if sdf::is_sdf(text) {
-            Self::Sdf
-        } else if xacro::is_xacro(text, file) {
-            Self::Xacro
-        } else {
-            Self::Urdf
+        None if anchor.is_none() && inline::is_inline(text) => inline::read(text, file, errors),
+        None | Some(FileFormat::Table) => denavit_hartenberg::read(text, file, anchor, errors),
+        Some(FileFormat::Urdf) => urdf::read(text, file, anchor, errors),
+        #[cfg(feature = "formats")]
+        Some(FileFormat::Mjcf) => mjcf::read(text, file, folder, anchor, errors),
+        #[cfg(feature = "formats")]
+        Some(FileFormat::Sdf) => sdf::read(text, file, folder, given, anchor, errors),
+        #[cfg(feature = "formats")]
+        Some(FileFormat::Xacro) => xacro::read(text, file, folder, given, anchor, errors),
+        #[cfg(not(feature = "formats"))]
+        Some(format) => {
+            // Only the readers left out take the folder.
+            let _ = folder;
+            errors.set_file(file, anchor);
+            errors.push_with_hint(
+                anchor.map_or(Place::Unknown, Place::Token),
+                format!("{} files need the feature `formats`", format.name()),
+                "cargo add homogen --features formats",
+            );
+            None
         }
     }
 }

@@ -29,8 +29,7 @@ pub(super) use self::contents::{Contents, entries};
 use self::contents::{add, assemble};
 use super::item::Item;
 use super::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
-use super::xacro::Given;
-use super::{Description, file};
+use super::{Description, Given, file};
 use crate::error::{Errors, Place};
 
 /// Reads the tokens of `chain!`; paths of files are relative to `folder`.

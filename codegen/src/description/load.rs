@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::LARGEST_FILE;
 
@@ -27,6 +27,7 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
+#[cfg(feature = "formats")]
 /// The text of a file without its byte order mark, or the reason for an error.
 pub(super) fn load_text(path: &Path) -> Result<String, String> {
     let text = String::from_utf8(load(path)?).map_err(|_| "it is not UTF-8".to_owned())?;
@@ -36,8 +37,9 @@ pub(super) fn load_text(path: &Path) -> Result<String, String> {
     })
 }
 
+#[cfg(feature = "formats")]
 /// The absolute path of a folder; an empty path is the working directory. `None` if that is gone.
-pub(super) fn absolute(folder: &Path) -> Option<PathBuf> {
+pub(super) fn absolute(folder: &Path) -> Option<std::path::PathBuf> {
     let is_empty = folder.as_os_str().is_empty();
     std::path::absolute(if is_empty { Path::new(".") } else { folder }).ok()
 }

@@ -59,7 +59,6 @@ use crate::list::{Id, List};
 
 #[doc(hidden)]
 pub use self::elements::page;
-pub use self::files::is_mjcf;
 
 /// Reads the text of the file `file` in `folder`; `anchor` is the token that named the file, for the compiler.
 ///

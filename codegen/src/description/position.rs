@@ -50,6 +50,7 @@ impl<'t> Positions<'t> {
         }
     }
 
+    #[cfg(feature = "formats")]
     /// The places that an expanded text comes from.
     pub(super) fn of_expanded(text: &'t str, segments: Segments) -> Self {
         Self {
@@ -60,6 +61,7 @@ impl<'t> Positions<'t> {
         }
     }
 
+    #[cfg(feature = "formats")]
     /// The places of a text that includes others, or is included: of the file with this index, 0 for the first.
     pub(super) fn of_file(text: &'t str, index: usize) -> Self {
         let included = index.checked_sub(1);

@@ -5,11 +5,10 @@ use std::path::PathBuf;
 
 use proc_macro2::Span;
 
-use super::number;
+use super::FileFormat;
 use super::unmodelled::Unmodelled;
 use crate::closure::Closure;
 use crate::error::{Diagnostic, Errors, Place};
-use crate::expression::Double;
 use crate::joint::JointKind;
 use crate::joint::actuator::Parts;
 use crate::list::{Id, id};
@@ -80,36 +79,6 @@ pub struct Source {
     pub beside: Vec<PathBuf>,
     /// FNV-1a hash (64 bits) of the text in UTF-8, including the further files; 0 for tokens.
     pub hash: u64,
-}
-
-/// Format of a description's file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum FileFormat {
-    /// The Unified Robot Description Format.
-    Urdf,
-    /// URDF with the macros of ROS.
-    Xacro,
-    /// The format of MuJoCo.
-    Mjcf,
-    /// The format of Gazebo and Drake.
-    Sdf,
-    /// A table of Denavit and Hartenberg.
-    Table,
-}
-
-impl FileFormat {
-    /// Its name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Urdf => "URDF",
-            Self::Xacro => "xacro",
-            Self::Mjcf => "MJCF",
-            Self::Sdf => "SDF",
-            Self::Table => "Denavit–Hartenberg table",
-        }
-    }
 }
 
 impl Source {
@@ -199,11 +168,12 @@ pub struct Joint {
     pub place: Place,
 }
 
+#[cfg(feature = "formats")]
 impl Joint {
     /// A fixed joint, which places a link on another.
     pub(super) fn fixed(name: Name, parent: &Name, child: &Name, origin: Vec<Step>) -> Self {
         let place = name.place;
-        let zero = number::computed(Double::ZERO, place);
+        let zero = super::number::computed(crate::expression::Double::ZERO, place);
         Self {
             name,
             kind: JointKind::Fixed,

@@ -31,21 +31,14 @@ use self::frames::Frames;
 use self::reading::Sdf;
 use self::scope::WORLD;
 use super::fresh::FreshNames;
-use super::xacro::Given;
 use super::xml::element::Reader;
+use super::xml::survey;
 use super::xml::texts::Parsed;
-use super::xml::{self, survey};
-use super::{Description, FileFormat, Name, Source, names as twice};
+use super::{Description, FileFormat, Given, Name, Source, names as twice};
 use crate::error::{Errors, Place};
 
 #[doc(hidden)]
 pub use self::elements::page;
-
-/// True if the root element of a text is `<sdf>`.
-#[must_use]
-pub fn is_sdf(text: &str) -> bool {
-    xml::begins_with(text, "<sdf")
-}
 
 /// Reads the text of the file `file` in `folder`; `given` has the folders of packages, `anchor` is the token that named
 /// the file, for the compiler.

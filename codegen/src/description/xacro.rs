@@ -12,7 +12,6 @@ mod expansion;
 mod expression;
 mod failure;
 mod files;
-mod given;
 mod include;
 mod property;
 mod scope;
@@ -28,8 +27,6 @@ use std::thread;
 
 use proc_macro2::Span;
 
-pub use self::given::Given;
-
 use self::budget::{Budget, FEW_LEVELS, MOST_LEVELS, STACK};
 use self::expansion::{Argument, Expansion, Report};
 use self::files::Files;
@@ -38,35 +35,9 @@ use self::write::Part;
 use super::fingerprint::fingerprint;
 use super::position::{Positions, Segment, Segments};
 use super::xml::{self, plain};
-use super::{Description, FileFormat, Source, urdf};
+use super::{Description, FileFormat, Given, Source, urdf};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::wording::{list, quoted};
-
-/// Elements that only an unexpanded file has.
-const ELEMENTS: [&str; 8] = [
-    "<xacro:arg",
-    "<xacro:property",
-    "<xacro:macro",
-    "<xacro:include",
-    "<xacro:if",
-    "<xacro:unless",
-    "<xacro:call",
-    "<xacro:element",
-];
-
-/// True if a file is to be expanded: its name ends in `.xacro`, or it declares the namespace of xacro and contains
-/// elements or expressions of it. Files that the tool has expanded keep the declaration.
-#[must_use]
-pub fn is_xacro(text: &str, file: &str) -> bool {
-    let is_named = file
-        .rsplit_once('.')
-        .is_some_and(|(_, ending)| ending == "xacro");
-    let contains = || {
-        let mut elements = ELEMENTS.into_iter();
-        elements.any(|element| text.contains(element)) || text.contains("${") || text.contains("$(")
-    };
-    is_named || (text.contains("xmlns:xacro") && contains())
-}
 
 /// A text of URDF, with the places of its words and its sources.
 struct Urdf {

@@ -7,6 +7,7 @@ pub(super) mod element;
 pub(super) mod elements;
 pub(super) mod plain;
 pub(super) mod survey;
+#[cfg(feature = "formats")]
 pub(super) mod texts;
 
 use roxmltree::{Document, Error, ParsingOptions};

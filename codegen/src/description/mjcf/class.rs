@@ -42,11 +42,11 @@ pub(super) struct Defaults<'a> {
 
 impl<'a> Class<'a> {
     fn elements(&self, kind: &str) -> impl DoubleEndedIterator<Item = &Element<'a>> {
-        let is_mjcf = move |element: &&Element<'a>| {
+        let is_kind = move |element: &&Element<'a>| {
             let tag = element.tag();
             tag == kind || (kind == ACTUATOR && ACTUATORS.contains(&tag))
         };
-        self.elements.iter().filter(is_mjcf)
+        self.elements.iter().filter(is_kind)
     }
 
     /// All values of an attribute for a kind of element, the outermost class first.

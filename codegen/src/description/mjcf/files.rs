@@ -8,18 +8,13 @@ use std::path::{Component, Path, PathBuf};
 
 use roxmltree::Node;
 
+use crate::description::format::is_mjcf;
 use crate::description::load::{absolute, load_text};
 use crate::description::position::Positions;
 use crate::description::xml::texts::{LIMITS, Texts};
 use crate::description::xml::{self, plain};
 use crate::error::Errors;
 use crate::wording::quoted;
-
-/// True if the root element of a text is `<mujoco>`.
-#[must_use]
-pub fn is_mjcf(text: &str) -> bool {
-    xml::begins_with(text, "<mujoco")
-}
 
 /// Hint for a text without the root element.
 pub(super) const BEGINS: &str = "an MJCF file begins with <mujoco>";

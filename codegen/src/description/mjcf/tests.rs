@@ -165,26 +165,6 @@ fn the_name_of_a_robot_is_that_of_its_model_or_file() {
 }
 
 #[test]
-fn a_file_is_known_by_its_root() {
-    for text in [
-        "<mujoco/>",
-        "\u{feff}<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<mujoco model=\"a\">",
-        "<!DOCTYPE mujoco>\n<mujocoinclude>",
-        "<!DOCTYPE r [<!ENTITY a \"b\">\n]><mujoco/>",
-    ] {
-        assert!(is_mjcf(text), "{text}");
-    }
-    for text in [
-        "",
-        "<robot><mujoco/></robot>",
-        "<!-- <mujoco/>",
-        "shoulder <mujoco>",
-    ] {
-        assert!(!is_mjcf(text), "{text}");
-    }
-}
-
-#[test]
 fn gravity_is_that_of_the_option() {
     let gravity = |option: &str| {
         let robot = fine(&format!("<mujoco>{option}</mujoco>"));

@@ -8,9 +8,9 @@ use std::path::{Component, Path, PathBuf};
 
 use roxmltree::Node;
 
+use crate::description::Given;
 use crate::description::load::{absolute, load_text};
 use crate::description::position::Positions;
-use crate::description::xacro::Given;
 use crate::description::xml::texts::{LIMITS, Texts};
 use crate::description::xml::{self, plain};
 use crate::error::Errors;

@@ -5,9 +5,9 @@ mod hostile;
 mod joints;
 mod placement;
 
-use super::{is_sdf, read};
+use super::read;
+use crate::description::Given;
 use crate::description::spatial::Pose;
-use crate::description::xacro::Given;
 use crate::description::{Description, Joint, Step};
 use crate::error::Errors;
 use crate::expression::Double;
@@ -58,17 +58,6 @@ pub(super) fn is_at(steps: &[Step], position: [f64; 3], x: [f64; 3]) {
             "{found} for {wanted}: {steps:?}"
         );
     }
-}
-
-#[test]
-fn the_root_element_tells_sdf() {
-    for text in [
-        "<sdf version='1.4'/>",
-        "\u{feff}<?xml version=\"1.0\"?>\n<!-- a <robot> --><sdf>",
-    ] {
-        assert!(is_sdf(text), "{text}");
-    }
-    assert!(!is_sdf("<robot name=\"sdf\"/>"));
 }
 
 #[test]

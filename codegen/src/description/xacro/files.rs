@@ -9,8 +9,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::failure::{Failure, failure, failure_with_hint};
-use super::given::Given;
 use super::tree::FileId;
+use crate::description::Given;
 use crate::description::load::{absolute, load_text};
 use crate::description::position::Positions;
 use crate::description::xml::{self, LARGEST_FILE};

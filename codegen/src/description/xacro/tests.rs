@@ -5,7 +5,7 @@ mod files;
 mod hostile;
 
 use super::expanded;
-use super::given::Given;
+use crate::description::Given;
 use crate::description::{Description, read_text};
 use crate::error::Errors;
 
@@ -95,18 +95,4 @@ fn errors_of_urdf_have_places_in_the_xacro_file() {
          error: arm.urdf.xacro:9:13: there is another link \"a\"\n  \
          hint: the other one is in line 4\n"
     );
-}
-
-#[test]
-fn files_are_recognised() {
-    let meant = |text: &str, file: &str| super::is_xacro(text, file);
-    assert!(meant("<robot/>", "arm.xacro"));
-    assert!(meant(
-        &robot("<xacro:property name=\"a\" value=\"1\"/>"),
-        "arm.urdf"
-    ));
-    assert!(meant(&robot("<link name=\"${a}\"/>"), "arm.urdf"));
-    // Expanded by the tool, with a call that it did not know.
-    assert!(!meant(&robot("<link name=\"a\"/><xacro:imu/>"), "arm.urdf"));
-    assert!(!meant("<robot><link name=\"${a}\"/></robot>", "arm.urdf"));
 }

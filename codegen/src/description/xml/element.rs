@@ -246,6 +246,7 @@ impl<'t> Reader<'_, 't> {
         self.numbers_of(start, &text, is_verbatim, counts, subject)
     }
 
+    #[cfg(feature = "formats")]
     /// A list of numbers in the text of an element whose count is within bounds.
     pub(in crate::description) fn numbers_in_text(
         &mut self,
@@ -258,6 +259,7 @@ impl<'t> Reader<'_, 't> {
         self.numbers_of(start, &text, is_verbatim, counts, subject)
     }
 
+    #[cfg(feature = "formats")]
     /// The text of an element, without surrounding white space, and its place.
     pub(in crate::description) fn text_of(&self, node: Node<'_, 't>) -> Name {
         let (start, text) = self.raw_text(node);
@@ -268,6 +270,7 @@ impl<'t> Reader<'_, 't> {
         }
     }
 
+    #[cfg(feature = "formats")]
     /// The first text in an element, with the offset of the file.
     fn raw_text<'a>(&self, node: Node<'a, 't>) -> (usize, Cow<'t, str>) {
         let Some(text) = node.children().find(Node::is_text) else {

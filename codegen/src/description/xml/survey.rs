@@ -28,6 +28,7 @@ pub(in crate::description) fn survey<'t>(
     inside(reader, vec![(root, format.root)], format);
 }
 
+#[cfg(feature = "formats")]
 /// Adds the warnings of an included file's root element, whose children belong to an element with this content.
 pub(in crate::description) fn survey_included<'t>(
     reader: &mut Reader<'_, 't>,

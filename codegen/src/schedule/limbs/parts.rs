@@ -16,7 +16,7 @@ use crate::schedule::{Operand, Program};
 /// (`alias-set-saturation-threshold`). It assumes that all of more are the same, and vectorizes no such loop.
 pub const MOST_ROWS: usize = 240;
 
-/// Places of all groups in their loops.
+/// Loops to be cut.
 pub struct Parts<'p> {
     program: &'p Program,
     groups: &'p Groups,
@@ -25,6 +25,7 @@ pub struct Parts<'p> {
 }
 
 impl<'p> Parts<'p> {
+    /// Loops of a program that compute groups.
     pub fn of(program: &'p Program, groups: &'p Groups, loops: &Loops) -> Self {
         let mut place = HashMap::new();
         for (number, members) in loops.loops.values().enumerate() {

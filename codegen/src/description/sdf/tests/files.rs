@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use super::{is_at, joint, link, with};
-use crate::description::xacro::Given;
+use crate::description::Given;
 use crate::description::{Description, read_file_with};
 use crate::error::Errors;
 

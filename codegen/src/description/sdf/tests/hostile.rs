@@ -2,8 +2,8 @@
 
 use super::super::read;
 use super::{errors, link, with};
+use crate::description::Given;
 use crate::description::changed::changed;
-use crate::description::xacro::Given;
 use crate::error::Errors;
 
 const ARM: &str = r#"<?xml version="1.0"?>

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 
-use super::super::given::Given;
 use super::robot;
+use crate::description::Given;
 use crate::description::{Description, read_file_with};
 use crate::error::Errors;
 

@@ -1,4 +1,4 @@
-//! Arguments and packages that the user gives for a xacro file.
+//! Arguments of xacro files, and folders of packages, as the user gives them.
 
 use std::path::{Path, PathBuf};
 

@@ -134,12 +134,9 @@ fn text_in(
 ) -> Option<Description> {
     let format = FileFormat::of(text, file);
     if format != Some(FileFormat::Xacro) && !given.arguments.is_empty() {
-        errors.set_file(file, anchor);
-        errors.push_with_hint(
-            anchor.map_or(Place::Unknown, Place::Token),
-            "arguments are given, but the file is not xacro",
-            "a xacro file declares xmlns:xacro=\"http://www.ros.org/wiki/xacro\" and uses it, or its name ends in .xacro",
-        );
+        let message = "arguments are given, but the file is not xacro";
+        let hint = "a xacro file declares xmlns:xacro=\"http://www.ros.org/wiki/xacro\" and uses it, or its name ends in .xacro";
+        reject(file, anchor, message, hint, errors);
     }
     match format {
         // A macro has its inline descriptions in its own tokens.
@@ -156,15 +153,19 @@ fn text_in(
         Some(format) => {
             // Only the readers left out take the folder.
             let _ = folder;
-            errors.set_file(file, anchor);
-            errors.push_with_hint(
-                anchor.map_or(Place::Unknown, Place::Token),
-                format!("{} files need the feature `formats`", format.name()),
-                "cargo add homogen --features formats",
-            );
+            let message = format!("{} files need the feature `formats`", format.name());
+            let hint = "cargo add homogen --features formats";
+            reject(file, anchor, &message, hint, errors);
             None
         }
     }
+}
+
+/// Adds an error of a whole file, at the token that named it.
+fn reject(file: &str, anchor: Option<Span>, message: &str, hint: &str, errors: &mut Errors) {
+    errors.set_file(file, anchor);
+    let place = anchor.map_or(Place::Unknown, Place::Token);
+    errors.push_with_hint(place, message, hint);
 }
 
 /// The warning, or error, for bytes that are UTF-8 only up to `valid`.

@@ -30,9 +30,7 @@ impl FileFormat {
             Self::Table => "Denavit–Hartenberg table",
         }
     }
-}
 
-impl FileFormat {
     /// The format of a file with this name; `None` if it is neither a table nor XML by its ending, and its text is not
     /// XML.
     pub(super) fn of(text: &str, file: &str) -> Option<Self> {
@@ -113,6 +111,8 @@ mod tests {
             ),
             ("-", "<robot><mujoco/></robot>", Some(Urdf)),
             ("-", "<!-- <mujoco/>", Some(Urdf)),
+            ("arm.xml", "shoulder <mujoco>", Some(Urdf)),
+            ("arm.xml", "", Some(Urdf)),
             ("-", "shoulder <mujoco>", None),
             ("-", "<sdf version='1.4'/>", Some(Sdf)),
             (

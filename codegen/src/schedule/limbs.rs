@@ -8,11 +8,11 @@
 //! An operation that has another sign in a mirrored limb gets an operand that is multiplied by 1 or −1.
 
 mod body;
+mod cutting;
 mod fusing;
 mod groups;
 mod loops;
 mod order;
-mod parts;
 #[cfg(test)]
 pub mod tests;
 

@@ -6,9 +6,9 @@
 use std::ops::Range;
 
 use super::body::{Body, Read};
+use super::cutting::Cutting;
 use super::groups::Groups;
 use super::loops::{Loops, Unit};
-use super::parts::Parts;
 use crate::schedule::repeats::{Over, Repeat};
 use crate::schedule::{Operand, Program, Step, number};
 
@@ -23,7 +23,7 @@ pub fn ordered(
     columns: &[Repeat],
     longest: usize,
 ) -> (Program, Iterations) {
-    let parts = Parts::of(program, groups, loops);
+    let cutting = Cutting::of(program, groups, loops);
     let mut order = Order {
         program,
         groups,
@@ -37,7 +37,7 @@ pub fn ordered(
     let last = last_loop.max(loops.stretches.keys().next_back().copied());
     for at in 0..=last.unwrap_or_default() {
         for (_, groups) in loops.loops.range((at, 0)..=(at, usize::MAX)) {
-            for part in parts.cut(groups, longest) {
+            for part in cutting.cut(groups, longest) {
                 order.iterations(part);
             }
         }

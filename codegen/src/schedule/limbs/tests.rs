@@ -2,8 +2,8 @@
 
 use homogen_random::Random;
 
+use super::cutting::MOST_ROWS;
 use super::fused_alike;
-use super::parts::MOST_ROWS;
 use crate::expression::Input;
 use crate::list::Id;
 use crate::schedule::repeats::Over;

@@ -127,8 +127,8 @@ impl Naming<'_> {
     }
 }
 
-/// Number of times that a section reads each value that it loads. Those that are the same for all iterations of a loop count twice,
-/// so that they are read before it.
+/// Number of times that a section reads each value that it loads. Those that are the same for all iterations of a loop
+/// count twice, so that they are read before it.
 fn readers(program: &Program, section: &Section) -> HashMap<Shared, usize> {
     let mut readers = HashMap::new();
     let mut read = |operand, count| {

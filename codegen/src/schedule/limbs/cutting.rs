@@ -16,16 +16,16 @@ use crate::schedule::{Operand, Program};
 /// (`alias-set-saturation-threshold`). It assumes that all of more are the same, and vectorizes no such loop.
 pub const MOST_ROWS: usize = 240;
 
-/// Loops to be cut.
-pub struct Parts<'p> {
+/// Readers of the groups of loops, which decide where a loop is cut.
+pub struct Cutting<'p> {
     program: &'p Program,
     groups: &'p Groups,
     /// For each group its last reader as an index into the groups of its loop; `usize::MAX` if it is read elsewhere.
     until: Vec<usize>,
 }
 
-impl<'p> Parts<'p> {
-    /// Loops of a program that compute groups.
+impl<'p> Cutting<'p> {
+    /// The readers of all groups that loops compute.
     pub fn of(program: &'p Program, groups: &'p Groups, loops: &Loops) -> Self {
         let mut place = HashMap::new();
         for (number, members) in loops.loops.values().enumerate() {

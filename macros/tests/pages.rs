@@ -5,7 +5,7 @@
 //! describes a robot or asks for something stands in an example that is compiled; else the words that are
 //! missing. The guide's tables are rewritten where `HOMOGEN_UPDATE` is set.
 
-use homogen_codegen::description::words::{Place, words};
+use homogen_codegen::description::words::{GrammarPlace, words};
 use homogen_codegen::description::{mjcf, sdf, urdf};
 use homogen_codegen::request::setting;
 
@@ -13,34 +13,34 @@ const DERIVE: &str = include_str!("../src/derive.md");
 const CHAIN: &str = include_str!("../src/chain.md");
 
 /// The page that explains the words of a place.
-fn page(place: Place) -> &'static str {
+fn page(place: GrammarPlace) -> &'static str {
     match place {
-        Place::Robot
-        | Place::Field
-        | Place::Column
-        | Place::Function
-        | Place::Scalar
-        | Place::Formulation
-        | Place::Processor => DERIVE,
-        Place::Link
-        | Place::Joint
-        | Place::JointType
-        | Place::Step
-        | Place::Loop
-        | Place::LoopType
-        | Place::Row => CHAIN,
+        GrammarPlace::Robot
+        | GrammarPlace::Field
+        | GrammarPlace::Column
+        | GrammarPlace::Function
+        | GrammarPlace::Scalar
+        | GrammarPlace::Formulation
+        | GrammarPlace::Processor => DERIVE,
+        GrammarPlace::Link
+        | GrammarPlace::Joint
+        | GrammarPlace::JointType
+        | GrammarPlace::Step
+        | GrammarPlace::Loop
+        | GrammarPlace::LoopType
+        | GrammarPlace::Row => CHAIN,
     }
 }
 
 /// True for places whose words each need an example; names chosen from a list do not.
-fn is_shown(place: Place) -> bool {
+fn is_shown(place: GrammarPlace) -> bool {
     let chosen = [
-        Place::Column,
-        Place::Function,
-        Place::Scalar,
-        Place::LoopType,
-        Place::Formulation,
-        Place::Processor,
+        GrammarPlace::Column,
+        GrammarPlace::Function,
+        GrammarPlace::Scalar,
+        GrammarPlace::LoopType,
+        GrammarPlace::Formulation,
+        GrammarPlace::Processor,
     ];
     !chosen.contains(&place)
 }

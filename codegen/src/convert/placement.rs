@@ -5,7 +5,7 @@
 
 use super::numbers;
 use crate::chain::{angle, axis_rotation};
-use crate::description::spatial::{Matrix, Pose};
+use crate::description::spatial::{DoubleMatrix, Pose};
 use crate::description::{Axis, Number, Step};
 use crate::error::Place;
 use crate::expression::Double;
@@ -71,7 +71,7 @@ fn of_pose(pose: &Pose) -> ([Number; 3], [Number; 3]) {
         let value = if value.is_zero() { Double::ZERO } else { value };
         computed(value, Place::Unknown)
     };
-    let rotation: Matrix = pose
+    let rotation: DoubleMatrix = pose
         .rotation
         .map(|row| row.map(|entry| if entry.is_zero() { Double::ZERO } else { entry }));
     let angles = axis_rotation::of_numbers(&rotation);

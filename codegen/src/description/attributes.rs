@@ -132,7 +132,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
     for field in fields {
         let Some(ident) = &field.ident else { continue };
         let mut found: Option<Target> = None;
-        let mut range: Option<Range> = None;
+        let mut range: Option<FieldRange> = None;
         let mut is_clear = true;
         for attribute in field.attrs.iter().filter(|attribute| is_robot(attribute)) {
             let example = "#[robot(mass_of = \"link\")]";
@@ -149,7 +149,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
             for argument in read {
                 let span = attribute.meta.span();
                 let target = match argument {
-                    Argument::Range(second) => {
+                    FieldArgument::Range(second) => {
                         if range.is_some() {
                             let message = format!("field `{ident}` has two ranges");
                             tokens::push(errors, diagnostic(second.span, message));
@@ -157,7 +157,7 @@ fn parameters<'f>(fields: impl Iterator<Item = &'f Field>, errors: &mut Errors) 
                         range = Some(second);
                         continue;
                     }
-                    Argument::Target(target) => target,
+                    FieldArgument::Target(target) => target,
                 };
                 if found.is_some() {
                     let message = format!("field `{ident}` stands for two numbers");
@@ -215,19 +215,19 @@ fn check_type(of: &Type, target: &Target, field: &Ident, errors: &mut Errors) {
 }
 
 /// An argument of a field's attribute.
-enum Argument {
+enum FieldArgument {
     Target(Target),
-    Range(Range),
+    Range(FieldRange),
 }
 
 /// `range = 3.0` or `range = 0.5..=3.0`, as written.
-struct Range {
+struct FieldRange {
     span: Span,
     least: Option<f64>,
     most: f64,
 }
 
-impl Range {
+impl FieldRange {
     fn read(input: ParseStream, key: &Ident) -> Parsed<Self> {
         tokens::separator(input, key)?;
         let span = input.span();
@@ -268,13 +268,13 @@ impl Range {
     }
 }
 
-fn argument(input: ParseStream) -> Parsed<Argument> {
+fn argument(input: ParseStream) -> Parsed<FieldArgument> {
     let key = tokens::word(input)?;
     let text = key.to_string();
     if text == RANGE {
-        return Range::read(input, &key).map(Argument::Range);
+        return FieldRange::read(input, &key).map(FieldArgument::Range);
     }
-    Ok(Argument::Target(match Target::of(&text) {
+    Ok(FieldArgument::Target(match Target::of(&text) {
         Some(TargetOf::Robot(of)) => of(),
         Some(TargetOf::Item(of)) => {
             tokens::separator(input, &key)?;

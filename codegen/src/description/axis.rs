@@ -29,7 +29,7 @@ pub(super) fn direction(axis: [Number; 3]) -> Result<([Number; 3], Option<Remark
         what: "is zero".to_owned(),
         hint: "give it a direction, such as 0 0 1".to_owned(),
     })?;
-    let Measured {
+    let MeasuredLength {
         largest, of_parts, ..
     } = measured;
     let moderate = axis.map(|number| moderate(number, largest, of_parts));
@@ -45,7 +45,7 @@ pub(super) fn quaternion(entries: &[Number; 4]) -> Result<Option<Remark>, Remark
     Ok(measured.warning)
 }
 
-struct Measured {
+struct MeasuredLength {
     /// The largest magnitude of the numbers.
     largest: f64,
     /// The length of the numbers divided by `largest`.
@@ -54,7 +54,7 @@ struct Measured {
 }
 
 /// Length and direction, to the precision of messages; `None` if all numbers are 0.
-fn measure<const N: usize>(numbers: &[Number; N]) -> Option<Measured> {
+fn measure<const N: usize>(numbers: &[Number; N]) -> Option<MeasuredLength> {
     let values = numbers.map(|number| number.value);
     let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest == 0.0 {
@@ -79,7 +79,7 @@ fn measure<const N: usize>(numbers: &[Number; N]) -> Option<Measured> {
             hint: format!("the unit vector is {}", entries.join(" ")),
         }
     });
-    Some(Measured {
+    Some(MeasuredLength {
         largest,
         of_parts,
         warning,

@@ -90,11 +90,11 @@ fn chain(input: ParseStream, folder: &Path, errors: &mut Errors) -> Parsed<Item>
 pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut Errors) -> Item {
     let Contents {
         settings,
-        parts,
+        elements,
         loops,
     } = contents;
     let place = Place::Token(ident.span());
-    if let Some(extra) = settings.files.get(usize::from(parts.is_empty())) {
+    if let Some(extra) = settings.files.get(usize::from(elements.is_empty())) {
         let message = format!("{ident} is described twice");
         let hint = "name one file, or describe links and joints in place";
         tokens::push(errors, diagnostic_with_hint(extra.span(), message, hint));
@@ -106,7 +106,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
             let file = folder.join(path.value());
             file::read_file_with(&file, &given, Some(path.span()), errors)
         }
-        None if parts.is_empty() => {
+        None if elements.is_empty() => {
             // The description may be among the parts that could not be read.
             if errors.is_empty() {
                 errors.push_with_hint(
@@ -117,7 +117,7 @@ pub(super) fn item(contents: Contents, ident: Ident, folder: &Path, errors: &mut
             }
             None
         }
-        None => Some(assemble(parts, &ident, errors)),
+        None => Some(assemble(elements, &ident, errors)),
     };
     if let Some(description) = &mut description {
         add(description, loops, errors);

@@ -4,23 +4,23 @@ use crate::description::{Axis, Number, Step, number};
 use crate::error::Place;
 use crate::expression::Double;
 
-pub(crate) type Vector = [Double; 3];
-pub(crate) type Matrix = [[Double; 3]; 3];
+pub(crate) type DoubleVector = [Double; 3];
+pub(crate) type DoubleMatrix = [[Double; 3]; 3];
 
 /// Pose of a frame relative to another.
 #[derive(Clone, Copy)]
 pub(crate) struct Pose {
     /// Columns are the axes of the frame.
-    pub(crate) rotation: Matrix,
-    pub(crate) position: Vector,
+    pub(crate) rotation: DoubleMatrix,
+    pub(crate) position: DoubleVector,
 }
 
 /// Mass, centre of mass, and inertia tensor about it.
 #[derive(Clone, Copy)]
 pub(crate) struct Solid {
     pub(crate) mass: Double,
-    pub(crate) center: Vector,
-    pub(crate) tensor: Matrix,
+    pub(crate) center: DoubleVector,
+    pub(crate) tensor: DoubleMatrix,
 }
 
 /// The exact value of an `f64`.
@@ -34,47 +34,47 @@ pub(crate) fn to_number(value: Double, place: Place) -> Number {
     number::computed(value, place)
 }
 
-pub(crate) fn dot(a: Vector, b: Vector) -> Double {
+pub(crate) fn dot(a: DoubleVector, b: DoubleVector) -> Double {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross(a: DoubleVector, b: DoubleVector) -> DoubleVector {
     let entry = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [entry(1, 2), entry(2, 0), entry(0, 1)]
 }
 
-pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn minus(a: DoubleVector, b: DoubleVector) -> DoubleVector {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
-pub(crate) fn plus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn plus(a: DoubleVector, b: DoubleVector) -> DoubleVector {
     std::array::from_fn(|k| a[k] + b[k])
 }
 
-pub(crate) fn times(a: Vector, factor: Double) -> Vector {
+pub(crate) fn times(a: DoubleVector, factor: Double) -> DoubleVector {
     a.map(|entry| entry * factor)
 }
 
-fn applied(matrix: &Matrix, vector: Vector) -> Vector {
+fn applied(matrix: &DoubleMatrix, vector: DoubleVector) -> DoubleVector {
     matrix.map(|row| dot(row, vector))
 }
 
-fn transposed(matrix: &Matrix) -> Matrix {
+fn transposed(matrix: &DoubleMatrix) -> DoubleMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[j][i]))
 }
 
-fn product(a: &Matrix, b: &Matrix) -> Matrix {
+fn product(a: &DoubleMatrix, b: &DoubleMatrix) -> DoubleMatrix {
     let columns = transposed(b);
     a.map(|row| columns.map(|column| dot(row, column)))
 }
 
 /// The matrix with these entries on its diagonal.
-pub(crate) fn diagonal(entries: Vector) -> Matrix {
+pub(crate) fn diagonal(entries: DoubleVector) -> DoubleMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { entries[i] } else { Double::ZERO }))
 }
 
 /// The rotation matrix of a quaternion x, y, z, w of any length but 0.
-pub(crate) fn of_quaternion([x, y, z, w]: [Double; 4]) -> Matrix {
+pub(crate) fn of_quaternion([x, y, z, w]: [Double; 4]) -> DoubleMatrix {
     let two = exactly(2.0) / (x * x + y * y + z * z + w * w);
     let one = exactly(1.0);
     [
@@ -97,7 +97,7 @@ pub(crate) fn of_quaternion([x, y, z, w]: [Double; 4]) -> Matrix {
 }
 
 /// A quaternion x, y, z, w of a rotation, of any length, computed from its largest entry.
-pub(crate) fn quaternion(r: &Matrix) -> [Double; 4] {
+pub(crate) fn quaternion(r: &DoubleMatrix) -> [Double; 4] {
     let one = exactly(1.0);
     let squares = [
         one + r[0][0] - r[1][1] - r[2][2],
@@ -147,7 +147,7 @@ impl Pose {
             })
     }
 
-    fn rotated(self, rotation: &Matrix) -> Self {
+    fn rotated(self, rotation: &DoubleMatrix) -> Self {
         Self {
             rotation: product(&self.rotation, rotation),
             ..self
@@ -155,17 +155,17 @@ impl Pose {
     }
 
     /// Coordinates of a point of the frame, in the other frame.
-    pub(crate) fn point(&self, point: Vector) -> Vector {
+    pub(crate) fn point(&self, point: DoubleVector) -> DoubleVector {
         plus(applied(&self.rotation, point), self.position)
     }
 
     /// Coordinates of a direction of the frame, in the other frame.
-    pub(crate) fn direction(&self, direction: Vector) -> Vector {
+    pub(crate) fn direction(&self, direction: DoubleVector) -> DoubleVector {
         applied(&self.rotation, direction)
     }
 
     /// A tensor of the frame, in the axes of the other frame.
-    pub(crate) fn tensor(&self, tensor: &Matrix) -> Matrix {
+    pub(crate) fn tensor(&self, tensor: &DoubleMatrix) -> DoubleMatrix {
         product(
             &product(&self.rotation, tensor),
             &transposed(&self.rotation),
@@ -173,7 +173,7 @@ impl Pose {
     }
 }
 
-fn about(axis: Axis, angle: Double) -> Matrix {
+fn about(axis: Axis, angle: Double) -> DoubleMatrix {
     let (s, c) = angle.sin_cos();
     let (zero, one) = (Double::ZERO, exactly(1.0));
     match axis {
@@ -229,7 +229,7 @@ pub(crate) fn together(solids: &[Solid]) -> Solid {
 }
 
 /// Principal moments and axes (columns) of a symmetric tensor, by Jacobi rotations.
-pub(crate) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
+pub(crate) fn principal(tensor: &DoubleMatrix) -> (DoubleVector, DoubleMatrix) {
     /// Each sweep squares the off-diagonal entries: ten suffice for 106 bits.
     const SWEEPS: usize = 20;
     /// 2⁻¹⁰³: rounding errors of off-diagonal entries, relative to the diagonal.
@@ -263,7 +263,7 @@ pub(crate) fn principal(tensor: &Matrix) -> (Vector, Matrix) {
 }
 
 /// The entries of a tensor as numbers of the description: xx, xy, xz, yy, yz, zz.
-pub(crate) fn entries(tensor: &Matrix, place: Place) -> [Number; 6] {
+pub(crate) fn entries(tensor: &DoubleMatrix, place: Place) -> [Number; 6] {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = *tensor;
     [xx, xy, xz, yy, yz, zz].map(|entry| to_number(entry, place))
 }

@@ -11,7 +11,7 @@ use crate::{closure, joint};
 
 /// The place where words are allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum GrammarPlace {
     /// In `#[robot(…)]` above a struct, and in the braces of `chain!`.
     Robot,
     /// In `#[robot(…)]` on a field.
@@ -44,26 +44,32 @@ pub enum Place {
 
 /// The words of each place.
 #[must_use]
-pub fn words() -> Vec<(Place, Vec<&'static str>)> {
+pub fn words() -> Vec<(GrammarPlace, Vec<&'static str>)> {
     let actuators = Part::ALL.map(Part::word);
     let joint = joints::KEYS.into_iter().chain(actuators).collect();
     let kinds = joint::ALL.map(|kind| kind.word).into_iter();
     vec![
-        (Place::Robot, settings::words()),
-        (Place::Field, attributes::keys()),
-        (Place::Link, body::INERTIA.to_vec()),
-        (Place::Joint, joint),
-        (Place::JointType, kinds.chain([composite::WORD]).collect()),
-        (Place::Step, joints::STEPS.to_vec()),
-        (Place::Loop, loops::KEYS.to_vec()),
-        (Place::LoopType, closure::ALL.map(|kind| kind.word).to_vec()),
-        (Place::Row, table::KEYS.to_vec()),
-        (Place::Column, denavit_hartenberg::COLUMNS.to_vec()),
-        (Place::Function, Function::names()),
-        (Place::Scalar, Real::ALL.map(Real::name).to_vec()),
-        (Place::Formulation, formulation::words()),
+        (GrammarPlace::Robot, settings::words()),
+        (GrammarPlace::Field, attributes::keys()),
+        (GrammarPlace::Link, body::INERTIA.to_vec()),
+        (GrammarPlace::Joint, joint),
         (
-            Place::Processor,
+            GrammarPlace::JointType,
+            kinds.chain([composite::WORD]).collect(),
+        ),
+        (GrammarPlace::Step, joints::STEPS.to_vec()),
+        (GrammarPlace::Loop, loops::KEYS.to_vec()),
+        (
+            GrammarPlace::LoopType,
+            closure::ALL.map(|kind| kind.word).to_vec(),
+        ),
+        (GrammarPlace::Row, table::KEYS.to_vec()),
+        (GrammarPlace::Column, denavit_hartenberg::COLUMNS.to_vec()),
+        (GrammarPlace::Function, Function::names()),
+        (GrammarPlace::Scalar, Real::ALL.map(Real::name).to_vec()),
+        (GrammarPlace::Formulation, formulation::words()),
+        (
+            GrammarPlace::Processor,
             Processor::ALL.map(Processor::name).to_vec(),
         ),
     ]

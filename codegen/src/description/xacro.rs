@@ -28,10 +28,10 @@ use std::thread;
 use proc_macro2::Span;
 
 use self::budget::{Budget, FEW_LEVELS, MOST_LEVELS, STACK};
-use self::expansion::{Argument, Expansion, Report};
+use self::expansion::{Expansion, Report, XacroArgument};
 use self::files::Files;
 use self::tree::{FileId, Origin};
-use self::write::Part;
+use self::write::Fragment;
 use super::fingerprint::fingerprint;
 use super::position::{Positions, Segment, Segments};
 use super::xml::{self, plain};
@@ -123,11 +123,11 @@ fn expand(
         }
         return None;
     }
-    let (text, parts) = written?;
-    let segments = parts.into_iter().map(|part| Segment {
-        start: part.start,
-        place: place(part.origin),
-        is_verbatim: part.is_verbatim,
+    let (text, fragments) = written?;
+    let segments = fragments.into_iter().map(|fragment| Segment {
+        start: fragment.start,
+        place: place(fragment.origin),
+        is_verbatim: fragment.is_verbatim,
     });
     Some(Urdf {
         segments: segments.collect(),
@@ -147,11 +147,11 @@ fn expand(
 /// Result of an expansion.
 struct Outcome {
     files: Files,
-    arguments: HashMap<String, Argument>,
+    arguments: HashMap<String, XacroArgument>,
     errors: Vec<Report>,
     warnings: Vec<Report>,
     /// The text of URDF, with the places of its parts; `None` if the first file is no XML.
-    written: Option<(String, Vec<Part>)>,
+    written: Option<(String, Vec<Fragment>)>,
 }
 
 /// The result of [`elements`], on a stack for deep recursions of macros where the platform has threads.
@@ -174,7 +174,7 @@ fn elements(
     levels: usize,
 ) -> Outcome {
     let arguments = given.arguments.iter().map(|(name, value)| {
-        let argument = Argument {
+        let argument = XacroArgument {
             value: value.clone(),
             is_given: true,
             is_used: false,
@@ -209,7 +209,7 @@ fn elements(
 }
 
 /// The warning of given arguments that the file does not have.
-fn unused(arguments: &HashMap<String, Argument>) -> Option<Diagnostic> {
+fn unused(arguments: &HashMap<String, XacroArgument>) -> Option<Diagnostic> {
     let names = |is_used: bool| {
         let names = arguments
             .iter()

@@ -12,14 +12,14 @@ use crate::joint::{JointKind, Manifold};
 use crate::wording::quoted;
 
 /// A body to write: the link, and the joints between it and the body around it.
-struct Body {
+struct MjcfBody {
     link: LinkId,
     joints: Vec<JointId>,
 }
 
 /// An item that remains to be written.
 enum Pending {
-    Begin(Body),
+    Begin(MjcfBody),
     End,
 }
 
@@ -46,7 +46,7 @@ impl Mjcf<'_> {
         } else {
             self.below.insert(root, others);
             let joints = Vec::new();
-            waiting.push(Pending::Begin(Body { link: root, joints }));
+            waiting.push(Pending::Begin(MjcfBody { link: root, joints }));
         }
         waiting.extend(self.begun(free));
         waiting.reverse();
@@ -75,7 +75,7 @@ impl Mjcf<'_> {
     }
 
     /// The body that a joint carries, beyond links without mass that only carry a moving joint.
-    fn merged(&mut self, first: &Branch) -> Body {
+    fn merged(&mut self, first: &Branch) -> MjcfBody {
         let mut joints = vec![first.joint];
         let mut link = first.child;
         let mut kind = self.description[first.joint].kind;
@@ -95,11 +95,11 @@ impl Mjcf<'_> {
             joints.push(joint);
             link = child;
         }
-        Body { link, joints }
+        MjcfBody { link, joints }
     }
 
     /// Begins a body.
-    fn body(&mut self, body: &Body) {
+    fn body(&mut self, body: &MjcfBody) {
         let description = self.description;
         let link = &description[body.link];
         let mut name = link.name.text.clone();

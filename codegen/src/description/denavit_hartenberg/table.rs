@@ -214,7 +214,7 @@ fn read_columns<'t>(cells: &[Cell<'t>], errors: &mut Errors) -> Option<Vec<&'t s
 }
 
 /// State of the reader in a row.
-struct Reader<'r, 't> {
+struct RowReader<'r, 't> {
     columns: &'r [&'t str],
     cells: &'r [Cell<'t>],
     subject: String,
@@ -223,7 +223,7 @@ struct Reader<'r, 't> {
 
 /// Reads a row; `None` if its name or type is missing or wrong.
 fn row(columns: &[&str], cells: &[Cell<'_>], errors: &mut Errors) -> Option<Row> {
-    let mut reader = Reader {
+    let mut reader = RowReader {
         columns,
         cells,
         subject: String::new(),
@@ -274,7 +274,7 @@ fn name(cell: Cell<'_>) -> Name {
     }
 }
 
-impl<'t> Reader<'_, 't> {
+impl<'t> RowReader<'_, 't> {
     /// The cell of a column; `None` if it is `-` or missing.
     fn cell(&self, column: &str) -> Option<Cell<'t>> {
         let index = self.columns.iter().position(|name| *name == column)?;

@@ -15,20 +15,20 @@ pub(in crate::description) const INERTIA: [&str; 4] = ["mass", "com", "inertia",
 /// The inertia keys read so far.
 #[derive(Default)]
 pub(super) struct Inertia {
-    mass: Value<Number>,
-    center: Value<[Number; 3]>,
-    tensor: Value<[Number; 6]>,
-    rotation: Value<[Number; 3]>,
+    mass: InlineValue<Number>,
+    center: InlineValue<[Number; 3]>,
+    tensor: InlineValue<[Number; 6]>,
+    rotation: InlineValue<[Number; 3]>,
 }
 
 /// A value that may be missing or malformed.
 #[derive(Default)]
-struct Value<T> {
+struct InlineValue<T> {
     given: bool,
     read: Option<T>,
 }
 
-impl<T> Value<T> {
+impl<T> InlineValue<T> {
     fn set(&mut self, read: impl FnOnce() -> Parsed<T>) -> Parsed<()> {
         self.given = true;
         self.read = Some(read()?);

@@ -8,7 +8,7 @@ use syn::parse::ParseStream;
 use syn::{Token, token};
 
 use super::body;
-use super::joint::{self, Joint, KEYS};
+use super::joint::{self, InlineJoint, KEYS};
 use crate::description::Name;
 use crate::description::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use crate::error::Errors;
@@ -28,7 +28,11 @@ pub(super) fn is_next(input: ParseStream) -> bool {
 }
 
 /// Reads a composite after its name.
-pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Parsed<Vec<Joint>> {
+pub(super) fn read(
+    name: &Name,
+    input: ParseStream,
+    errors: &mut Errors,
+) -> Parsed<Vec<InlineJoint>> {
     let subject = format!("joint {}", quoted(&name.text));
     let word = tokens::word(input)?;
     let mut joints = if input.peek(token::Paren) {
@@ -74,8 +78,8 @@ pub(super) fn read(name: &Name, input: ParseStream, errors: &mut Errors) -> Pars
 }
 
 /// `yaw: revolute(z) { limits: […] }, roll: revolute(x)`: each motion's parent is the child of the one before.
-fn motions(whole: &Name, input: ParseStream, errors: &mut Errors) -> Vec<Joint> {
-    let mut joints: Vec<Joint> = Vec::new();
+fn motions(whole: &Name, input: ParseStream, errors: &mut Errors) -> Vec<InlineJoint> {
+    let mut joints: Vec<InlineJoint> = Vec::new();
     while !input.is_empty() {
         match motion(whole, input, errors) {
             Ok(mut joint) => {
@@ -94,7 +98,7 @@ fn motions(whole: &Name, input: ParseStream, errors: &mut Errors) -> Vec<Joint> 
 }
 
 /// One motion, with the link that it moves.
-fn motion(whole: &Name, input: ParseStream, errors: &mut Errors) -> Parsed<Joint> {
+fn motion(whole: &Name, input: ParseStream, errors: &mut Errors) -> Parsed<InlineJoint> {
     let Name { text, place } = joint::named(input)?;
     let name = Name {
         text: entry(&whole.text, &text),

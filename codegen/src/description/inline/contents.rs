@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Token};
 
-use super::joint::{self, Joint};
+use super::joint::{self, InlineJoint};
 use super::{body, closure, composite, table};
 use crate::description::settings::{self, Settings};
 use crate::description::tokens::{self, Parsed, diagnostic};
@@ -18,15 +18,15 @@ use crate::wording::quoted;
 #[derive(Default)]
 pub(in crate::description) struct Contents {
     pub(in crate::description) settings: Settings,
-    pub(super) parts: Vec<Part>,
+    pub(super) elements: Vec<InlineElement>,
     /// Loops, each with its warnings.
     pub(super) loops: Vec<(Loop, Vec<Diagnostic>)>,
 }
 
-/// A part of the robot, in the order of the text.
-pub(super) enum Part {
+/// An element of the robot, in the order of the text.
+pub(super) enum InlineElement {
     Link(Link),
-    Joint(Joint),
+    Joint(InlineJoint),
     /// A row of a table: a joint whose links are known.
     Row(crate::description::Joint),
 }
@@ -65,7 +65,9 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
     match word.to_string().as_str() {
         "link" if !is_setting => {
             tokens::word(input)?;
-            contents.parts.push(Part::Link(link(input, errors)?));
+            contents
+                .elements
+                .push(InlineElement::Link(link(input, errors)?));
         }
         "joint" if !is_setting => {
             tokens::word(input)?;
@@ -78,7 +80,7 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
             for joint in joints {
                 // Terms written in the description itself are always modelled.
                 contents.settings.request.model(&joint.actuator);
-                contents.parts.push(Part::Joint(joint));
+                contents.elements.push(InlineElement::Joint(joint));
             }
         }
         "loop" if !is_setting => {
@@ -88,8 +90,12 @@ fn entry(input: ParseStream, contents: &mut Contents, errors: &mut Errors) -> Pa
         "denavit_hartenberg" if !is_setting => {
             let word = tokens::word(input)?;
             let (links, joints) = table::read(input, word.span(), errors)?;
-            contents.parts.extend(links.into_iter().map(Part::Link));
-            contents.parts.extend(joints.into_iter().map(Part::Row));
+            contents
+                .elements
+                .extend(links.into_iter().map(InlineElement::Link));
+            contents
+                .elements
+                .extend(joints.into_iter().map(InlineElement::Row));
         }
         _ => {
             settings::read(input, &mut contents.settings, errors)?;
@@ -139,7 +145,11 @@ pub(super) fn add(
 }
 
 /// Assigns parent and child links to joints.
-pub(super) fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> Description {
+pub(super) fn assemble(
+    elements: Vec<InlineElement>,
+    ident: &Ident,
+    errors: &mut Errors,
+) -> Description {
     let mut description = Description {
         name: Name {
             text: ident.to_string(),
@@ -154,18 +164,18 @@ pub(super) fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> 
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),
     };
-    let mut waiting: Vec<Joint> = Vec::new();
+    let mut waiting: Vec<InlineJoint> = Vec::new();
     let mut between: Vec<Link> = Vec::new();
-    for part in parts {
-        match part {
-            Part::Link(link) => {
+    for element in elements {
+        match element {
+            InlineElement::Link(link) => {
                 for mut joint in waiting.drain(..) {
                     joint.to.get_or_insert_with(|| link.name.clone());
                     description.joints.extend(joint.finish(errors));
                 }
                 description.links.push(link);
             }
-            Part::Joint(mut joint) => {
+            InlineElement::Joint(mut joint) => {
                 let before = description.links.last().map(|link| link.name.clone());
                 joint.from = joint.from.or(before);
                 description.warnings.append(&mut joint.warnings);
@@ -176,7 +186,7 @@ pub(super) fn assemble(parts: Vec<Part>, ident: &Ident, errors: &mut Errors) -> 
                 }));
                 waiting.push(joint);
             }
-            Part::Row(joint) => description.joints.push(joint),
+            InlineElement::Row(joint) => description.joints.push(joint),
         }
     }
     for joint in waiting {

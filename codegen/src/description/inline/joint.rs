@@ -33,9 +33,9 @@ pub(in crate::description) const KEYS: [&str; 8] = [
 pub(in crate::description) const STEPS: [&str; 5] = ["xyz", "rpy", "rx", "ry", "rz"];
 
 /// A joint with the links named so far.
-pub(super) struct Joint {
+pub(super) struct InlineJoint {
     name: Name,
-    motion: Option<Motion>,
+    motion: Option<InlineMotion>,
     pub(super) from: Option<Name>,
     pub(super) to: Option<Name>,
     pub(super) origin: Vec<Step>,
@@ -50,7 +50,7 @@ pub(super) struct Joint {
 }
 
 /// The type of a joint, with its axes.
-struct Motion {
+struct InlineMotion {
     kind: JointKind,
     axes: [[Number; 3]; 2],
     warnings: Vec<Diagnostic>,
@@ -74,14 +74,14 @@ pub(super) fn of(
     keys: &[&str],
     input: ParseStream,
     errors: &mut Errors,
-) -> Parsed<Joint> {
+) -> Parsed<InlineJoint> {
     let subject = format!("joint {}", quoted(&name.text));
     let mut motion = motion(input, &subject, errors)?;
     body::end(input, &subject)?;
     let warnings = motion
         .as_mut()
         .map(|motion| std::mem::take(&mut motion.warnings));
-    let mut joint = Joint {
+    let mut joint = InlineJoint {
         name,
         motion,
         warnings: warnings.unwrap_or_default(),
@@ -93,7 +93,7 @@ pub(super) fn of(
         actuator: Parts::default(),
         is_between: false,
     };
-    let mut range = Range::default();
+    let mut limits = InlineLimits::default();
     let mut mimic_keys = MimicKeys::default();
     let actuator = Part::ALL.map(Part::word);
     let keys: Vec<&str> = keys.iter().copied().chain(actuator).collect();
@@ -110,16 +110,16 @@ pub(super) fn of(
             "to" => joint.to = Some(tokens::name(input)?),
             "at" => joint.origin = placement(input, &subject)?,
             "mimic" | "multiplier" | "offset" => mimic_keys.read(key, input, &subject)?,
-            _ => range.read(key, input, &subject)?,
+            _ => limits.read(key, input, &subject)?,
         }
         Ok(())
     })?;
-    joint.limits = range.finish();
+    joint.limits = limits.finish();
     joint.mimic = mimic_keys.finish(&joint.name, errors);
     Ok(joint)
 }
 
-impl Joint {
+impl InlineJoint {
     /// The joint's name.
     pub(super) const fn name(&self) -> &Name {
         &self.name
@@ -144,7 +144,7 @@ impl Joint {
             let message = format!("{subject} joins link {} to itself", quoted(&child.text));
             errors.push(place, message);
         }
-        let motion = self.motion.unwrap_or_else(|| Motion {
+        let motion = self.motion.unwrap_or_else(|| InlineMotion {
             kind: JointKind::Fixed,
             axes: [along_x(place); 2],
             warnings: Vec::new(),
@@ -167,7 +167,7 @@ impl Joint {
 }
 
 /// `revolute(z)`, `screw(z, pitch: 0.01)`, `fixed`; `None` after a reported error.
-fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Option<Motion>> {
+fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Option<InlineMotion>> {
     let word = tokens::word(input)?;
     let kind = match kind::read(&word.to_string(), subject) {
         Ok(kind) => kind,
@@ -182,7 +182,7 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
     };
     if !input.peek(token::Paren) {
         if kind.axes() == 0 {
-            return Ok(Some(Motion {
+            return Ok(Some(InlineMotion {
                 kind: kind.with_pitch(|| Ok::<_, Diagnostic>(Number::default()))?,
                 axes: [along_x(Place::Token(word.span())); 2],
                 warnings: Vec::new(),
@@ -202,7 +202,7 @@ fn motion(input: ParseStream, subject: &str, errors: &mut Errors) -> Parsed<Opti
         .ok())
 }
 
-fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parsed<Motion> {
+fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parsed<InlineMotion> {
     if kind.axes() == 0 {
         let message = format!("{subject} is {} and has no axis", kind.word);
         return Err(diagnostic(input.span(), message));
@@ -237,7 +237,7 @@ fn in_parentheses(input: ParseStream, kind: &Definition, subject: &str) -> Parse
         let message = format!("expected `)` after the axis of {subject}");
         return Err(diagnostic(input.span(), message));
     }
-    Ok(Motion {
+    Ok(InlineMotion {
         kind,
         axes,
         warnings,
@@ -364,12 +364,12 @@ impl MimicKeys {
 
 /// The limits read so far.
 #[derive(Default)]
-pub(super) struct Range {
+pub(super) struct InlineLimits {
     ends: Option<[f64; 2]>,
     velocity: Option<f64>,
 }
 
-impl Range {
+impl InlineLimits {
     /// Reads the value of `limits` or `velocity`.
     pub(super) fn read(&mut self, key: &str, input: ParseStream, subject: &str) -> Parsed<()> {
         let span = input.span();

@@ -7,7 +7,7 @@ use syn::Token;
 use syn::parse::ParseStream;
 
 use super::body::{self, Inertia};
-use super::joint::Range;
+use super::joint::InlineLimits;
 use crate::description::denavit_hartenberg::{self, Convention, Row};
 use crate::description::kind;
 use crate::description::tokens::{self, Parsed, diagnostic_with_hint};
@@ -92,7 +92,7 @@ fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
     let [mut a, mut alpha, mut d, mut theta] = [zero; 4];
     let mut pitch: Option<Number> = None;
     let mut link: Option<Name> = None;
-    let mut range = Range::default();
+    let mut limits = InlineLimits::default();
     let mut inertia = Inertia::default();
     tokens::fields(input, &subject, &KEYS, errors, |key, input| {
         let part = format!("{key} of {subject}");
@@ -103,7 +103,7 @@ fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
             "theta" => theta = tokens::number(input, &part)?,
             "pitch" => pitch = Some(tokens::number(input, &part)?),
             "link" => link = Some(tokens::name(input)?),
-            "limits" | "velocity" => range.read(key, input, &subject)?,
+            "limits" | "velocity" => limits.read(key, input, &subject)?,
             _ => inertia.read(key, input, &format!("the link of {subject}"))?,
         }
         Ok(())
@@ -129,6 +129,6 @@ fn row(input: ParseStream, errors: &mut Errors) -> Parsed<Option<Row>> {
         d,
         theta,
         inertial,
-        limits: range.finish(),
+        limits: limits.finish(),
     }))
 }

@@ -105,7 +105,7 @@ fn in_tokens(text: &str, errors: &mut Errors) -> Option<Description> {
             "a text has links, joints and loops; give settings as options where it is read",
         );
     }
-    let mut description = assemble(contents.parts, &ident, errors);
+    let mut description = assemble(contents.elements, &ident, errors);
     add(&mut description, contents.loops, errors);
     Some(description)
 }

@@ -5,17 +5,19 @@ use std::rc::Rc;
 
 use super::element::Element;
 use super::parts::ModelId;
-use crate::description::spatial::{Matrix, Vector, cross, dot, exactly, minus, principal};
+use crate::description::spatial::{
+    DoubleMatrix, DoubleVector, cross, dot, exactly, minus, principal,
+};
 use crate::expression::Double;
 
 /// Inertia of a mesh at density 1.
-pub(super) struct Measured {
+pub(super) struct MeshInertia {
     /// The volume \[m³\], or the area of a shell \[m²\].
     pub(super) measure: Double,
     /// The centre of mass in the frame of the geom \[m\].
-    pub(super) center: Vector,
+    pub(super) center: DoubleVector,
     /// Inertia tensor about the centre of mass, in the axes of the geom.
-    pub(super) tensor: Matrix,
+    pub(super) tensor: DoubleMatrix,
     /// The vertices in the frame of the geom, if shapes are fitted to their extents.
     pub(super) corners: Vec<[f64; 3]>,
 }
@@ -23,10 +25,10 @@ pub(super) struct Measured {
 /// Rounding errors of moments, relative to the largest: a mesh below this has no thickness.
 const FLAT: f64 = 1e-14;
 
-impl Measured {
+impl MeshInertia {
     /// The centre and half the side lengths of the box around the vertices along the given axes (columns), in these axes
     /// and relative to the centre of mass.
-    pub(super) fn extents(&self, axes: &Matrix) -> [Vector; 2] {
+    pub(super) fn extents(&self, axes: &DoubleMatrix) -> [DoubleVector; 2] {
         let along = [0, 1, 2].map(|k| {
             let axis = axes.map(|row| row[k]);
             let places = self.corners.iter().map(|corner| {
@@ -46,7 +48,7 @@ impl Measured {
 
     /// Half the side lengths of the box with the principal moments of the mesh, in ascending order, and its axes as
     /// columns.
-    pub(super) fn inertia_box(&self) -> (Vector, Matrix) {
+    pub(super) fn inertia_box(&self) -> (DoubleVector, DoubleMatrix) {
         let (moments, axes) = principal(&self.tensor);
         let mut order = [0, 1, 2];
         // The longest side has the smallest moment.
@@ -81,7 +83,7 @@ pub(super) struct Asset<'a> {
 pub(super) struct Assets<'a> {
     pub(super) meshes: HashMap<String, Asset<'a>>,
     pub(super) height_fields: HashMap<String, Asset<'a>>,
-    pub(super) measured: HashMap<String, Option<Rc<Measured>>>,
+    pub(super) measured: HashMap<String, Option<Rc<MeshInertia>>>,
 }
 
 impl<'a> Assets<'a> {

@@ -3,7 +3,7 @@
 //! Yields links, the joints between them, and a massless link for each site.
 
 use super::geom::Piece;
-use super::joint::Moving;
+use super::joint::ConnectedBody;
 use super::names::Names;
 use super::parts::{Item, Part, PartId, WORLD};
 use super::reading::Mjcf;
@@ -17,7 +17,7 @@ use crate::wording::quoted;
 const MOST_LINKS: usize = 100_000;
 
 /// A body, and the elements directly in it.
-struct Body<'p, 'a> {
+struct BodyElement<'p, 'a> {
     item: &'p Item<'a>,
     parent: Name,
     inside: Vec<(PartId, &'p Item<'a>)>,
@@ -59,7 +59,7 @@ impl<'a> Mjcf<'a> {
             let Some(parent) = names[*within].clone() else {
                 continue;
             };
-            let body = Body {
+            let body = BodyElement {
                 item,
                 parent,
                 inside: std::mem::take(&mut inside[number]),
@@ -118,8 +118,8 @@ impl<'a> Mjcf<'a> {
     }
 
     /// Reads a body; returns its name.
-    fn body(&mut self, body: &Body<'_, 'a>) -> Name {
-        let Body {
+    fn body(&mut self, body: &BodyElement<'_, 'a>) -> Name {
+        let BodyElement {
             item,
             parent,
             inside,
@@ -161,7 +161,7 @@ impl<'a> Mjcf<'a> {
             .placements
             .insert(name.text.clone(), (parent.text.clone(), steps.clone()));
         let has_bodies = !of_tag(&["body"]).is_empty();
-        self.connect(&Moving {
+        self.connect(&ConnectedBody {
             link: &name,
             parent,
             steps,

@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use super::assets::{Asset, Measured};
+use super::assets::{Asset, MeshInertia};
 use super::mesh::unknown;
 use super::orientation::z_along;
 use super::parts::ModelId;
@@ -12,7 +12,7 @@ use super::reading::Mjcf;
 use super::shape::Shape;
 use super::values::Attributes;
 use crate::description::spatial::{
-    self, Matrix, Pose, Solid, Vector, diagonal, exactly, to_number,
+    self, DoubleMatrix, DoubleVector, Pose, Solid, diagonal, exactly, to_number,
 };
 use crate::description::{Number, Step};
 use crate::error::Place;
@@ -55,7 +55,7 @@ pub(super) struct Piece {
     /// From the body's frame to the principal or mesh frame at the part's centre of mass.
     pub(super) origin: Vec<Step>,
     /// Inertia tensor about the centre of mass, in the axes of that frame \[kg m²\].
-    pub(super) tensor: Matrix,
+    pub(super) tensor: DoubleMatrix,
     pub(super) place: Place,
 }
 
@@ -109,7 +109,7 @@ impl<'a> Mjcf<'a> {
         }
         let place = self.place(geom.own);
         let mut origin = frame.to_vec();
-        let (measure, moments): (Double, Box<dyn Fn(Double) -> Matrix>) = match form {
+        let (measure, moments): (Double, Box<dyn Fn(Double) -> DoubleMatrix>) = match form {
             GeomType::Plane => return None,
             GeomType::Field => {
                 let hint = "give its body an <inertial>";
@@ -133,7 +133,7 @@ impl<'a> Mjcf<'a> {
                 origin.push(Step::Translate(
                     mesh.center.map(|entry| to_number(entry, place)),
                 ));
-                let Measured {
+                let MeshInertia {
                     measure, tensor, ..
                 } = *mesh;
                 let of = move |mass: Double| tensor.map(|row| spatial::times(row, mass / measure));
@@ -175,7 +175,7 @@ impl<'a> Mjcf<'a> {
         geom: &Attributes<'a>,
         shape: Shape,
         subject: &str,
-    ) -> Option<(Vec<Step>, Vector)> {
+    ) -> Option<(Vec<Step>, DoubleVector)> {
         if geom.get("mesh").is_some() {
             return self.fitted(geom, shape, subject);
         }
@@ -222,7 +222,7 @@ impl<'a> Mjcf<'a> {
         geom: &Attributes<'a>,
         shape: Shape,
         subject: &str,
-    ) -> Option<(Vec<Step>, Vector)> {
+    ) -> Option<(Vec<Step>, DoubleVector)> {
         if geom.get("fromto").is_some() {
             let message = format!("{subject} has both mesh and fromto");
             self.refuse(geom.own, message, "leave one of them out");
@@ -269,7 +269,7 @@ impl<'a> Mjcf<'a> {
     }
 
     /// Half the side lengths of the box that a height field counts as.
-    fn extents_of_heights(&mut self, geom: &Attributes<'a>, subject: &str) -> Option<Vector> {
+    fn extents_of_heights(&mut self, geom: &Attributes<'a>, subject: &str) -> Option<DoubleVector> {
         let Some(written) = geom.get("hfield") else {
             let message = format!("{subject} has no hfield");
             self.refuse(geom.own, message, "write hfield=\"…\"");
@@ -334,7 +334,7 @@ impl<'a> Mjcf<'a> {
     }
 
     /// The mesh that a geom names.
-    fn mesh_of(&mut self, geom: &Attributes<'a>, subject: &str) -> Option<Rc<Measured>> {
+    fn mesh_of(&mut self, geom: &Attributes<'a>, subject: &str) -> Option<Rc<MeshInertia>> {
         let Some(written) = geom.get("mesh") else {
             self.refuse(
                 geom.own,

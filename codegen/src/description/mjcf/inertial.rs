@@ -7,13 +7,13 @@ use super::geom::Piece;
 use super::reading::Mjcf;
 use super::settings::FromGeoms;
 use super::values::Attributes;
-use crate::description::spatial::{self, Matrix, Pose, diagonal, exactly, to_number};
+use crate::description::spatial::{self, DoubleMatrix, Pose, diagonal, exactly, to_number};
 use crate::description::{Inertial, Number, Step, number};
 use crate::error::Place;
 use crate::expression::Double;
 
 /// An inertia before bounds and balance are applied.
-struct Found {
+struct RawInertia {
     mass: Number,
     origin: Vec<Step>,
     /// xx, xy, xz, yy, yz, zz.
@@ -41,7 +41,7 @@ impl<'a> Mjcf<'a> {
         } else {
             None
         };
-        let found = of_geoms.or(explicit).or_else(|| {
+        let inertia = of_geoms.or(explicit).or_else(|| {
             // A body without inertia gets the minimum mass and moments.
             let bounds = [
                 self.model().compiler.bound_mass,
@@ -49,22 +49,22 @@ impl<'a> Mjcf<'a> {
             ];
             let is_bounded = bounds.iter().any(|bound| bound.to_f64() > 0.0);
             let nothing = number::computed(Double::ZERO, place);
-            is_bounded.then(|| Found {
+            is_bounded.then(|| RawInertia {
                 mass: nothing,
                 origin: Vec::new(),
                 tensor: [nothing; 6],
                 place,
             })
         })?;
-        if found.mass.value < 0.0 {
-            let message = format!("the mass of {subject} is negative: {}", found.mass.value);
-            self.reader.errors.push(found.mass.place, message);
+        if inertia.mass.value < 0.0 {
+            let message = format!("the mass of {subject} is negative: {}", inertia.mass.value);
+            self.reader.errors.push(inertia.mass.place, message);
         }
-        Some(self.bounded(found))
+        Some(self.bounded(inertia))
     }
 
     /// The inertia in an `<inertial>`.
-    fn explicit(&mut self, element: Element<'a>, body: &str) -> Option<Found> {
+    fn explicit(&mut self, element: Element<'a>, body: &str) -> Option<RawInertia> {
         let subject = format!("the <inertial> of {body}");
         let place = self.place(element);
         for name in ["pos", "mass"] {
@@ -131,7 +131,7 @@ impl<'a> Mjcf<'a> {
                 .collect(),
             None => origin,
         };
-        Some(Found {
+        Some(RawInertia {
             mass,
             origin,
             tensor,
@@ -140,13 +140,13 @@ impl<'a> Mjcf<'a> {
     }
 
     /// Applies the minimum mass and moments, and balances the moments, as the compiler's settings say.
-    fn bounded(&self, found: Found) -> Inertial {
-        let Found {
+    fn bounded(&self, inertia: RawInertia) -> Inertial {
+        let RawInertia {
             mut mass,
             origin,
             tensor,
             place,
-        } = found;
+        } = inertia;
         let compiler = &self.model().compiler;
         if (compiler.bound_mass - mass.exact()).sign().to_f64() > 0.0 {
             mass = to_number(compiler.bound_mass, place);
@@ -173,7 +173,7 @@ impl<'a> Mjcf<'a> {
 
 /// A tensor with principal moments of at least `bound`, and balanced if they are non-physical; `None` if it stays the
 /// same.
-fn bounded(tensor: &Matrix, bound: Double, balance: bool) -> Option<Matrix> {
+fn bounded(tensor: &DoubleMatrix, bound: Double, balance: bool) -> Option<DoubleMatrix> {
     let (moments, axes) = spatial::principal(tensor);
     let is_below = |moment: &Double| (bound - *moment).sign().to_f64() > 0.0;
     let is_changed = moments.iter().any(is_below);
@@ -193,11 +193,11 @@ fn bounded(tensor: &Matrix, bound: Double, balance: bool) -> Option<Matrix> {
 }
 
 /// The inertia of all parts: of a single part in its own frame, of several in the axes of the body.
-fn of_pieces(pieces: &[Piece]) -> Option<Found> {
+fn of_pieces(pieces: &[Piece]) -> Option<RawInertia> {
     let first = pieces.first()?;
     let place = first.place;
     if pieces.len() == 1 {
-        return Some(Found {
+        return Some(RawInertia {
             mass: to_number(first.mass, place),
             origin: first.origin.clone(),
             tensor: spatial::entries(&first.tensor, place),
@@ -207,7 +207,7 @@ fn of_pieces(pieces: &[Piece]) -> Option<Found> {
     let solids: Vec<_> = pieces.iter().map(Piece::solid).collect();
     let whole = spatial::together(&solids);
     let center = whole.center.map(|entry| to_number(entry, place));
-    Some(Found {
+    Some(RawInertia {
         mass: to_number(whole.mass, place),
         origin: vec![Step::Translate(center)],
         tensor: spatial::entries(&whole.tensor, place),

@@ -19,7 +19,7 @@ use crate::joint::actuator::Parts;
 use crate::wording::quoted;
 
 /// A body, as needed to connect it to its parent.
-pub(super) struct Moving<'m, 'a> {
+pub(super) struct ConnectedBody<'m, 'a> {
     pub(super) link: &'m Name,
     pub(super) parent: &'m Name,
     /// From the parent's frame to the body's, as described.
@@ -48,7 +48,7 @@ const JOINT_TYPES: [(&str, JointType); 4] = [
 ];
 
 /// A joint whose links are not known yet.
-struct Read {
+struct MjcfJoint {
     part: PartId,
     name: Name,
     form: JointType,
@@ -65,7 +65,7 @@ struct Read {
 
 impl<'a> Mjcf<'a> {
     /// Connects a body to its parent by its joints, or fixes it.
-    pub(super) fn connect(&mut self, body: &Moving<'_, 'a>) {
+    pub(super) fn connect(&mut self, body: &ConnectedBody<'_, 'a>) {
         let mut read = Vec::new();
         for (part, item) in body.joints {
             read.extend(self.within(item.model, |mjcf| mjcf.joint(*part, item, body)));
@@ -148,7 +148,12 @@ impl<'a> Mjcf<'a> {
         }
     }
 
-    fn joint(&mut self, part: PartId, item: &Item<'a>, body: &Moving<'_, 'a>) -> Option<Read> {
+    fn joint(
+        &mut self,
+        part: PartId,
+        item: &Item<'a>,
+        body: &ConnectedBody<'_, 'a>,
+    ) -> Option<MjcfJoint> {
         let element = item.element;
         let place = self.place(element);
         let is_free = element.tag() == "freejoint";
@@ -216,7 +221,7 @@ impl<'a> Mjcf<'a> {
             self.aligned(&attributes, &subject);
         }
         let actuator = self.friction_and_armature(&attributes, form, &subject);
-        Some(Read {
+        Some(MjcfJoint {
             part,
             name,
             form,

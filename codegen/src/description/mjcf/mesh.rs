@@ -9,7 +9,7 @@ mod measure;
 use std::path::PathBuf;
 use std::rc::Rc;
 
-use super::assets::{Asset, Measured};
+use super::assets::{Asset, MeshInertia};
 use super::element::Element;
 use super::files::MODEL;
 use super::model::Model;
@@ -97,7 +97,7 @@ impl<'a> Mjcf<'a> {
     }
 
     /// The inertia of a named mesh at density 1.
-    pub(super) fn measured(&mut self, name: &Name, subject: &str) -> Option<Rc<Measured>> {
+    pub(super) fn measured(&mut self, name: &Name, subject: &str) -> Option<Rc<MeshInertia>> {
         if let Some(known) = self.model().assets.measured.get(&name.text) {
             return known.clone();
         }
@@ -122,7 +122,7 @@ impl<'a> Mjcf<'a> {
         measured
     }
 
-    fn measure(&mut self, element: Element<'a>, name: &str, subject: &str) -> Option<Measured> {
+    fn measure(&mut self, element: Element<'a>, name: &str, subject: &str) -> Option<MeshInertia> {
         let what = format!("mesh {}", quoted(name));
         let class = self.class(element.attribute("class"));
         let attributes = Attributes {

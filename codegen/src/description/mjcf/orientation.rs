@@ -6,7 +6,7 @@
 use super::element::Written;
 use super::reading::Mjcf;
 use super::values::Attributes;
-use crate::description::spatial::{self, Matrix, Vector, exactly, to_number};
+use crate::description::spatial::{self, DoubleMatrix, DoubleVector, exactly, to_number};
 use crate::description::{Axis, Number, Step};
 use crate::error::Place;
 use crate::expression::Double;
@@ -182,7 +182,7 @@ pub(super) fn rotation_about(axis: &[Number; 3], angle: Number) -> Option<Step> 
 }
 
 /// The shortest rotation of the z axis to a direction; about x if the direction is −z. `None` if its length is 0.
-pub(super) fn z_along([x, y, z]: Vector, place: Place) -> Option<Step> {
+pub(super) fn z_along([x, y, z]: DoubleVector, place: Place) -> Option<Step> {
     let across = x * x + y * y;
     let length = (across + z * z).sqrt();
     if length.is_zero() {
@@ -210,7 +210,7 @@ pub(super) fn z_along([x, y, z]: Vector, place: Place) -> Option<Step> {
 
 /// The rotation to the frame with this x axis and with y in the plane of both vectors. `None` if they are parallel or
 /// 0.
-fn of_axes(x: Vector, y: Vector, place: Place) -> Option<Step> {
+fn of_axes(x: DoubleVector, y: DoubleVector, place: Place) -> Option<Step> {
     let normal = spatial::cross(x, y);
     let y = spatial::cross(normal, x);
     let mut columns = [x, y, normal];
@@ -222,7 +222,7 @@ fn of_axes(x: Vector, y: Vector, place: Place) -> Option<Step> {
         let length = square.sqrt();
         *column = column.map(|entry| entry / length);
     }
-    let rotation: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]));
+    let rotation: DoubleMatrix = std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]));
     let entries = spatial::quaternion(&rotation);
     Some(Step::Quaternion(
         entries.map(|entry| to_number(entry, place)),

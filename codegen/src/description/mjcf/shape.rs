@@ -4,7 +4,7 @@
 //! ellipsoid is the layer between it and one that is 1 µm larger, and its area is Thomsen's approximation. Results are
 //! in 106 bits.
 
-use crate::description::spatial::{Vector, exactly};
+use crate::description::spatial::{DoubleVector, exactly};
 use crate::expression::Double;
 
 /// A shape, with the sizes that it has.
@@ -33,7 +33,7 @@ impl Shape {
     }
 
     /// Its sizes when it is fitted to a box with these half side lengths, as in MuJoCo; those that it lacks are 0.
-    pub(super) fn fitted(self, [a, b, c]: Vector) -> Vector {
+    pub(super) fn fitted(self, [a, b, c]: DoubleVector) -> DoubleVector {
         let [zero, two, three] = [0.0, 2.0, 3.0].map(exactly);
         let across = (a + b) / two;
         match self {
@@ -53,7 +53,7 @@ impl Shape {
 
     /// Its sizes when it is the smallest whose bounding box contains a box with these half side lengths, as in MuJoCo;
     /// those that it lacks are 0.
-    pub(super) fn around(self, [a, b, c]: Vector) -> Vector {
+    pub(super) fn around(self, [a, b, c]: DoubleVector) -> DoubleVector {
         let zero = Double::ZERO;
         let larger = |a: Double, b: Double| if (a - b).sign().to_f64() > 0.0 { a } else { b };
         let across = larger(a, b);
@@ -66,7 +66,7 @@ impl Shape {
     }
 
     /// The volume \[m³\], or the area of a hollow one \[m²\].
-    pub(super) fn measure(self, [a, b, c]: Vector, is_hollow: bool) -> Double {
+    pub(super) fn measure(self, [a, b, c]: DoubleVector, is_hollow: bool) -> Double {
         let [two, three, four, eight] = [2.0, 3.0, 4.0, 8.0].map(exactly);
         match (self, is_hollow) {
             (Self::Sphere, false) => four * Double::PI * a * a * a / three,
@@ -87,7 +87,12 @@ impl Shape {
     }
 
     /// The principal moments of inertia \[kg m²\] of a mass \[kg\] about the centre of mass.
-    pub(super) fn moments(self, mass: Double, sizes: Vector, is_hollow: bool) -> Vector {
+    pub(super) fn moments(
+        self,
+        mass: Double,
+        sizes: DoubleVector,
+        is_hollow: bool,
+    ) -> DoubleVector {
         let [a, b, c] = sizes;
         let [aa, bb, cc] = sizes.map(|size| size * size);
         let part = |numerator: f64, denominator: f64| exactly(numerator) / exactly(denominator);
@@ -103,7 +108,7 @@ impl Shape {
             (Self::Ellipsoid, false) => quadratic(mass / exactly(5.0), [aa, bb, cc]),
             (Self::Ellipsoid, true) => {
                 let larger = sizes.map(|size| size + exactly(1e-6));
-                let volume = |[a, b, c]: Vector| a * b * c;
+                let volume = |[a, b, c]: DoubleVector| a * b * c;
                 let density = mass / (volume(larger) - volume(sizes)) / exactly(5.0);
                 let squares = larger.map(|size| size * size);
                 let outer = quadratic(density * volume(larger), squares);
@@ -131,12 +136,12 @@ impl Shape {
 }
 
 /// Moments about x, y and z from the second moments ∫x²dm, ∫y²dm and ∫z²dm, each times `factor`.
-fn quadratic(factor: Double, [x, y, z]: Vector) -> Vector {
+fn quadratic(factor: Double, [x, y, z]: DoubleVector) -> DoubleVector {
     [factor * (y + z), factor * (x + z), factor * (x + y)]
 }
 
 /// Moments of a cylinder between two half balls, solid or hollow.
-fn capsule(mass: Double, radius: Double, half: Double, is_hollow: bool) -> Vector {
+fn capsule(mass: Double, radius: Double, half: Double, is_hollow: bool) -> DoubleVector {
     let rr = radius * radius;
     let [two, three, five, eight] = [2.0, 3.0, 5.0, 8.0].map(exactly);
     // Volumes or areas, divided by a common factor.
@@ -166,7 +171,7 @@ fn capsule(mass: Double, radius: Double, half: Double, is_hollow: bool) -> Vecto
 }
 
 /// Moments of a tube with a disc at each end.
-fn hollow_cylinder(mass: Double, radius: Double, half: Double) -> Vector {
+fn hollow_cylinder(mass: Double, radius: Double, half: Double) -> DoubleVector {
     let rr = radius * radius;
     let [two, three, four] = [2.0, 3.0, 4.0].map(exactly);
     let discs = mass * radius / (radius + two * half);
@@ -217,7 +222,7 @@ mod tests {
 
     const SIZES: [f64; 3] = [0.3, 0.5, 0.7];
 
-    fn values(entries: Vector) -> [f64; 3] {
+    fn values(entries: DoubleVector) -> [f64; 3] {
         entries.map(Double::to_f64)
     }
 
@@ -258,7 +263,7 @@ mod tests {
             });
             let gain = shape.measure(grown, false) - shape.measure(sizes, false);
             near((gain / step).to_f64(), shape.measure(sizes, true).to_f64());
-            let of = |sizes: Vector| shape.moments(shape.measure(sizes, false), sizes, false);
+            let of = |sizes: DoubleVector| shape.moments(shape.measure(sizes, false), sizes, false);
             let (more, less) = (of(grown), of(sizes));
             let hollow = values(shape.moments(shape.measure(sizes, true), sizes, true));
             for k in 0..3 {

@@ -8,9 +8,9 @@ use crate::error::{Diagnostic, Place};
 
 /// The noted kinds.
 #[derive(Default)]
-pub(super) struct Noted(Vec<Kind>);
+pub(super) struct Noted(Vec<NotedKind>);
 
-struct Kind {
+struct NotedKind {
     unmodelled: &'static NotModelled,
     place: Place,
     item: String,
@@ -26,7 +26,7 @@ impl Noted {
             .find(|kind| kind.unmodelled.what == unmodelled.what)
         {
             Some(known) => known.others += 1,
-            None => self.0.push(Kind {
+            None => self.0.push(NotedKind {
                 unmodelled,
                 place,
                 item,
@@ -38,7 +38,7 @@ impl Noted {
     /// The warnings.
     pub(super) fn warnings(self) -> impl Iterator<Item = Diagnostic> {
         self.0.into_iter().map(|kind| {
-            let Kind {
+            let NotedKind {
                 unmodelled,
                 place,
                 item,

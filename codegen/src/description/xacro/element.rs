@@ -195,7 +195,7 @@ impl Expansion {
                 return Err(Failure::Reported);
             }
         };
-        let declared = super::expansion::Argument {
+        let declared = super::expansion::XacroArgument {
             value: value.to_string(),
             is_given: false,
             is_used: true,

@@ -24,7 +24,7 @@ pub(super) struct Report {
 }
 
 /// An argument of the file.
-pub(super) struct Argument {
+pub(super) struct XacroArgument {
     pub(super) value: String,
     /// True if the user gives it.
     pub(super) is_given: bool,
@@ -38,7 +38,7 @@ pub(super) struct Expansion {
     /// The parsed files.
     pub(super) trees: HashMap<FileId, Rc<Element>>,
     pub(super) scopes: Scopes,
-    pub(super) arguments: HashMap<String, Argument>,
+    pub(super) arguments: HashMap<String, XacroArgument>,
     pub(super) budget: Budget,
     /// The files that are read at the moment, the innermost one last.
     pub(super) reading: Vec<FileId>,
@@ -54,7 +54,11 @@ pub(super) struct Expansion {
 }
 
 impl Expansion {
-    pub(super) fn new(files: Files, arguments: HashMap<String, Argument>, budget: Budget) -> Self {
+    pub(super) fn new(
+        files: Files,
+        arguments: HashMap<String, XacroArgument>,
+        budget: Budget,
+    ) -> Self {
         let first = FileId(0);
         Self {
             files,

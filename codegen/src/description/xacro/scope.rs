@@ -67,11 +67,11 @@ struct Table<T, P> {
 #[derive(Default)]
 pub(super) struct Scopes {
     symbols: Vec<Table<Symbol, ScopeId>>,
-    macros: Vec<Table<Entry, MacroScopeId>>,
+    macros: Vec<Table<MacroSymbol, MacroScopeId>>,
 }
 
 #[derive(Clone, Debug)]
-enum Entry {
+enum MacroSymbol {
     Macro(Rc<Macro>),
     Namespace(MacroScopeId),
 }
@@ -94,7 +94,7 @@ impl Scopes {
         let value = Symbol::Value(Value::Scope(inner.symbols));
         self.set(here.symbols, name, value);
         let macros = &mut self.macros[here.macros.0].entries;
-        macros.insert(Rc::clone(name), Entry::Namespace(inner.macros));
+        macros.insert(Rc::clone(name), MacroSymbol::Namespace(inner.macros));
         inner
     }
 
@@ -181,10 +181,13 @@ impl Scopes {
     /// Defines a macro.
     pub(super) fn define(&mut self, scope: MacroScopeId, defined: Macro) {
         let entries = &mut self.macros[scope.0].entries;
-        entries.insert(Rc::clone(&defined.name), Entry::Macro(Rc::new(defined)));
+        entries.insert(
+            Rc::clone(&defined.name),
+            MacroSymbol::Macro(Rc::new(defined)),
+        );
     }
 
-    fn find_macro(&self, scope: MacroScopeId, name: &str) -> Option<&Entry> {
+    fn find_macro(&self, scope: MacroScopeId, name: &str) -> Option<&MacroSymbol> {
         let mut at = Some(scope);
         while let Some(scope) = at {
             let table = &self.macros[scope.0];
@@ -198,7 +201,7 @@ impl Scopes {
 
     /// The macro with a name, which may begin with namespaces, and the scopes that it is expanded in.
     pub(super) fn resolve(&self, here: Here, name: &str) -> Option<(Here, Rc<Macro>)> {
-        if let Some(Entry::Macro(found)) = self.find_macro(here.macros, name) {
+        if let Some(MacroSymbol::Macro(found)) = self.find_macro(here.macros, name) {
             return Some((here, Rc::clone(found)));
         }
         let (namespaces, name) = name.rsplit_once('.')?;
@@ -208,16 +211,18 @@ impl Scopes {
                 self.find_macro(inner.macros, namespace)?,
                 self.find(inner.symbols, namespace)?,
             ) {
-                (Entry::Namespace(macros), (_, Symbol::Value(Value::Scope(symbols)))) => Here {
-                    symbols: *symbols,
-                    macros: *macros,
-                },
+                (MacroSymbol::Namespace(macros), (_, Symbol::Value(Value::Scope(symbols)))) => {
+                    Here {
+                        symbols: *symbols,
+                        macros: *macros,
+                    }
+                }
                 _ => return None,
             };
         }
         match self.find_macro(inner.macros, name)? {
-            Entry::Macro(found) => Some((inner, Rc::clone(found))),
-            Entry::Namespace(_) => None,
+            MacroSymbol::Macro(found) => Some((inner, Rc::clone(found))),
+            MacroSymbol::Namespace(_) => None,
         }
     }
 

@@ -82,19 +82,19 @@ pub(super) fn elements(
     positions: &Positions<'_>,
     file: FileId,
 ) -> Result<Rc<Element>, Origin> {
-    let reader = Reader {
+    let reader = TreeReader {
         text: positions.text(),
         file,
     };
     reader.element(root, 0).map(Rc::new)
 }
 
-struct Reader<'t> {
+struct TreeReader<'t> {
     text: &'t str,
     file: FileId,
 }
 
-impl Reader<'_> {
+impl TreeReader<'_> {
     fn origin(&self, offset: usize) -> Origin {
         Origin {
             file: self.file,

@@ -3,7 +3,7 @@
 use super::tree::{Attribute, Element, Node, Origin, Written};
 
 /// A part of the text that comes from one place.
-pub(super) struct Part {
+pub(super) struct Fragment {
     /// Offset of its beginning in the text.
     pub(super) start: usize,
     pub(super) origin: Origin,
@@ -12,25 +12,25 @@ pub(super) struct Part {
 }
 
 /// The text of an element, and the places of its words.
-pub(super) fn write(root: &Element) -> (String, Vec<Part>) {
-    let mut writer = Writer {
+pub(super) fn write(root: &Element) -> (String, Vec<Fragment>) {
+    let mut writer = XmlWriter {
         text: String::new(),
-        parts: Vec::new(),
+        fragments: Vec::new(),
     };
     writer.element(root, 0);
     writer.text.push('\n');
-    (writer.text, writer.parts)
+    (writer.text, writer.fragments)
 }
 
-struct Writer {
+struct XmlWriter {
     text: String,
-    parts: Vec<Part>,
+    fragments: Vec<Fragment>,
 }
 
-impl Writer {
+impl XmlWriter {
     /// Notes that the following text comes from a place.
     fn mark(&mut self, origin: Origin, is_verbatim: bool) {
-        self.parts.push(Part {
+        self.fragments.push(Fragment {
             start: self.text.len(),
             origin,
             is_verbatim,

@@ -28,7 +28,7 @@ type Evaluate<'e> = &'e mut dyn FnMut(&str) -> Result<Value, Failure>;
 
 /// Reads a text. An error has its line.
 pub(super) fn read(text: &str, evaluate: Evaluate<'_>) -> Result<Value, (usize, Failure)> {
-    let mut reader = Reader {
+    let mut reader = YamlReader {
         lines: Vec::new(),
         at: 0,
         evaluate,
@@ -54,7 +54,7 @@ struct Line<'t> {
     text: &'t str,
 }
 
-struct Reader<'t, 'e> {
+struct YamlReader<'t, 'e> {
     lines: Vec<Line<'t>>,
     at: usize,
     evaluate: Evaluate<'e>,
@@ -63,11 +63,11 @@ struct Reader<'t, 'e> {
     anchors: HashMap<String, Value>,
 }
 
-type Read<T> = Result<T, (usize, Failure)>;
+type YamlResult<T> = Result<T, (usize, Failure)>;
 
-impl<'t> Reader<'t, '_> {
+impl<'t> YamlReader<'t, '_> {
     /// Splits a text into lines with content.
-    fn split(&mut self, text: &'t str) -> Read<()> {
+    fn split(&mut self, text: &'t str) -> YamlResult<()> {
         for (number, line) in text.lines().enumerate() {
             let number = number + 1;
             let content = without_comment(line).trim_end();
@@ -95,7 +95,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// The mapping, sequence or scalar whose lines have an indentation.
-    fn block(&mut self, indent: usize) -> Read<Value> {
+    fn block(&mut self, indent: usize) -> YamlResult<Value> {
         let line = &self.lines[self.at];
         self.depth += 1;
         if self.depth > MOST_NESTED {
@@ -130,7 +130,7 @@ impl<'t> Reader<'t, '_> {
         text
     }
 
-    fn mapping(&mut self, indent: usize) -> Read<Value> {
+    fn mapping(&mut self, indent: usize) -> YamlResult<Value> {
         let mut entries = Vec::new();
         let first = self.lines[self.at].number;
         while let Some(line) = self.lines.get(self.at)
@@ -158,7 +158,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// The value below a key or a dash: the deeper lines. A sequence may be as deep as its key.
-    fn below(&mut self, indent: usize, is_key: bool) -> Read<Value> {
+    fn below(&mut self, indent: usize, is_key: bool) -> YamlResult<Value> {
         match self.lines.get(self.at) {
             Some(line) if line.indent > indent => {
                 let inner = line.indent;
@@ -171,7 +171,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    fn sequence(&mut self, indent: usize) -> Read<Value> {
+    fn sequence(&mut self, indent: usize) -> YamlResult<Value> {
         let mut items = Vec::new();
         let first = self.lines[self.at].number;
         while let Some(line) = self.lines.get_mut(self.at)
@@ -198,7 +198,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// The value of a text in one line.
-    fn inline(&mut self, text: &str, number: usize) -> Read<Value> {
+    fn inline(&mut self, text: &str, number: usize) -> YamlResult<Value> {
         if text.starts_with(['[', '{']) {
             let mut rest = text;
             let value = self.flow(&mut rest, number)?;
@@ -221,7 +221,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// A flow mapping, sequence or scalar at the beginning of a text.
-    fn flow(&mut self, rest: &mut &str, number: usize) -> Read<Value> {
+    fn flow(&mut self, rest: &mut &str, number: usize) -> YamlResult<Value> {
         *rest = rest.trim_start();
         self.depth += 1;
         if self.depth > MOST_NESTED {
@@ -263,7 +263,7 @@ impl<'t> Reader<'t, '_> {
         clippy::unused_self,
         reason = "beside the other steps of a flow collection"
     )]
-    fn closes(&self, rest: &mut &str, close: char, number: usize) -> Read<bool> {
+    fn closes(&self, rest: &mut &str, close: char, number: usize) -> YamlResult<bool> {
         *rest = rest.trim_start();
         if rest.is_empty() {
             return Err((
@@ -285,7 +285,7 @@ impl<'t> Reader<'t, '_> {
         clippy::unused_self,
         reason = "beside the other steps of a flow collection"
     )]
-    fn separates(&self, rest: &mut &str, close: char, number: usize) -> Read<()> {
+    fn separates(&self, rest: &mut &str, close: char, number: usize) -> YamlResult<()> {
         *rest = rest.trim_start();
         if let Some(after) = rest.strip_prefix(',') {
             *rest = after;
@@ -303,7 +303,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// A scalar with its type, or the value of an anchor.
-    fn scalar(&mut self, text: &str, number: usize) -> Read<Value> {
+    fn scalar(&mut self, text: &str, number: usize) -> YamlResult<Value> {
         let at = |failure| (number, failure);
         if let Some(alias) = text.strip_prefix('*') {
             let found = self.anchors.get(alias).cloned();
@@ -337,7 +337,7 @@ impl<'t> Reader<'t, '_> {
 
     /// The text of a scalar without quotes, and true if it had none.
     #[expect(clippy::unused_self, reason = "beside the other readers of scalars")]
-    fn scalar_text(&self, text: &str, number: usize) -> Read<(String, bool)> {
+    fn scalar_text(&self, text: &str, number: usize) -> YamlResult<(String, bool)> {
         let at = |what: &str| Err((number, failure(what)));
         let quote = text
             .chars()

@@ -78,7 +78,7 @@ fn inside<'a, 't: 'a>(
 }
 
 /// The first occurrence of a kind, and the number of others.
-struct Found {
+struct FirstOccurrence {
     place: Place,
     message: Message,
     hint: Option<String>,
@@ -93,7 +93,7 @@ enum Message {
 
 /// Items with the same key are of one kind.
 #[derive(PartialEq, Eq, Hash)]
-enum Key<'k> {
+enum OccurrenceKey<'k> {
     Element(&'k str, &'k str),
     Attribute(&'k str, &'k str),
     Text(&'k str),
@@ -103,14 +103,14 @@ enum Key<'k> {
 struct Survey<'s, 'r, 't> {
     reader: &'s mut Reader<'r, 't>,
     format: &'static Format,
-    found: Vec<Found>,
+    found: Vec<FirstOccurrence>,
     /// Indices of the kinds in `found`.
-    known: HashMap<Key<'t>, usize>,
+    known: HashMap<OccurrenceKey<'t>, usize>,
 }
 
 impl<'t> Survey<'_, '_, 't> {
     /// Counts an item of a kind that was found before. True if it was, or if the maximum of warnings is reached.
-    fn is_known(&mut self, key: &Key<'t>) -> bool {
+    fn is_known(&mut self, key: &OccurrenceKey<'t>) -> bool {
         let known = self.known.get(key).copied();
         if let Some(known) = known {
             self.found[known].others += 1;
@@ -118,9 +118,15 @@ impl<'t> Survey<'_, '_, 't> {
         known.is_some() || self.found.len() >= MOST_WARNINGS
     }
 
-    fn push(&mut self, key: Key<'t>, place: Place, message: Message, hint: Option<String>) {
+    fn push(
+        &mut self,
+        key: OccurrenceKey<'t>,
+        place: Place,
+        message: Message,
+        hint: Option<String>,
+    ) {
         self.known.insert(key, self.found.len());
-        self.found.push(Found {
+        self.found.push(FirstOccurrence {
             place,
             message,
             hint,
@@ -173,7 +179,7 @@ impl<'t> Survey<'_, '_, 't> {
     fn ignored(&mut self, node: Node<'_, 't>, name: &'t str, content: &'static Content) {
         let parent = node.parent_element();
         let within = parent.map_or("", |parent| self.name(parent));
-        let key = Key::Element(within, name);
+        let key = OccurrenceKey::Element(within, name);
         if self.is_known(&key) {
             return;
         }
@@ -220,7 +226,7 @@ impl<'t> Survey<'_, '_, 't> {
             if content.others == Others::Ignored || OF_XML.contains(&prefix) {
                 continue;
             }
-            let key = Key::Attribute(self.name(node), name);
+            let key = OccurrenceKey::Attribute(self.name(node), name);
             if self.is_known(&key) {
                 continue;
             }
@@ -250,7 +256,7 @@ impl<'t> Survey<'_, '_, 't> {
         let Some(text) = node.children().find(is_text) else {
             return;
         };
-        let key = Key::Text(self.name(node));
+        let key = OccurrenceKey::Text(self.name(node));
         if self.is_known(&key) {
             return;
         }
@@ -277,7 +283,7 @@ impl<'t> Survey<'_, '_, 't> {
         mechanics: &'static NotModelled,
         within: Option<Node<'_, 't>>,
     ) {
-        let key = Key::NotModelled(mechanics.what);
+        let key = OccurrenceKey::NotModelled(mechanics.what);
         if self.is_known(&key) {
             return;
         }

@@ -7,7 +7,7 @@
 use std::collections::HashSet;
 
 use super::{InertiaMethod, Mesh};
-use crate::description::mjcf::assets::Measured;
+use crate::description::mjcf::assets::MeshInertia;
 use crate::description::spatial::exactly;
 
 /// Areas \[m²\] and volumes \[m³\] below this are zero.
@@ -98,7 +98,7 @@ impl Mesh {
     }
 
     /// The inertia at density 1.
-    pub(super) fn measured(&self, method: InertiaMethod) -> Result<Measured, String> {
+    pub(super) fn measured(&self, method: InertiaMethod) -> Result<MeshInertia, String> {
         let weight = |middle: Point, area: Point| match method {
             InertiaMethod::Shell => dot(area, area).sqrt(),
             InertiaMethod::Legacy => (dot(middle, area) / 3.0).abs(),
@@ -136,7 +136,7 @@ impl Mesh {
         if measure < NOTHING {
             return Err("it has no volume about its centre".to_owned());
         }
-        Ok(Measured {
+        Ok(MeshInertia {
             measure: exactly(measure),
             center: center.map(exactly),
             tensor: tensor.map(|row| row.map(exactly)),

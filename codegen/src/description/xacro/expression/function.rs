@@ -10,7 +10,7 @@ use crate::description::xacro::failure::{Failure, failure, failure_with_hint};
 use crate::wording::{known, quoted};
 
 /// A function with its name.
-struct Function {
+struct XacroFunction {
     name: &'static str,
     /// True if it needs no namespace.
     is_global: bool,
@@ -19,16 +19,16 @@ struct Function {
 
 type Run = fn(&mut Call<'_>) -> Result<Value, Failure>;
 
-const fn global(name: &'static str, run: Run) -> Function {
-    Function {
+const fn global(name: &'static str, run: Run) -> XacroFunction {
+    XacroFunction {
         name,
         is_global: true,
         run,
     }
 }
 
-const fn inner(name: &'static str, run: Run) -> Function {
-    Function {
+const fn inner(name: &'static str, run: Run) -> XacroFunction {
+    XacroFunction {
         name,
         is_global: false,
         run,
@@ -36,7 +36,7 @@ const fn inner(name: &'static str, run: Run) -> Function {
 }
 
 /// Functions of Python itself.
-const OF_PYTHON: [Function; 26] = [
+const OF_PYTHON: [XacroFunction; 26] = [
     global("list", |call| {
         let items = optional_items(call)?;
         Value::list(items)
@@ -144,7 +144,7 @@ const OF_PYTHON: [Function; 26] = [
 ];
 
 /// Functions of Python's module `math`.
-const OF_MATH: [Function; 26] = [
+const OF_MATH: [XacroFunction; 26] = [
     global("sin", |call| number(call, elementary::sin)),
     global("cos", |call| number(call, elementary::cos)),
     global("tan", |call| number(call, elementary::tan)),
@@ -226,7 +226,7 @@ const OF_MATH: [Function; 26] = [
 ];
 
 /// Functions of xacro.
-const OF_XACRO: [Function; 10] = [
+const OF_XACRO: [XacroFunction; 10] = [
     global("load_yaml", |call| {
         let [file] = call.exactly()?;
         let file = call.text(&file)?;
@@ -286,7 +286,7 @@ const LIBRARIES: [(&str, Library); 3] = [
     ("xacro", Library::Xacro),
 ];
 
-fn functions(library: Library) -> &'static [Function] {
+fn functions(library: Library) -> &'static [XacroFunction] {
     match library {
         Library::Python => &OF_PYTHON,
         Library::Math => &OF_MATH,

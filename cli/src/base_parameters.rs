@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::options::{Format, Robot};
 use super::{Answer, Outcome, json, options};
 use homogen_codegen::chain::Chain;
-use homogen_codegen::chain::base_parameters::{BaseParameters as Found, Group};
+use homogen_codegen::chain::base_parameters::{BaseParameter, BaseParameters as Found};
 use homogen_codegen::expand;
 use homogen_codegen::list::List;
 use homogen_codegen::space::{Entry, Kind, ParameterId};
@@ -121,7 +121,7 @@ fn in_text(robot: &str, chain: &Chain, base: &Found) -> String {
 }
 
 /// A base parameter as a sum.
-fn sum(group: &Group, parameters: &List<ParameterId, Entry>) -> String {
+fn sum(group: &BaseParameter, parameters: &List<ParameterId, Entry>) -> String {
     let mut sum = String::new();
     for (k, &(parameter, factor)) in group.members.iter().enumerate() {
         let sign = match (k, factor < 0.0) {

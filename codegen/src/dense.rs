@@ -17,7 +17,7 @@ use std::cell::OnceCell;
 pub(crate) use approximate::{Approximate, ROUNDOFF};
 pub(crate) use matrix::Matrix;
 pub(crate) use products::row_times;
-pub(crate) use robot::{Body, BodyId, Closed, Columns, DegreeOfFreedom, Moved, Robot};
+pub(crate) use robot::{BodyId, Closed, Columns, DegreeOfFreedom, DenseBody, Moved, Robot};
 
 use crate::expression::{Double, Input};
 use crate::list::{self, Id, List, Square};
@@ -53,7 +53,7 @@ impl State {
 
 /// The part of a state's motion that is used.
 #[derive(Clone, Copy)]
-pub(crate) enum Motion {
+pub(crate) enum MotionOrder {
     /// At rest.
     Rest,
     /// q̇ alone.
@@ -63,7 +63,7 @@ pub(crate) enum Motion {
 }
 
 /// W, H and J of a link.
-type Moving<'a> = (
+type MovingLink<'a> = (
     (Matrix<Approximate>, Matrix<Approximate>),
     &'a Matrix<Approximate>,
 );
@@ -123,7 +123,7 @@ impl Dense {
         frame: FrameId,
         seen: impl Fn(&Matrix<Approximate>, &Matrix<Approximate>) -> Matrix<Approximate>,
     ) -> Vec<Approximate> {
-        self.column_rates_at(frame, &self.rates(Motion::Coasting), seen)
+        self.column_rates_at(frame, &self.rates(MotionOrder::Coasting), seen)
     }
 
     fn column_rates_at(
@@ -145,7 +145,7 @@ impl Dense {
     /// The rates of the columns of the geometric Jacobian, in the axes of frame 0 with the reference point at the moving
     /// origin of a frame.
     pub(crate) fn geometric_rates(&self, frame: FrameId) -> Vec<Approximate> {
-        self.geometric_rates_at(frame, &self.rates(Motion::Coasting))
+        self.geometric_rates_at(frame, &self.rates(MotionOrder::Coasting))
     }
 
     fn geometric_rates_at(&self, frame: FrameId, rates: &Rates) -> Vec<Approximate> {
@@ -188,7 +188,7 @@ impl Dense {
     /// The rates at a unit velocity of each joint alone.
     fn unit_rates(&self) -> impl Iterator<Item = Rates> {
         list::ids(self.state.velocities()).map(move |k| {
-            let mut rates = self.rates(Motion::Rest);
+            let mut rates = self.rates(MotionOrder::Rest);
             rates.first[k] = Approximate::exact(1.0);
             rates
         })
@@ -208,7 +208,7 @@ impl Dense {
     pub(crate) fn motion(
         &self,
         frame: FrameId,
-        motion: Motion,
+        motion: MotionOrder,
     ) -> (Matrix<Approximate>, Matrix<Approximate>) {
         self.configuration.motion(frame, &self.rates(motion))
     }
@@ -216,14 +216,14 @@ impl Dense {
     /// W and J of each link that a joint moves.
     pub(crate) fn links(
         &self,
-        motion: Motion,
+        motion: MotionOrder,
     ) -> impl Iterator<Item = (Matrix<Approximate>, &Matrix<Approximate>)> {
         let links = self.moved(&self.rates(motion));
         links.map(|((velocity, _), inertia)| (velocity, inertia))
     }
 
     /// W, H and J of each link that a joint moves.
-    fn moved<'a>(&'a self, rates: &Rates) -> impl Iterator<Item = Moving<'a>> + use<'a> {
+    fn moved<'a>(&'a self, rates: &Rates) -> impl Iterator<Item = MovingLink<'a>> + use<'a> {
         let motions = self.configuration.motions(rates).into_iter();
         let links = motions.zip(self.configuration.inertias());
         let moves = self.configuration.moves().into_iter();
@@ -234,7 +234,7 @@ impl Dense {
 
     /// Σ J of the links that joints move.
     fn inertia(&self) -> Matrix<Approximate> {
-        let links = self.links(Motion::Rest);
+        let links = self.links(MotionOrder::Rest);
         links.fold(Matrix::zero(), |sum, (_, inertia)| sum.plus(inertia))
     }
 
@@ -245,7 +245,7 @@ impl Dense {
     }
 
     /// Σ W J of the links that joints move; its last column is the linear momentum.
-    pub(crate) fn moments(&self, motion: Motion) -> Matrix<Approximate> {
+    pub(crate) fn moments(&self, motion: MotionOrder) -> Matrix<Approximate> {
         self.moments_at(&self.rates(motion))
     }
 
@@ -260,7 +260,7 @@ impl Dense {
     }
 
     /// Σ H J of the links that joints move.
-    pub(crate) fn inertia_forces(&self, motion: Motion) -> Matrix<Approximate> {
+    pub(crate) fn inertia_forces(&self, motion: MotionOrder) -> Matrix<Approximate> {
         let links = self.moved(&self.rates(motion));
         let forces = links.map(|((_, h), inertia)| h.times(inertia));
         forces.fold(Matrix::zero(), |sum, force| sum.plus(&force))
@@ -280,7 +280,7 @@ impl Dense {
 
     /// The sum of armature times squared velocity over all joints: twice their kinetic energy.
     pub(crate) fn twice_energy_of_actuators(&self) -> Approximate {
-        let rates = self.rates(Motion::Coasting).first;
+        let rates = self.rates(MotionOrder::Coasting).first;
         let energies = self
             .configuration
             .degrees_of_freedom()
@@ -300,13 +300,13 @@ impl Dense {
     }
 
     /// τ of a motion, against gravity.
-    pub(crate) fn torques(&self, motion: Motion) -> List<VelocityId, Approximate> {
+    pub(crate) fn torques(&self, motion: MotionOrder) -> List<VelocityId, Approximate> {
         self.configuration.torques(&self.rates(motion))
     }
 
     /// τ of the whole motion, with the external wrenches.
     pub(crate) fn driving_torques(&self) -> List<VelocityId, Approximate> {
-        self.less_external(self.torques(Motion::Accelerated))
+        self.less_external(self.torques(MotionOrder::Accelerated))
     }
 
     /// τ less the torques of the external wrenches.
@@ -336,7 +336,7 @@ impl Dense {
 
     /// The row y of T = y π.
     pub(crate) fn kinetic_energy_regressor(&self) -> Vec<Approximate> {
-        let rates = self.rates(Motion::Coasting);
+        let rates = self.rates(MotionOrder::Coasting);
         let motions = self.configuration.motions(&rates);
         let half = Approximate::exact(0.5);
         let mut energies = self.configuration.of_each_parameter(|link, inertia| {
@@ -366,7 +366,7 @@ impl Dense {
     fn columns_of_regressor(&self) -> &List<ParameterId, List<VelocityId, Approximate>> {
         let found = || {
             self.configuration
-                .regressor(&self.rates(Motion::Accelerated), |_| true)
+                .regressor(&self.rates(MotionOrder::Accelerated), |_| true)
         };
         self.regressor.get_or_init(found)
     }
@@ -382,7 +382,7 @@ impl Dense {
         &self,
         is_wanted: impl Fn(ParameterId) -> bool,
     ) -> (Columns<Approximate>, Columns<f64>) {
-        let rates = self.rates(Motion::Accelerated);
+        let rates = self.rates(MotionOrder::Accelerated);
         (
             self.configuration.regressor(&rates, &is_wanted),
             self.configuration.regressor_sizes(&rates, &is_wanted),
@@ -404,20 +404,20 @@ impl Dense {
 
     /// τ of the motion without q̈, with the external wrenches.
     pub(crate) fn coasting_torques(&self) -> List<VelocityId, Approximate> {
-        self.less_external(self.torques(Motion::Coasting))
+        self.less_external(self.torques(MotionOrder::Coasting))
     }
 
     /// ∂τ/∂q at rest, against gravity.
     pub(crate) fn gravity_derivative(&self) -> Square<VelocityId, Approximate> {
         let [by_coordinate, _] = self
             .configuration
-            .torque_derivatives(&self.rates(Motion::Rest));
+            .torque_derivatives(&self.rates(MotionOrder::Rest));
         by_coordinate
     }
 
     /// ∂τ/∂q and ∂τ/∂q̇ of the whole motion, with the external wrenches.
     pub(crate) fn torque_derivatives(&self) -> [Square<VelocityId, Approximate>; 2] {
-        self.derivatives_at(&self.rates(Motion::Accelerated))
+        self.derivatives_at(&self.rates(MotionOrder::Accelerated))
     }
 
     /// The same at computed accelerations.
@@ -472,7 +472,7 @@ impl Dense {
     /// The Coriolis matrix C.
     pub(crate) fn coriolis_matrix(&self) -> Square<VelocityId, Approximate> {
         self.configuration
-            .coriolis_matrix(&self.rates(Motion::Coasting))
+            .coriolis_matrix(&self.rates(MotionOrder::Coasting))
     }
 
     /// The mass matrix M.
@@ -485,17 +485,17 @@ impl Dense {
     fn rates_with(&self, second: List<VelocityId, Approximate>) -> Rates {
         Rates {
             second,
-            ..self.rates(Motion::Coasting)
+            ..self.rates(MotionOrder::Coasting)
         }
     }
 
-    fn rates(&self, motion: Motion) -> Rates {
+    fn rates(&self, motion: MotionOrder) -> Rates {
         let nothing = || List::filled(Approximate::exact(0.0), self.state.velocities());
         let [qd, qdd] = [Variable::Qd, Variable::Qdd].map(|of| self.state.of_velocities(of));
         let (first, second) = match motion {
-            Motion::Rest => (nothing(), nothing()),
-            Motion::Coasting => (qd, nothing()),
-            Motion::Accelerated => (qd, qdd),
+            MotionOrder::Rest => (nothing(), nothing()),
+            MotionOrder::Coasting => (qd, nothing()),
+            MotionOrder::Accelerated => (qd, qdd),
         };
         Rates { first, second }
     }

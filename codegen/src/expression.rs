@@ -16,6 +16,6 @@ pub use derivative::{along, along_known, gradient};
 pub use double::Double;
 pub use evaluate::{Arithmetic, Evaluation, evaluate};
 pub use graph::{Expr, Graph, Input, Node, Operands};
-pub use label::{Block, Component, Label, Numeral, Of, Quantity};
+pub use label::{Block, Component, Label, LabelledBodies, Numeral, Quantity};
 pub use substitute::substitute;
 pub use term::Term;

@@ -7,7 +7,7 @@ mod data;
 mod review;
 
 pub use data::{ChainData, DataMotion, LoopData, LoopsData};
-pub use review::{Origins, Review, Sum, Vector};
+pub use review::{Origins, Review, Sum, TestVector};
 
 use crate::accuracy::Accuracy;
 use crate::description::Source;

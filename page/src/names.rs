@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value, json};
 
-use homogen_codegen::expression::{Block, Component, Label, Numeral, Of, Quantity};
+use homogen_codegen::expression::{Block, Component, Label, LabelledBodies, Numeral, Quantity};
 use homogen_codegen::schedule::{Meaning, RotationAngle};
 use homogen_codegen::space::{Variable, action_entry};
 
@@ -143,11 +143,11 @@ fn is_action(of: Quantity) -> bool {
 }
 
 fn from_base(of: Quantity) -> bool {
-    matches!(of.of, Of::FromBase(_))
+    matches!(of.of, LabelledBodies::FromBase(_))
 }
 
 fn of_tip(of: Quantity) -> bool {
-    matches!(of.of, Of::TipFrom(_))
+    matches!(of.of, LabelledBodies::TipFrom(_))
 }
 
 fn in_base(of: Quantity) -> bool {
@@ -162,10 +162,10 @@ fn in_its_own(of: Quantity) -> bool {
 /// The numbers `{i}` and `{k}` of a quantity.
 fn numbers(of: Quantity) -> [Option<usize>; 2] {
     match of.of {
-        Of::Body(Numeral(i)) | Of::FromBase(Numeral(i)) | Of::TipFrom(Numeral(i)) => {
-            [Some(i), of.frame.map(|frame| frame.0)]
-        }
-        Of::Pair(Numeral(row), Numeral(column)) => [Some(row), Some(column)],
+        LabelledBodies::Body(Numeral(i))
+        | LabelledBodies::FromBase(Numeral(i))
+        | LabelledBodies::TipFrom(Numeral(i)) => [Some(i), of.frame.map(|frame| frame.0)],
+        LabelledBodies::Pair(Numeral(row), Numeral(column)) => [Some(row), Some(column)],
     }
 }
 
@@ -289,31 +289,37 @@ mod tests {
         let quantity = |block: Block, of, frame| block.of(of).seen_in(frame);
         for (quantity, expected) in [
             (
-                quantity(Block::AngularVelocity, Of::FromBase(two), three),
+                quantity(Block::AngularVelocity, LabelledBodies::FromBase(two), three),
                 ("W", "Angular velocity of"),
             ),
             (
-                quantity(Block::LinearVelocity, Of::TipFrom(two), three),
+                quantity(Block::LinearVelocity, LabelledBodies::TipFrom(two), three),
                 ("W", "Velocity, as seen from"),
             ),
             (
-                Block::Axis(2).of(Of::TipFrom(two)),
+                Block::Axis(2).of(LabelledBodies::TipFrom(two)),
                 ("M", "Pose of frame n ("),
             ),
-            (Block::Origin.of(Of::FromBase(two)), ("M", "Pose of")),
-            (Block::Factor.of(Of::Pair(three, two)), ("", "Row")),
+            (
+                Block::Origin.of(LabelledBodies::FromBase(two)),
+                ("M", "Pose of"),
+            ),
+            (
+                Block::Factor.of(LabelledBodies::Pair(three, two)),
+                ("", "Row"),
+            ),
         ] {
             assert_eq!(beginning(quantity), expected);
         }
-        let action = |frame| quantity(Block::Force, Of::Body(two), frame);
+        let action = |frame| quantity(Block::Force, LabelledBodies::Body(two), frame);
         assert!(in_its_own(action(two)) && !in_its_own(action(three)));
-        assert!(!in_its_own(Block::Force.of(Of::Body(two))));
+        assert!(!in_its_own(Block::Force.of(LabelledBodies::Body(two))));
     }
 
     #[test]
     fn names_are_data() {
         let label = Block::AngularVelocity
-            .of(Of::FromBase(Numeral(12)))
+            .of(LabelledBodies::FromBase(Numeral(12)))
             .seen_in(Numeral(3))
             .entry(Component::Along(0));
         let rotation = RotationAngle {

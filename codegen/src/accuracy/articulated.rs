@@ -17,7 +17,7 @@ mod tests;
 pub use self::recursion::Articulated;
 
 use self::inertias::{FROBENIUS, Outboard, TRUST, errors};
-use self::recursion::Steps;
+use self::recursion::RoundedRecursion;
 use self::sizes::Pair;
 use super::error_bounds::{Accuracy, Perturbed, RoundingModel, Worst, backward, computed, values};
 use super::free_fall;
@@ -46,11 +46,11 @@ impl Articulated<'_> {
             &programs,
             rounding,
             |scalar| {
-                let steps = Steps::of(self, rounding, scalar)?;
+                let recursion = RoundedRecursion::of(self, rounding, scalar)?;
                 tried(LEAST_MARGIN, |margin| {
-                    let mut errors = steps.torques(margin)?;
-                    let lost = steps.fall.lost(&widened(&steps.range, margin));
-                    steps.add_fallen(&mut errors, &lost);
+                    let mut errors = recursion.torques(margin)?;
+                    let lost = recursion.fall.lost(&widened(&recursion.range, margin));
+                    recursion.add_fallen(&mut errors, &lost);
                     Ok(errors)
                 })
             },
@@ -64,18 +64,18 @@ impl Articulated<'_> {
         let programs: [&Program; 3] = [&self.programs.motion, derivatives, &self.fall];
         let perturbed = Perturbed::TorqueDerivatives;
         backward(self.chain, perturbed, &programs, rounding, |scalar| {
-            let steps = Steps::of(self, rounding, scalar)?;
+            let recursion = RoundedRecursion::of(self, rounding, scalar)?;
             tried(LEAST_MARGIN, |margin| {
-                steps.torques(margin)?;
-                let wider = widened(&steps.range, margin);
+                recursion.torques(margin)?;
+                let wider = widened(&recursion.range, margin);
                 let found = values(computed(derivatives, &wider, rounding, scalar))?;
                 // The underflow of an acceleration, times the inertias, is a torque.
                 let most = largest(found.iter().map(|value| value.reach() + value.error));
-                let size = most * steps.mobility() * steps.inertia() * steps.inertia();
+                let size = most * recursion.mobility() * recursion.inertia() * recursion.inertia();
                 let vanishes = underflow(size, self.links.len(), scalar)?;
-                let roots = steps.roots_of_masses();
-                let sizes = steps.derivatives(&found);
-                let lost = steps.fall.lost_in_derivatives(&sizes);
+                let roots = recursion.roots_of_masses();
+                let sizes = recursion.derivatives(&found);
+                let lost = recursion.fall.lost_in_derivatives(&sizes);
                 let fallen =
                     free_fall::torques(&lost, roots.len(), |row, of| roots[row] * roots[of]);
                 let errors = found.iter().zip(fallen);
@@ -87,7 +87,7 @@ impl Articulated<'_> {
     }
 }
 
-impl Steps<'_, '_> {
+impl RoundedRecursion<'_, '_> {
     /// The backward error of accelerations, as torques and forces, if these stay in their range, widened by a margin.
     fn torques(&self, margin: f64) -> Worst {
         let Articulated {
@@ -100,8 +100,8 @@ impl Steps<'_, '_> {
             self.rounding,
             self.scalar,
         ))?;
-        let motions = found.chunks(ARTICULATED_MOTION).map(Moving::of);
-        let motions: List<BodyId, Moving> = motions.collect();
+        let motions = found.chunks(ARTICULATED_MOTION).map(MotionSizes::of);
+        let motions: List<BodyId, MotionSizes> = motions.collect();
         // Reported last: a size that rounding leaves without bound may overflow as well.
         let underflows = underflow(self.size(&motions, &wider), links.len(), self.scalar);
         let errors = self.torque_errors(&motions, &wider, underflows.unwrap_or(0.0))?;
@@ -131,7 +131,7 @@ impl Steps<'_, '_> {
     }
 
     /// A bound of every intermediate product, from the sizes of its factors.
-    fn size(&self, motions: &[Moving], range: &Range) -> f64 {
+    fn size(&self, motions: &[MotionSizes], range: &Range) -> f64 {
         let moving = largest(motions.iter().flat_map(|motion| {
             let parts = [motion.action, motion.drift, motion.acceleration];
             parts.map(|[size, _]| size.largest())
@@ -141,7 +141,12 @@ impl Steps<'_, '_> {
     }
 
     /// The error of the torque or force at each joint, from all roundings.
-    fn torque_errors(&self, motions: &List<BodyId, Moving>, range: &Range, vanishes: f64) -> Worst {
+    fn torque_errors(
+        &self,
+        motions: &List<BodyId, MotionSizes>,
+        range: &Range,
+        vanishes: f64,
+    ) -> Worst {
         let (links, outboard) = (&self.bodies.links, &self.outboard);
         let roundoff = self.scalar.roundoff();
         // For each body with all outboard of it: the moment and force that act on it, and their errors,
@@ -151,7 +156,7 @@ impl Steps<'_, '_> {
         // The error of the joint's own terms.
         let mut beside = List::filled(0.0, links.len());
         for (k, link) in links.numbered().rev() {
-            let Moving {
+            let MotionSizes {
                 action: [action_size, action_lost],
                 drift: [drift, drift_lost],
                 acceleration: [acceleration, acceleration_lost],
@@ -218,7 +223,7 @@ impl Steps<'_, '_> {
 
 /// Magnitudes of a body's terms that its motion causes, and their errors.
 #[derive(Clone, Copy)]
-struct Moving {
+struct MotionSizes {
     /// Moment and force of the velocity terms.
     action: [Pair; 2],
     /// Acceleration of the velocity terms, without the joint's own.
@@ -226,7 +231,7 @@ struct Moving {
     acceleration: [Pair; 2],
 }
 
-impl Moving {
+impl MotionSizes {
     fn of(values: &[Value]) -> Self {
         let length =
             |of: fn(&Value) -> f64, first: usize| bound::root(values[first..][..3].iter().map(of));

@@ -42,8 +42,8 @@ const SPOILT: f64 = 0.5;
 pub fn of_inverse(chain: &Chain, program: &Program, rounding: RoundingModel) -> Accuracy {
     let count = chain.spaces().velocities.len();
     let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
-        let parts = Parts::of(program, range, joints, rounding, scalar)?;
-        let entry = |k| parts.lost(k / count, k % count);
+        let bounds = EquationBounds::of(program, range, joints, rounding, scalar)?;
+        let entry = |k| bounds.lost(k / count, k % count);
         Ok((0..count * count).map(entry).collect())
     };
     of_solution(chain, Perturbed::MassMatrix, &[program], rounding, worst)
@@ -67,18 +67,18 @@ pub fn of_refined_inverse(
         };
         let columns: Vec<Range> = joints.iter().map(column).collect();
         tried(0.0, |margin| {
-            let parts = columns
-                .iter()
-                .map(|range| Parts::of(program, &widened(range, margin), joints, rounding, scalar));
-            let parts = parts.collect::<Result<Vec<Parts>, _>>()?;
-            let mut left: Vec<Vec<f64>> = parts.iter().map(Parts::unrefined).collect();
+            let bounds = columns.iter().map(|range| {
+                EquationBounds::of(program, &widened(range, margin), joints, rounding, scalar)
+            });
+            let bounds = bounds.collect::<Result<Vec<EquationBounds>, _>>()?;
+            let mut left: Vec<Vec<f64>> = bounds.iter().map(EquationBounds::unrefined).collect();
             for _ in 0..refinements {
                 let off: Vec<Vec<f64>> = left.iter().map(|left| caused(joints, left)).collect();
                 // Below the diagonal a column begins with the results of earlier columns.
                 let before = |row: usize, column: usize| off[row.max(column)][row.min(column)];
-                let columns = parts.iter().enumerate().map(|(column, parts)| {
+                let columns = bounds.iter().enumerate().map(|(column, bounds)| {
                     let off: Vec<f64> = (0..joints.len()).map(|row| before(row, column)).collect();
-                    parts.refined(joints, &off, margin)
+                    bounds.refined(joints, &off, margin)
                 });
                 left = columns.collect::<Result<_, _>>()?;
             }
@@ -136,7 +136,7 @@ pub fn of_derivatives(
     let worst = |range: &Range, joints: &[f64], scalar: Real| -> Worst {
         let fall = FreeFall::of(fall, range, rounding, scalar)?;
         let range = fall.relative(range);
-        let narrow = Parts::of(equation, &range, joints, rounding, scalar)?;
+        let narrow = EquationBounds::of(equation, &range, joints, rounding, scalar)?;
         tried(0.0, |margin| {
             let wider = widened(&range, margin);
             let off = narrow.over(&wider).unrefined();
@@ -208,24 +208,24 @@ fn solved(
     rounding: RoundingModel,
     scalar: Real,
 ) -> Worst {
-    let parts = |range: &Range| Parts::of(program, range, mobility, rounding, scalar);
-    let narrow = parts(range)?;
+    let bounds = |range: &Range| EquationBounds::of(program, range, mobility, rounding, scalar);
+    let narrow = bounds(range)?;
     let attempt = |margin: f64| -> Worst {
         let wider = widened(range, margin);
         // Only the residual of a refinement depends on accelerations.
-        let parts = if refinements == 0 {
+        let bounds = if refinements == 0 {
             narrow.over(&wider)
         } else {
-            parts(&wider)?
+            bounds(&wider)?
         };
-        let mut left = parts.unrefined();
+        let mut left = bounds.unrefined();
         for _ in 0..refinements {
-            left = parts.refined(mobility, &caused(mobility, &left), margin)?;
+            left = bounds.refined(mobility, &caused(mobility, &left), margin)?;
         }
         if !stays(range, margin, &caused(mobility, &left)) {
             return Err(UNCERTAIN);
         }
-        let fallen = parts.torques(&fall.lost(&wider));
+        let fallen = bounds.torques(&fall.lost(&wider));
         let both = left.into_iter().zip(fallen);
         Ok(both.map(|(left, fallen)| left + fallen).collect())
     };
@@ -269,7 +269,7 @@ pub(super) fn underflow(size: f64, joints: usize, scalar: Real) -> Result<f64, &
 }
 
 /// The size of the numbers that a solution x of given torques needs. Every intermediate result is at most a product of
-/// two of these and of [`Parts::factors`], as many times as there are joints, twice: factors are √(M/d), and pivots d
+/// two of these and of [`EquationBounds::factors`], as many times as there are joints, twice: factors are √(M/d), and pivots d
 /// at least half of 1/(M⁻¹)ₖₖ.
 fn solution(x: &[f64], given: impl Iterator<Item = f64>) -> f64 {
     largest(x.iter().copied()) * largest(given.map(|torque| 2.0 * torque))
@@ -292,7 +292,7 @@ pub(super) fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
 
 /// Bounds of the values from which a program computes a solution.
 #[derive(Clone)]
-struct Parts {
+struct EquationBounds {
     roundoff: f64,
     /// The largest underflow of an intermediate sum, in any unit.
     vanishes: f64,
@@ -307,7 +307,7 @@ struct Parts {
     needed: Vec<Value>,
 }
 
-impl Parts {
+impl EquationBounds {
     /// # Errors
     /// If one of them has no bound, or pivots may not be positive.
     fn of(
@@ -329,7 +329,7 @@ impl Parts {
             * largest(mobility.iter().map(|most| 2.0 * most));
         let given = bias.iter().chain(&needed).map(|value| value.reach());
         let size = factors * solution(&most, given);
-        let mut parts = Self {
+        let mut bounds = Self {
             roundoff: scalar.roundoff(),
             vanishes: 0.0,
             factors,
@@ -339,10 +339,10 @@ impl Parts {
             needed,
         };
         // Pivots of unknown sign are the cause of unbounded numbers, so they are reported first.
-        parts.check(mobility)?;
-        parts.vanishes = underflow(size, count, scalar)?;
-        parts.check(mobility)?;
-        Ok(parts)
+        bounds.check(mobility)?;
+        bounds.vanishes = underflow(size, count, scalar)?;
+        bounds.check(mobility)?;
+        Ok(bounds)
     }
 
     /// The same for another range of accelerations, on which no value here depends.

@@ -32,7 +32,7 @@ use span::{Combination, Residuals, Span};
 #[derive(Clone, Debug, Default)]
 pub struct BaseParameters {
     /// In the order of their leading parameters.
-    pub groups: Vec<Group>,
+    pub groups: Vec<BaseParameter>,
     /// Blocks of links, outermost first.
     pub blocks: Vec<Block>,
     /// Residuals of the columns that were taken for combinations of others, and of those that were not.
@@ -57,13 +57,13 @@ impl BaseParameters {
 
     /// The columns of the regressor that multiply the base parameters.
     pub fn columns(&self) -> impl Iterator<Item = ParameterId> {
-        self.groups.iter().map(Group::leading)
+        self.groups.iter().map(BaseParameter::leading)
     }
 }
 
 /// A base parameter: a linear combination of inertial parameters, its leading one with factor 1.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Group {
+pub struct BaseParameter {
     /// The parameters with their factors; the first has 1.
     pub members: Vec<(ParameterId, f64)>,
     /// Its value in the description.
@@ -72,7 +72,7 @@ pub struct Group {
     pub size: f64,
 }
 
-impl Group {
+impl BaseParameter {
     /// The parameter whose column of the regressor is that of the group.
     #[must_use]
     pub fn leading(&self) -> ParameterId {
@@ -89,7 +89,7 @@ struct Member {
 }
 
 /// A combination, in the order of the parameters.
-type Form = Vec<Member>;
+type ParameterSum = Vec<Member>;
 
 /// Ratio to the size of its terms below which a factor is zero, from rounding in 106 bits.
 const NOTHING: f64 = 1e-24;
@@ -113,21 +113,24 @@ pub(super) fn base_parameters(chain: &Chain) -> BaseParameters {
             size: 1.0,
         }]
     };
-    let mut found = Found {
+    let mut regrouping = Regrouping {
         links: &links,
         numbers: &numbers,
         energies: &energies,
-        forms: described.ids().map(unit).collect(),
+        sums: described.ids().map(unit).collect(),
         left: Residuals::default(),
     };
-    let blocks = together.iter().map(|together| found.block(together));
+    let blocks = together.iter().map(|together| regrouping.block(together));
     let blocks = blocks.collect();
-    let kept = found.forms.numbered().filter(|(_, form)| !form.is_empty());
-    let groups = kept.map(|(leading, form)| group(leading, form, &described));
+    let kept = regrouping
+        .sums
+        .numbered()
+        .filter(|(_, sum)| !sum.is_empty());
+    let groups = kept.map(|(leading, sum)| group(leading, sum, &described));
     BaseParameters {
         groups: groups.collect(),
         blocks,
-        left: found.left,
+        left: regrouping.left,
     }
 }
 
@@ -159,18 +162,18 @@ pub fn revealing<'c>(chain: &'c Chain, found: &BaseParameters) -> Vec<&'c Parame
 }
 
 /// The result so far, block by block.
-struct Found<'f> {
+struct Regrouping<'f> {
     links: &'f Links<'f>,
     numbers: &'f Numbers,
     energies: &'f Energies,
     /// For each parameter the combination that it leads: itself, and the parameters of outboard links that depend on
     /// it.
-    forms: List<ParameterId, Form>,
+    sums: List<ParameterId, ParameterSum>,
     left: Residuals,
 }
 
-impl Found<'_> {
-    /// Finds the leading parameters of a block of links, and adds the others to the forms that they depend on.
+impl Regrouping<'_> {
+    /// Finds the leading parameters of a block of links, and adds the others to the sums that they depend on.
     fn block(&mut self, together: &Together) -> Block {
         let Together {
             outer,
@@ -243,7 +246,7 @@ impl Found<'_> {
         [(damping, ratio * ratio), (friction, size)].map(|part| Some(vec![part]))
     }
 
-    /// Records a parameter that leads a group, or adds its form to those of the parameters that it depends on.
+    /// Records a parameter that leads a group, or adds its sum to those of the parameters that it depends on.
     fn settle(
         &mut self,
         block: &mut Block,
@@ -254,15 +257,15 @@ impl Found<'_> {
             block.leading.push(parameter);
             return;
         };
-        let handed_on = std::mem::take(&mut self.forms[parameter]);
+        let handed_on = std::mem::take(&mut self.sums[parameter]);
         for (other, factor) in combination {
-            add(&mut self.forms[other], &handed_on, factor);
+            add(&mut self.sums[other], &handed_on, factor);
         }
     }
 }
 
-/// Adds a multiple of another form, in one pass over both.
-fn add(sum: &mut Form, other: &Form, factor: Double) {
+/// Adds a multiple of another sum, in one pass over both.
+fn add(sum: &mut ParameterSum, other: &ParameterSum, factor: Double) {
     let size = factor.to_f64().abs();
     let mut others = other.iter().map(|member| Member {
         factor: factor * member.factor,
@@ -270,7 +273,7 @@ fn add(sum: &mut Form, other: &Form, factor: Double) {
         ..*member
     });
     let mut others = others.by_ref().peekable();
-    let mut all = Form::with_capacity(sum.len() + other.len());
+    let mut all = ParameterSum::with_capacity(sum.len() + other.len());
     for member in sum.iter() {
         let before = |other: &Member| other.parameter < member.parameter;
         all.extend(std::iter::from_fn(|| others.next_if(before)));
@@ -285,17 +288,21 @@ fn add(sum: &mut Form, other: &Form, factor: Double) {
     *sum = all;
 }
 
-fn group(leading: ParameterId, form: &Form, described: &List<ParameterId, Double>) -> Group {
+fn group(
+    leading: ParameterId,
+    sum: &ParameterSum,
+    described: &List<ParameterId, Double>,
+) -> BaseParameter {
     // Factors that are rounding errors are left out.
     let is_there = |member: &&Member| member.factor.to_f64().abs() > NOTHING * member.size;
-    let others = form.iter().filter(|member| member.parameter != leading);
+    let others = sum.iter().filter(|member| member.parameter != leading);
     let others = others.filter(is_there);
     let first = (leading, Double::from(1.0));
     let others = others.map(|member| (member.parameter, member.factor));
     let members: Vec<(ParameterId, Double)> = [first].into_iter().chain(others).collect();
     let terms = members.iter().map(|&(k, factor)| factor * described[k]);
     let value = terms.clone().fold(Double::ZERO, |sum, term| sum + term);
-    Group {
+    BaseParameter {
         value: value.to_f64(),
         size: terms.map(|term| term.to_f64().abs()).sum(),
         members: (members.into_iter())

@@ -25,7 +25,7 @@ pub(super) fn limbs(
             actions[body].push(action);
         }
     }
-    let tree = Tree {
+    let tree = BodyTree {
         joints,
         actions,
         children,
@@ -36,7 +36,7 @@ pub(super) fn limbs(
 /// For each joint of a subtree, parents first: motion, number of children, and number of external wrenches.
 type Shape = Vec<(Discriminant<Motion>, usize, usize)>;
 
-struct Tree<'c> {
+struct BodyTree<'c> {
     joints: &'c List<BodyId, Joint>,
     /// Indices of the external wrenches on each body.
     actions: List<BodyId, Vec<usize>>,
@@ -44,7 +44,7 @@ struct Tree<'c> {
     children: Vec<Vec<BodyId>>,
 }
 
-impl Tree<'_> {
+impl BodyTree<'_> {
     fn children(&self, body: Option<BodyId>) -> &[BodyId] {
         &self.children[body.map_or(0, Id::number)]
     }

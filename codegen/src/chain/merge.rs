@@ -31,7 +31,7 @@ struct Attachment<'g> {
 }
 
 /// A body moved by one degree of freedom of a joint; only that of the last is a link.
-struct Body<'g> {
+struct MergedBody<'g> {
     joint: JointId,
     velocity: String,
     parent: Option<BodyId>,
@@ -61,7 +61,7 @@ enum Moved<'g> {
 /// Merges links that do not move relative to each other.
 pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) -> Chain {
     let graph = Graph::new();
-    let mut reader = Reader {
+    let mut reader = TermReader {
         graph: &graph,
         request,
         nominal: List::filled(Vec::new(), request.parameters.len()),
@@ -98,7 +98,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         range: None,
     });
     spaces.limbs = limbs::limbs(&joints, external.iter().map(|frame| frame.body));
-    let Reader {
+    let TermReader {
         nominal, report, ..
     } = reader;
     Chain {
@@ -139,7 +139,7 @@ fn wrench(name: impl Fn(&str) -> String) -> [Entry; ACTION.len()] {
 }
 
 /// Converts numbers to scalars, and records corrections in a report.
-struct Reader<'g, 'r> {
+struct TermReader<'g, 'r> {
     graph: &'g Graph,
     request: &'r Request,
     /// Values of the description for the numbers that are struct fields.

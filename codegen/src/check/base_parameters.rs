@@ -17,7 +17,7 @@ use super::states::wide;
 use super::{FAULT, printable};
 use crate::chain::Chain;
 use crate::chain::base_parameters::BaseParameters;
-use crate::dense::{Dense, Motion};
+use crate::dense::{Dense, MotionOrder};
 use crate::error::Errors;
 use crate::expression::Double;
 use crate::list::List;
@@ -81,7 +81,7 @@ pub fn judge_base_parameters(chain: &Chain) -> Result<(), Errors> {
         let dense = Dense::of(robot, state);
         let (regressor, sizes) = dense.regressor_and_sizes(is_wanted);
         let at = Seen {
-            torques: dense.torques(Motion::Accelerated),
+            torques: dense.torques(MotionOrder::Accelerated),
             regressor,
             sizes,
         };

@@ -3,7 +3,7 @@
 //! In: the numbers that are printed for the generic recursions of the runtime. Out: a [`Robot`] of the moving joints
 //! alone, for comparison with the described one.
 
-use crate::dense::{Approximate, Body, BodyId, Closed, DegreeOfFreedom, Matrix, Moved, Robot};
+use crate::dense::{Approximate, BodyId, Closed, DegreeOfFreedom, DenseBody, Matrix, Moved, Robot};
 use crate::expression::{Arithmetic, Double};
 use crate::joint::Manifold;
 use crate::list::{Id, List};
@@ -29,7 +29,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         velocity = velocity.plus(velocities);
     }
     let joints = joints.chunks(JOINT).zip(&data.parents).zip(&data.motions);
-    let mut bodies: List<BodyId, Body> = (joints.enumerate())
+    let mut bodies: List<BodyId, DenseBody> = (joints.enumerate())
         .map(|(k, ((numbers, parent), motion))| {
             let screw = [three(&numbers[12..15]), three(&numbers[15..18])];
             let along = |(coordinate, velocity), factor| {
@@ -62,7 +62,7 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
                     (moved, degrees_of_freedom(manifold, velocity))
                 }
             };
-            Body {
+            DenseBody {
                 parent: parent.map(BodyId::from),
                 placement: placement(&numbers[..PLACEMENT]),
                 moved,
@@ -127,9 +127,9 @@ pub(super) fn closed_loops(mut robot: Robot, data: &LoopsData, numbers: &[Approx
 }
 
 /// A body fixed to another, as a frame.
-fn fixed(body: Option<u16>, numbers: &[Approximate]) -> Body {
+fn fixed(body: Option<u16>, numbers: &[Approximate]) -> DenseBody {
     let nothing = [Approximate::exact(0.0); 3];
-    Body {
+    DenseBody {
         parent: body.map(BodyId::from),
         placement: placement(numbers),
         moved: Moved::Held([nothing; 2], Double::ZERO),

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 
 use crate::chain::Chain;
 use crate::chain::base_parameters::BaseParameters;
-use crate::dense::{Approximate, Body, BodyId, DegreeOfFreedom, Matrix, Moved, Robot};
+use crate::dense::{Approximate, BodyId, DegreeOfFreedom, DenseBody, Matrix, Moved, Robot};
 use crate::description::{Description, LinkId, Name};
 use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
@@ -35,7 +35,7 @@ pub(super) fn robot(
     fields: &List<FieldId, Vec<f64>>,
 ) -> Result<Robot, Contradiction> {
     let (description, request) = (&*chain.description, &*chain.request);
-    let reader = Reader::of(chain, fields);
+    let reader = RobotReader::of(chain, fields);
     let links: HashMap<&str, LinkId> =
         places(description.links.iter().map(|link| link.name.text.as_str()));
     let spaces = chain.spaces();
@@ -49,7 +49,7 @@ pub(super) fn robot(
     let tip = chain.frames.first().filter(|_| chain.has_tip);
     let path = reader.path(tip.map(|tip| tip.name.as_str()));
 
-    let mut bodies: List<BodyId, Body> = List::new();
+    let mut bodies: List<BodyId, DenseBody> = List::new();
     let mut attached: HashMap<&str, BodyId> = HashMap::new();
     if let Some(placement) = reader.base() {
         let nothing = [[Scalar::literal(0.0); 3]; 2];
@@ -72,7 +72,7 @@ pub(super) fn robot(
             reader.origin(joint)?,
         );
         let motion = reader.motion(joint, &kept, &path);
-        let own = matches!(motion, Motion::Own);
+        let own = matches!(motion, JointCoordinate::Own);
         let of_joint = joint.kind.coordinates(&joint.name.text);
         let is_listed = |(name, _): &(String, Kind)| coordinates.contains_key(name.as_str());
         if joint.kind.moves() && of_joint.iter().all(is_listed) != own {
@@ -154,8 +154,8 @@ impl Places<'_> {
         name: &str,
         screw: [[Scalar; 3]; 2],
         (factor, offset): (Scalar, Scalar),
-    ) -> Result<Body, Contradiction> {
-        Ok(Body {
+    ) -> Result<DenseBody, Contradiction> {
+        Ok(DenseBody {
             parent: None,
             placement: Matrix::identity(),
             moved: Moved::By {
@@ -186,8 +186,8 @@ fn held(
     placement: Matrix<Scalar>,
     screw: [[Scalar; 3]; 2],
     at: Double,
-) -> Body {
-    Body {
+) -> DenseBody {
+    DenseBody {
         parent,
         placement,
         moved: Moved::Held(screw, at),
@@ -198,7 +198,7 @@ fn held(
 
 /// The motion of a joint.
 #[derive(Clone, Copy)]
-enum Motion<'d> {
+enum JointCoordinate<'d> {
     /// Its own coordinates.
     Own,
     /// The coordinate of a joint with this name, times a factor, plus an offset.
@@ -207,7 +207,7 @@ enum Motion<'d> {
     Held(Double),
 }
 
-struct Reader<'d> {
+struct RobotReader<'d> {
     description: &'d Description,
     request: &'d Request,
     /// The values of the struct's fields.
@@ -218,7 +218,7 @@ struct Reader<'d> {
     turned: HashMap<(&'d str, [u64; 4]), [i64; 4]>,
 }
 
-impl<'d> Reader<'d> {
+impl<'d> RobotReader<'d> {
     /// A reader with the corrections of a chain's report.
     fn of(chain: &'d Chain, fields: &'d List<FieldId, Vec<f64>>) -> Self {
         Self {

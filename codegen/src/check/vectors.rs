@@ -16,7 +16,7 @@ use crate::dense::{Approximate, Dense, State};
 use crate::expression::{Double, Input};
 use crate::function::{Function, Given, Truth};
 use crate::list::{self, Id, List};
-use crate::module::{GeneratedFunction, Vector};
+use crate::module::{GeneratedFunction, TestVector};
 use crate::quaternion::{normalize, of_length_1};
 use crate::real::Real;
 use crate::schedule::Program;
@@ -45,7 +45,7 @@ const BY: f64 = 8.0;
 pub fn vectors(
     chain: &Chain,
     (functions, model): (&[GeneratedFunction], RoundingModel),
-) -> Vec<Vector> {
+) -> Vec<TestVector> {
     let (scalar, generated) = (model.scalar, functions.iter().enumerate());
     let at = |state: State| {
         let robot = robot::robot(chain, &state.fields)?;
@@ -111,7 +111,7 @@ fn vector(
     chain: &Chain,
     (function, generated): (usize, &GeneratedFunction),
     (found, scalar): (&[Found], Real),
-) -> Option<Vector> {
+) -> Option<TestVector> {
     let named = |name: &String| chain.frames.find(|of| of.name == *name);
     let frame = generated.frame.as_ref().and_then(named);
     let frame = frame.unwrap_or(FrameId::FIRST);
@@ -121,7 +121,7 @@ fn vector(
     let arguments = generated.arguments(chain.spaces()).into_iter();
     let arguments = arguments.map(|argument| (argument, numbers(&dense.state, (argument, scalar))));
     let written = expected.iter();
-    Some(Vector {
+    Some(TestVector {
         function,
         arguments: arguments.collect(),
         fields: dense.state.fields.to_vec(),
@@ -363,7 +363,7 @@ mod tests {
     use crate::Builder;
     use crate::expression::{Arithmetic, Input};
     use crate::function::Function;
-    use crate::module::{Module, Vector};
+    use crate::module::{Module, TestVector};
     use crate::real::{Real, Trigonometry};
     use crate::schedule::{Operand, Operation, run};
     use crate::space::{Kind, Variable};
@@ -384,7 +384,7 @@ mod tests {
         wrong.sum()
     }
 
-    fn number(vector: &Vector, input: Input) -> f64 {
+    fn number(vector: &TestVector, input: Input) -> f64 {
         match input {
             Input::Variable(of, k) => {
                 let mut arguments = vector.arguments.iter();
@@ -474,7 +474,7 @@ mod tests {
         let reach = Trigonometry::Own.reach(real);
         let vectors = &module.review.as_ref().expect("it becomes a file").vectors;
         for (function, generated) in module.functions.iter().enumerate() {
-            let of = |vector: &&Vector| vector.function == function;
+            let of = |vector: &&TestVector| vector.function == function;
             assert!(
                 vectors.iter().any(|vector| of(&vector)),
                 "{}",

@@ -6,7 +6,7 @@
 //! without the parts that depend on rows before them: for a pivot d relative to the whole a, the reciprocal is 1/d if
 //! d is far above ε a, and negligible if d is far below it or if roundings of the description leave no digit of a.
 
-use super::{Approximate, Dense, Matrix, Motion};
+use super::{Approximate, Dense, Matrix, MotionOrder};
 use crate::closure::ResidualKind;
 use crate::expression::Arithmetic;
 use crate::list::{self, List};
@@ -97,7 +97,7 @@ impl Dense {
             let seen = back.times(&b);
             let motions = closed
                 .frames
-                .map(|frame| self.motion(frame, Motion::Coasting));
+                .map(|frame| self.motion(frame, MotionOrder::Coasting));
             let [(w_a, h_a), (w_b, h_b)] = &motions;
             let minus = |one: &Matrix<Scalar>, other: &Matrix<Scalar>| {
                 one.plus(&other.scaled(&Scalar::exact(-1.0)))
@@ -123,7 +123,7 @@ impl Dense {
     /// q̈ followed by λ, where parts below ε of the whole count as zero.
     pub(crate) fn constrained(&self, zero_pivot: f64) -> Vec<Scalar> {
         let (rows, bias) = (self.residual_rates(), self.residual_bias());
-        let held = self.torques(Motion::Coasting).into_iter();
+        let held = self.torques(MotionOrder::Coasting).into_iter();
         let forces = held.zip(self.state.of_velocities(Variable::Tau));
         let forces: Vec<Scalar> = forces.map(|(held, tau)| tau - held).collect();
         let mut accelerations = self.free(&forces);
@@ -178,7 +178,7 @@ impl Dense {
 
     /// τ of the actuated velocities for the motion of the state, where λ balances the others: by the normal equations.
     pub(crate) fn actuated(&self, zero_pivot: f64) -> Vec<Scalar> {
-        let needed = self.torques(Motion::Accelerated);
+        let needed = self.torques(MotionOrder::Accelerated);
         let rows = self.residual_rates();
         let Equations { moved, matrix } = self.by_passive(&rows);
         let passive = self.passive(&needed);

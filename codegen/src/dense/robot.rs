@@ -13,7 +13,7 @@ id! {
 }
 
 /// A link with its joint.
-pub(crate) struct Body {
+pub(crate) struct DenseBody {
     /// The parent body; `None` for one on the base.
     pub(crate) parent: Option<BodyId>,
     /// M of the joint's frame in the parent link's, at q = 0.
@@ -69,7 +69,7 @@ pub(crate) struct Closed {
 
 /// A robot, link by link, parents before children.
 pub(crate) struct Robot {
-    pub(crate) bodies: List<BodyId, Body>,
+    pub(crate) bodies: List<BodyId, DenseBody>,
     /// The number of velocities.
     pub(crate) velocities: usize,
     /// Acceleration of gravity in frame 0.

@@ -3,12 +3,10 @@
 //! In: a [`Dense`]. Out: q̈, M⁻¹, and the first and second derivatives of λᵀq̈; `None` if M is singular. Those follow from
 //! derivatives of τ: with y = M⁻¹ λ, the derivative of λᵀq̈ is that of −yᵀτ at constant q̈.
 
-use super::products::{row_times, times_column};
+use super::products::{GeneralizedVector, row_times, times_column};
 use super::{Approximate, Dense, ROUNDOFF};
-use crate::list::{List, Square};
+use crate::list::Square;
 use crate::space::{Variable, VelocityId};
-
-type Vector = List<VelocityId, Approximate>;
 
 impl Dense {
     /// X of M X = B, row by row, by elimination with the largest pivot.
@@ -53,7 +51,7 @@ impl Dense {
     }
 
     /// τ of the state, less that of the motion without q̈.
-    pub(crate) fn unbalanced_torques(&self) -> Vector {
+    pub(crate) fn unbalanced_torques(&self) -> GeneralizedVector {
         let tau = self.state.of_velocities(Variable::Tau).into_iter();
         let pairs = tau.zip(self.coasting_torques());
         pairs.map(|(tau, bias)| tau - bias).collect()
@@ -65,7 +63,7 @@ impl Dense {
         let accelerations = solver.solution(&self.unbalanced_torques());
         let columns = self.regressor_of(accelerations).into_iter();
         let solutions = columns.map(|column| solver.solution(&opposite(&column)));
-        let solutions: Vec<Vector> = solutions.collect();
+        let solutions: Vec<GeneralizedVector> = solutions.collect();
         Some(self.rows_of(&solutions.iter().collect::<Vec<_>>()))
     }
 
@@ -87,9 +85,9 @@ impl Dense {
 pub(crate) struct Accelerated<'d> {
     dense: &'d Dense,
     solver: Solver<'d>,
-    accelerations: Vector,
+    accelerations: GeneralizedVector,
     /// M⁻¹ λ.
-    y: Vector,
+    y: GeneralizedVector,
     /// ∂τ/∂q and ∂τ/∂q̇.
     by_motion: [Square<VelocityId, Approximate>; 2],
 }
@@ -114,7 +112,7 @@ impl Accelerated<'_> {
 
     /// The second derivatives of λᵀq̈, of the blocks by q and q, q and q̇, q̇ and q̇, q and τ: the sum of the rows of
     /// each, times the entries of a direction.
-    pub(crate) fn hessian(&self, direction: &Vector) -> Vec<Approximate> {
+    pub(crate) fn hessian(&self, direction: &GeneralizedVector) -> Vec<Approximate> {
         let [by_q, by_qd] = &self.by_motion;
         let accelerations = || self.accelerations.clone();
         let of_torques = self
@@ -157,7 +155,7 @@ impl<'d> Solver<'d> {
     }
 
     /// x of M x = b, with the error that roundings of the described numbers in M and the error of b make in it.
-    fn solution(&self, right: &Vector) -> Vector {
+    fn solution(&self, right: &GeneralizedVector) -> GeneralizedVector {
         let exact = right.map(|entry| entry.as_found());
         let found = times_column(&self.inverse, &exact);
         let size = |k: VelocityId| self.matrix[(k, k)].size().sqrt();
@@ -176,14 +174,14 @@ impl<'d> Solver<'d> {
     }
 }
 
-fn opposite(a: &Vector) -> Vector {
+fn opposite(a: &GeneralizedVector) -> GeneralizedVector {
     a.map(|&entry| -entry)
 }
 
-fn sum(a: &Vector, b: &Vector) -> Vector {
+fn sum(a: &GeneralizedVector, b: &GeneralizedVector) -> GeneralizedVector {
     a.iter().zip(b).map(|(&a, &b)| a + b).collect()
 }
 
-fn difference(a: &Vector, b: &Vector) -> Vector {
+fn difference(a: &GeneralizedVector, b: &GeneralizedVector) -> GeneralizedVector {
     a.iter().zip(b).map(|(&a, &b)| a - b).collect()
 }

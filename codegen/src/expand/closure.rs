@@ -12,7 +12,7 @@ use crate::closure::ResidualKind;
 use crate::error::{Diagnostic, Errors};
 use crate::space::Kind;
 use crate::wording::{list, quoted};
-use measured::{Measured, measured};
+use measured::{MeasuredResidual, measured};
 
 /// Largest residual [m, 1] and largest share of a motion that 10 written digits explain.
 const ROUNDED: f64 = 1e-9;
@@ -50,7 +50,7 @@ pub fn settled(mut chain: Chain, strict: bool) -> Result<Chain, Errors> {
         for (Loop { name, rows, .. }, measured) in loops.iter_mut().zip(measured) {
             let mut measured = measured.iter();
             rows.retain(|row| {
-                let constant = measured.next().is_some_and(Measured::is_constant);
+                let constant = measured.next().is_some_and(MeasuredResidual::is_constant);
                 left_out.extend(constant.then(|| row.name(name)));
                 !constant
             });
@@ -61,7 +61,7 @@ pub fn settled(mut chain: Chain, strict: bool) -> Result<Chain, Errors> {
     errors.into_result(chain)
 }
 
-impl Measured {
+impl MeasuredResidual {
     fn is_constant(&self) -> bool {
         self.share <= LEAST
     }
@@ -82,7 +82,7 @@ impl Measured {
 }
 
 /// Errors of one loop.
-fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
+fn refuse(closed: &Loop, measured: &[MeasuredResidual], errors: &mut Errors) {
     let name = quoted(&closed.name);
     let residual = |row: &ResidualKind| quoted(&row.name(&closed.name));
     let rows = || closed.rows.iter().zip(measured);
@@ -115,8 +115,8 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
              give the loop a type that leaves this free",
         );
     }
-    let is_whole = !measured.iter().any(Measured::is_open);
-    if is_whole && measured.iter().all(Measured::is_constant) {
+    let is_whole = !measured.iter().any(MeasuredResidual::is_open);
+    if is_whole && measured.iter().all(MeasuredResidual::is_constant) {
         let message =
             format!("loop {name} constrains nothing: it is closed in every configuration");
         errors.push_with_hint(closed.place, message, "leave it out");
@@ -124,7 +124,7 @@ fn refuse(closed: &Loop, measured: &[Measured], errors: &mut Errors) {
 }
 
 /// The warning about the residuals of one loop that are left out although rounding to `f64` does not explain them.
-fn warning(closed: &Loop, measured: &[Measured]) -> Option<Diagnostic> {
+fn warning(closed: &Loop, measured: &[MeasuredResidual]) -> Option<Diagnostic> {
     let slight: Vec<(String, f64)> = (closed.rows.iter().zip(measured))
         .filter(|(_, of)| of.is_constant() && !of.is_open() && !of.is_explained_by_rounding())
         .map(|(row, of)| {

@@ -95,7 +95,7 @@ const ENTRIES: [&str; PARAMETERS] = [
 /// Index of each entry in the order of [`Space::Parameters`](crate::space::Space).
 const PLACES: [usize; PARAMETERS] = [4, 7, 9, 5, 6, 8, 1, 2, 3, 0];
 
-fn terms(chain: &Chain, form: &Form) -> Vec<(f64, String)> {
+fn terms(chain: &Chain, form: &LinearFunction) -> Vec<(f64, String)> {
     let names = &chain.spaces().parameters;
     let sizes = form.factors.iter().map(|(_, factor)| factor.to_f64().abs());
     let least = RESIDUE * sizes.fold(0.0, f64::max);
@@ -114,7 +114,7 @@ fn shortened(factor: f64) -> f64 {
 }
 
 /// The entries of J of each body in the frames of a layout.
-fn arranged(chain: &Chain, layout: Layout) -> Vec<Vec<Form>> {
+fn arranged(chain: &Chain, layout: Layout) -> Vec<Vec<LinearFunction>> {
     let graph = chain.graph.clone();
     let bodies = plan::arranged(&graph, chain, layout);
     let entries = bodies.bodies.iter();
@@ -124,9 +124,9 @@ fn arranged(chain: &Chain, layout: Layout) -> Vec<Vec<Form>> {
     let fields = chain.nominal.len();
     let found = Evaluation::of(&graph, &entries).at(|input| match input {
         Input::Parameter(field, entry) if usize::from(field) < fields => {
-            Form::literal(chain.nominal[FieldId::from(field)][usize::from(entry)])
+            LinearFunction::literal(chain.nominal[FieldId::from(field)][usize::from(entry)])
         }
-        Input::Parameter(link, entry) => Form {
+        Input::Parameter(link, entry) => LinearFunction {
             constant: Double::ZERO,
             factors: vec![(
                 ParameterId::new(
@@ -137,7 +137,10 @@ fn arranged(chain: &Chain, layout: Layout) -> Vec<Vec<Form>> {
         },
         Input::Variable(..) => unreachable!("a body is what it is in every state"),
     });
-    found.chunks(PARAMETERS).map(<[Form]>::to_vec).collect()
+    found
+        .chunks(PARAMETERS)
+        .map(<[LinearFunction]>::to_vec)
+        .collect()
 }
 
 /// The same chain with inertial parameters of links as inputs, numbered after the fields.
@@ -168,13 +171,13 @@ fn with_inputs(chain: &Chain) -> Chain {
 
 /// A linear function of parameters.
 #[derive(Clone, Debug)]
-struct Form {
+struct LinearFunction {
     constant: Double,
     /// Each parameter with its factor, in their order.
     factors: Vec<(ParameterId, Double)>,
 }
 
-impl Form {
+impl LinearFunction {
     const fn of(constant: Double) -> Self {
         Self {
             constant,
@@ -200,7 +203,7 @@ impl Form {
     }
 }
 
-impl Add for Form {
+impl Add for LinearFunction {
     type Output = Self;
 
     fn add(mut self, other: Self) -> Self {
@@ -215,7 +218,7 @@ impl Add for Form {
     }
 }
 
-impl Neg for Form {
+impl Neg for LinearFunction {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -223,7 +226,7 @@ impl Neg for Form {
     }
 }
 
-impl Sub for Form {
+impl Sub for LinearFunction {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -231,7 +234,7 @@ impl Sub for Form {
     }
 }
 
-impl Mul for Form {
+impl Mul for LinearFunction {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -245,7 +248,7 @@ impl Mul for Form {
     }
 }
 
-impl Div for Form {
+impl Div for LinearFunction {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
@@ -254,7 +257,7 @@ impl Div for Form {
     }
 }
 
-impl Arithmetic for Form {
+impl Arithmetic for LinearFunction {
     fn literal(value: f64) -> Self {
         Self::of(value.into())
     }

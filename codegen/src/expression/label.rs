@@ -63,7 +63,7 @@ impl fmt::Display for Numeral {
 
 /// The bodies of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Of {
+pub enum LabelledBodies {
     /// A body, alone or with all that it carries.
     Body(Numeral),
     /// A body relative to frame 0.
@@ -80,7 +80,7 @@ pub struct Quantity {
     /// Its letter and part.
     pub block: Block,
     /// Its bodies.
-    pub of: Of,
+    pub of: LabelledBodies,
     /// The frame of its axes, if the name has one.
     pub frame: Option<Numeral>,
 }
@@ -112,7 +112,7 @@ pub struct Label {
 impl Block {
     /// The quantity of a block.
     #[must_use]
-    pub const fn of(self, of: Of) -> Quantity {
+    pub const fn of(self, of: LabelledBodies) -> Quantity {
         Quantity {
             block: self,
             of,
@@ -178,10 +178,10 @@ impl fmt::Display for Label {
         let minus = if self.negative { "minus_" } else { "" };
         write!(out, "{minus}{letter}")?;
         match of {
-            Of::Body(i) => write!(out, "_{i}")?,
-            Of::FromBase(i) => write!(out, "_0_{i}")?,
-            Of::TipFrom(i) => write!(out, "_{i}_n")?,
-            Of::Pair(k, i) => write!(out, "_{k}_{i}")?,
+            LabelledBodies::Body(i) => write!(out, "_{i}")?,
+            LabelledBodies::FromBase(i) => write!(out, "_0_{i}")?,
+            LabelledBodies::TipFrom(i) => write!(out, "_{i}_n")?,
+            LabelledBodies::Pair(k, i) => write!(out, "_{k}_{i}")?,
         }
         if let Some(frame) = frame {
             write!(out, "_in_{frame}")?;
@@ -197,14 +197,16 @@ impl fmt::Display for Label {
 
 #[cfg(test)]
 mod tests {
-    use super::{Block, Component, Numeral, Of};
+    use super::{Block, Component, LabelledBodies, Numeral};
 
     #[test]
     fn identifiers_say_letter_bodies_frame_and_entry() {
         let w = Block::LinearVelocity
-            .of(Of::FromBase(Numeral(12)))
+            .of(LabelledBodies::FromBase(Numeral(12)))
             .seen_in(Numeral(3));
-        let j = Block::Inertia.of(Of::Body(Numeral(2))).seen_in(Numeral(0));
+        let j = Block::Inertia
+            .of(LabelledBodies::Body(Numeral(2)))
+            .seen_in(Numeral(0));
         for (label, name) in [
             (w.entry(Component::Along(1)), "w_0_12_in_3_vy"),
             (
@@ -213,7 +215,7 @@ mod tests {
             ),
             (
                 Block::Axis(2)
-                    .of(Of::TipFrom(Numeral(4)))
+                    .of(LabelledBodies::TipFrom(Numeral(4)))
                     .entry(Component::Along(0)),
                 "m_4_n_zx",
             ),
@@ -221,13 +223,13 @@ mod tests {
             (j.entry(Component::Mass), "j_2_in_0_m"),
             (
                 Block::Pivot
-                    .of(Of::Body(Numeral(7)))
+                    .of(LabelledBodies::Body(Numeral(7)))
                     .entry(Component::Scalar),
                 "d_7",
             ),
             (
                 Block::Factor
-                    .of(Of::Pair(Numeral(3), Numeral(1)))
+                    .of(LabelledBodies::Pair(Numeral(3), Numeral(1)))
                     .entry(Component::Scalar),
                 "l_3_1",
             ),

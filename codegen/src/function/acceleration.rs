@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{MOVING, Size, Tally};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd, Variable::Qdd],
     result: quantities::ACCELERATION,
     properties: &[Property::Frame],
-    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Accelerated).1.upper()),
+    truth: Truth::Value(|dense, frame| dense.motion(frame, MotionOrder::Accelerated).1.upper()),
     algorithms: Definition::one_way,
     dense,
     build,

@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{MOVING, Size, Tally};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{Algorithm, Carried, Scene};
 use crate::space::Variable;
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::ACCELERATION,
     properties: &[Property::Frame],
-    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Coasting).1.upper()),
+    truth: Truth::Value(|dense, frame| dense.motion(frame, MotionOrder::Coasting).1.upper()),
     algorithms,
     dense,
     build,

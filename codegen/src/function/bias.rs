@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::Scene;
 use crate::space::Variable;
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::FORCES,
     properties: &[Property::Mass],
-    truth: Truth::Value(|dense, _| dense.torques(Motion::Coasting).into()),
+    truth: Truth::Value(|dense, _| dense.torques(MotionOrder::Coasting).into()),
     algorithms: Definition::one_way,
     dense: tally::torques,
     build,

@@ -4,7 +4,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally;
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{Scene, jacobian_rate};
 use crate::space::Variable;
@@ -17,7 +17,7 @@ pub(super) const DEFINITION: Definition = Definition {
     properties: &[Property::Frame],
     truth: Truth::Value(|dense, frame| {
         let back = dense.pose(frame).inverse();
-        let (w, _) = dense.motion(frame, Motion::Coasting);
+        let (w, _) = dense.motion(frame, MotionOrder::Coasting);
         dense.column_rates(frame, |screw, rate| {
             back.carries(&rate.minus(&w.commutator(screw)))
         })

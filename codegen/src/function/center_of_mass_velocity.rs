@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{MassCenter, Scene};
 use crate::space::Variable;
@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::POINT_RATE,
     properties: &[Property::Mass],
     truth: Truth::OfMass(|dense, _| {
-        let momentum = dense.moments(Motion::Coasting).column();
+        let momentum = dense.moments(MotionOrder::Coasting).column();
         dense.by_mass(momentum).to_vec()
     }),
     algorithms: Definition::one_way,

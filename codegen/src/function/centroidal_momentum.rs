@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{MassCenter, Scene, momentum};
 use crate::space::Variable;
@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::MOMENTUM,
     properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::OfMass(|dense, _| {
-        let momentum = dense.moments(Motion::Coasting).skew();
+        let momentum = dense.moments(MotionOrder::Coasting).skew();
         dense.about_mass_center(&momentum).vectors().to_vec()
     }),
     algorithms: Definition::one_way,

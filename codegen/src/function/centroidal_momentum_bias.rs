@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, MOVING, Size, Tally};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{MassCenter, Scene, momentum};
 use crate::space::Variable;
@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::ACTION,
     properties: &[Property::Mass, Property::BodiesAlone],
     truth: Truth::OfMass(|dense, _| {
-        let rate = dense.inertia_forces(Motion::Coasting).skew();
+        let rate = dense.inertia_forces(MotionOrder::Coasting).skew();
         dense.about_mass_center(&rate).vectors().to_vec()
     }),
     algorithms: Definition::one_way,

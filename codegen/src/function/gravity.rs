@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{ACTION, INERTIA, KINEMATIC, Size, Tally};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{Scene, gravity};
 use crate::space::Variable;
@@ -14,7 +14,7 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q],
     result: quantities::FORCES,
     properties: &[Property::Mass],
-    truth: Truth::Value(|dense, _| dense.torques(Motion::Rest).into()),
+    truth: Truth::Value(|dense, _| dense.torques(MotionOrder::Rest).into()),
     algorithms: Definition::one_way,
     dense,
     build,

@@ -4,7 +4,7 @@ use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
 use crate::chain::BodyId;
-use crate::dense::{Approximate, Motion};
+use crate::dense::{Approximate, MotionOrder};
 use crate::expression::Term;
 use crate::list::List;
 use crate::matrix::{Action, Screw, Velocity};
@@ -18,7 +18,7 @@ pub(super) const DEFINITION: Definition = Definition {
     result: quantities::ENERGY,
     properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| {
-        let twice = (dense.links(Motion::Coasting))
+        let twice = (dense.links(MotionOrder::Coasting))
             .map(|(w, j)| w.times(j).times(&w.transposed()).trace())
             .fold(dense.twice_energy_of_actuators(), |sum, energy| {
                 sum + energy

@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally, VELOCITY};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{Scene, momentum};
 use crate::space::Variable;
@@ -18,7 +18,13 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::MOMENTUM,
     properties: &[Property::Mass, Property::BodiesAlone],
-    truth: Truth::Value(|dense, _| dense.moments(Motion::Coasting).skew().vectors().to_vec()),
+    truth: Truth::Value(|dense, _| {
+        dense
+            .moments(MotionOrder::Coasting)
+            .skew()
+            .vectors()
+            .to_vec()
+    }),
     algorithms: Definition::one_way,
     dense,
     build,

@@ -4,8 +4,8 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{INERTIA, KINEMATIC, Size, Tally};
-use crate::dense::{Approximate, Motion};
-use crate::expression::{Block, Of, Term};
+use crate::dense::{Approximate, MotionOrder};
+use crate::expression::{Block, LabelledBodies, Term};
 use crate::model::Scene;
 use crate::space::Variable;
 
@@ -19,7 +19,7 @@ pub(super) const DEFINITION: Definition = Definition {
     properties: &[Property::Mass],
     truth: Truth::Value(|dense, _| {
         let gravity = dense.gravity();
-        let energies = (dense.links(Motion::Rest)).map(|(_, j)| gravity.times(j).trace());
+        let energies = (dense.links(MotionOrder::Rest)).map(|(_, j)| gravity.times(j).trace());
         let energy = energies.fold(Approximate::exact(0.0), |sum, energy| sum - energy);
         vec![energy]
     }),
@@ -42,7 +42,11 @@ fn build<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
     for (k, joint) in joints.numbered().rev() {
         let (q, mass) = (moments[k], masses[k]);
         let (index, frame) = joint.numbers();
-        q.label(Block::Inertia.of(Of::Body(index)).seen_in(frame));
+        q.label(
+            Block::Inertia
+                .of(LabelledBodies::Body(index))
+                .seen_in(frame),
+        );
         let carried = joint.first_moment_inboard(q, mass);
         if let Some(parent) = joint.parent {
             moments[parent] = moments[parent] + carried;

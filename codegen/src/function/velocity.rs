@@ -3,7 +3,7 @@
 use super::definition::{Definition, Property, Truth};
 use super::quantities;
 use super::tally::{KINEMATIC, Size, Tally, VELOCITY};
-use crate::dense::Motion;
+use crate::dense::MotionOrder;
 use crate::expression::Term;
 use crate::model::{Scene, twist};
 use crate::space::Variable;
@@ -14,7 +14,13 @@ pub(super) const DEFINITION: Definition = Definition {
     arguments: &[Variable::Q, Variable::Qd],
     result: quantities::VELOCITY,
     properties: &[Property::Frame],
-    truth: Truth::Value(|dense, frame| dense.motion(frame, Motion::Coasting).0.vectors().to_vec()),
+    truth: Truth::Value(|dense, frame| {
+        dense
+            .motion(frame, MotionOrder::Coasting)
+            .0
+            .vectors()
+            .to_vec()
+    }),
     algorithms: Definition::one_way,
     dense,
     build,

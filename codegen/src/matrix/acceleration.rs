@@ -2,7 +2,7 @@
 //! rotating G.
 
 use super::{Rotation, Vector};
-use crate::expression::{Block, Graph, Numeral, Of, Term};
+use crate::expression::{Block, Graph, LabelledBodies, Numeral, Term};
 
 /// An acceleration matrix H: G, a₀; 0, 0 with G = ω̲̇ + ω̲².
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +29,7 @@ impl<'g> Acceleration<Term<'g>> {
 
     /// Labels it as the motion of a body relative to frame 0, in a frame.
     pub fn label(self, body: Numeral, frame: Numeral) {
-        let of = Of::FromBase(body);
+        let of = LabelledBodies::FromBase(body);
         self.omega
             .label(Block::AngularVelocity.of(of).seen_in(frame));
         self.omega_dot

@@ -3,7 +3,7 @@
 use std::ops::{Add, Sub};
 
 use super::{Acceleration, Inertia, Pose, Screw, Vector};
-use crate::expression::{Block, Numeral, Of, Term};
+use crate::expression::{Block, LabelledBodies, Numeral, Term};
 
 /// A wrench Φ: c̲, f; −fᵗ, 0.
 #[derive(Clone, Copy, Debug)]
@@ -95,8 +95,9 @@ impl<'g> Action<Term<'g>> {
     /// Labels it as the wrench on a body, in a frame.
     pub fn label(self, body: Numeral, frame: Numeral) {
         self.c
-            .label(Block::Couple.of(Of::Body(body)).seen_in(frame));
-        self.f.label(Block::Force.of(Of::Body(body)).seen_in(frame));
+            .label(Block::Couple.of(LabelledBodies::Body(body)).seen_in(frame));
+        self.f
+            .label(Block::Force.of(LabelledBodies::Body(body)).seen_in(frame));
     }
 }
 

@@ -3,7 +3,7 @@
 use std::ops::{Add, Sub};
 
 use super::{Pose, Rotation, Vector};
-use crate::expression::{Block, Component, Double, Graph, Numeral, Of, Term};
+use crate::expression::{Block, Component, Double, Graph, LabelledBodies, Numeral, Term};
 
 /// A symmetric 3×3 block: xx, yy, zz, xy, xz, yz.
 #[derive(Clone, Copy, Debug)]
@@ -232,7 +232,7 @@ impl<'g> Inertia<Term<'g>> {
 
     /// Labels it as the inertia of a body, in a frame.
     pub fn label(self, body: Numeral, frame: Numeral) {
-        let whole = Block::Inertia.of(Of::Body(body)).seen_in(frame);
+        let whole = Block::Inertia.of(LabelledBodies::Body(body)).seen_in(frame);
         let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
         for (entry, (row, column)) in self.second.0.into_iter().zip(pairs) {
             entry.label(whole.entry(Component::Second(row, column)));

@@ -4,7 +4,7 @@
 use std::ops::{Add, Sub};
 
 use super::{Pose, Rotation, Screw, Vector};
-use crate::expression::{Block, Graph, Numeral, Of, Term};
+use crate::expression::{Block, Graph, LabelledBodies, Numeral, Term};
 
 /// A velocity matrix W: ω̲, v₀; 0, 0.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ impl<'g> Velocity<Term<'g>> {
     }
 
     /// Labels it as the motion of bodies, in a frame.
-    pub fn label(self, of: Of, frame: Numeral) {
+    pub fn label(self, of: LabelledBodies, frame: Numeral) {
         self.omega
             .label(Block::AngularVelocity.of(of).seen_in(frame));
         self.v.label(Block::LinearVelocity.of(of).seen_in(frame));

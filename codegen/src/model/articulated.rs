@@ -5,11 +5,11 @@
 //! that digits are lost only as far as masses differ, and not by its condition number.
 
 use super::algorithm::Congruence;
-use super::carry::{Joint, Joints};
-use super::newton_euler::{Moving, beyond};
+use super::carry::{DisplacedJoint, Joints};
+use super::newton_euler::{BodyMotion, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Block, Component, Of, Term};
+use crate::expression::{Block, Component, LabelledBodies, Term};
 use crate::joint::Motion;
 use crate::list::{Id, List, Square};
 use crate::matrix::{Acceleration, Action, Inertia, Pose, Rotation, Symmetric, Vector};
@@ -176,7 +176,7 @@ pub const STEP: usize = INERTIA + 3 + 3;
 
 /// The articulated inertia and the wrench that a body passes on, after its joint's part has been subtracted, in the
 /// frame of the parent body.
-pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> {
+pub fn step<'g>(joint: &DisplacedJoint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> {
     let a = std::array::from_fn(|k| entries[k]);
     let b = std::array::from_fn(|row| std::array::from_fn(|column| entries[6 + 3 * row + column]));
     let m = std::array::from_fn(|k| entries[15 + k]);
@@ -202,7 +202,7 @@ pub fn step<'g>(joint: &Joint<'g>, entries: &[Term<'g>; STEP]) -> Vec<Term<'g>> 
 
 /// The velocity terms: velocities of the bodies, the accelerations that each joint adds to them, and their wrenches.
 struct Drift<'g> {
-    velocities: List<BodyId, Moving<'g>>,
+    velocities: List<BodyId, BodyMotion<'g>>,
     drifts: List<BodyId, Acceleration<Term<'g>>>,
     actions: List<BodyId, Action<Term<'g>>>,
 }
@@ -210,7 +210,7 @@ struct Drift<'g> {
 impl<'g> Drift<'g> {
     fn of(joints: &Joints<'g>, state: &State<'g>) -> Self {
         let at_rest = Acceleration::linear(Vector::zero(state.graph));
-        let rest = Moving::still(at_rest);
+        let rest = BodyMotion::still(at_rest);
         let mut all = Self {
             velocities: List::new(),
             drifts: List::new(),
@@ -224,7 +224,7 @@ impl<'g> Drift<'g> {
                 ..at_rest
             };
             all.actions.push(Action::of(velocity, joint.inertia));
-            all.velocities.push(Moving {
+            all.velocities.push(BodyMotion {
                 h: velocity,
                 ..drift
             });
@@ -240,13 +240,13 @@ fn outwards<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
-    velocities: &List<BodyId, Moving<'g>>,
+    velocities: &List<BodyId, BodyMotion<'g>>,
     mut of_joint: impl FnMut(BodyId, Acceleration<Term<'g>>) -> Term<'g>,
 ) -> List<BodyId, Acceleration<Term<'g>>> {
-    let base = Moving::still(Acceleration::linear(-gravity));
+    let base = BodyMotion::still(Acceleration::linear(-gravity));
     let mut accelerations: List<BodyId, Acceleration<Term<'g>>> = List::new();
     for (k, joint) in joints.numbered() {
-        let outer = joint.parent.map_or(base, |parent| Moving {
+        let outer = joint.parent.map_or(base, |parent| BodyMotion {
             h: Acceleration {
                 omega: velocities[parent].h.omega,
                 ..accelerations[parent]
@@ -267,7 +267,7 @@ fn outwards<'g>(
 
 /// An articulated inertia and a wrench of a body, in the frame of the parent body.
 fn passed_on<'g>(
-    joint: &Joint<'g>,
+    joint: &DisplacedJoint<'g>,
     reduced: &Articulated<'g>,
     action: Action<Term<'g>>,
 ) -> (Articulated<'g>, Action<Term<'g>>) {
@@ -301,7 +301,7 @@ impl<'g> Eliminated<'g> {
         &self,
         unbalanced: Term<'g>,
         action: Option<Action<Term<'g>>>,
-        joint: &Joint<'g>,
+        joint: &DisplacedJoint<'g>,
     ) -> Action<Term<'g>> {
         let by_pivot = unbalanced * self.inverse;
         let (mut c, mut f) = (self.action.c * by_pivot, self.action.f * by_pivot);
@@ -342,12 +342,12 @@ impl<'g> Articulated<'g> {
 
     /// U, 1/D and Iᴬ − U Uᵗ/D of a joint. The joint's own row and column of the last are zero without an armature,
     /// which is part of D.
-    fn eliminate(&self, joint: &Joint<'g>) -> Eliminated<'g> {
+    fn eliminate(&self, joint: &DisplacedJoint<'g>) -> Eliminated<'g> {
         let action = self.times(joint.screw.u, joint.screw.b);
         let share = action.along(joint.screw) + joint.actuator.armature;
         share.label(
             Block::Pivot
-                .of(Of::Body(joint.body.into()))
+                .of(LabelledBodies::Body(joint.body.into()))
                 .entry(Component::Scalar),
         );
         let inverse = share.graph().constant(1.0) / share;
@@ -371,7 +371,7 @@ impl<'g> Articulated<'g> {
     }
 
     /// Sets the joint's own row and column to zero.
-    fn clear(&mut self, joint: &Joint<'g>) {
+    fn clear(&mut self, joint: &DisplacedJoint<'g>) {
         let zero = self.b.0[0][0].graph().constant(0.0);
         match joint.motion {
             Motion::Revolute => {
@@ -389,7 +389,7 @@ impl<'g> Articulated<'g> {
     }
 
     /// In the frame of the parent body.
-    fn passed_on(&self, joint: &Joint<'g>) -> Self {
+    fn passed_on(&self, joint: &DisplacedJoint<'g>) -> Self {
         let moved = match joint.displacement {
             Some(displacement) => self.inboard(displacement),
             None => self.turn(joint).shift(joint.offset()),
@@ -398,7 +398,7 @@ impl<'g> Articulated<'g> {
     }
 
     /// In the axes before the rotation of the joint.
-    fn turn(&self, joint: &Joint<'g>) -> Self {
+    fn turn(&self, joint: &DisplacedJoint<'g>) -> Self {
         let rotation = joint.turn();
         let about_z = (rotation.0[1][0], rotation.0[0][0]);
         let rotated = |block: Symmetric<Term<'g>>| match joint.congruence {

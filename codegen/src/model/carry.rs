@@ -12,7 +12,7 @@ use super::algorithm::{Algorithm, Congruence};
 use super::axis_rotation::{self, AxisRotation};
 use super::state::State;
 use crate::chain::{BodyId, Position};
-use crate::expression::{Block, Numeral, Of, Term};
+use crate::expression::{Block, LabelledBodies, Numeral, Term};
 use crate::formulation::Frame;
 use crate::joint::{ActuatorTerms, Motion};
 use crate::layout::{Bodies, Body};
@@ -23,7 +23,7 @@ use crate::space::FrameId;
 /// A joint and its body. In the frame of the body the displacement is a rotation about z and a translation along it, or
 /// that of a ball, planar or floating joint; in frame 0 it is the identity, and so is the placement.
 #[derive(Clone, Copy)]
-pub struct Joint<'g> {
+pub struct DisplacedJoint<'g> {
     /// The body.
     pub body: BodyId,
     /// The joint that carries the parent body; `None` for the fixed base.
@@ -57,9 +57,9 @@ pub struct Joint<'g> {
 }
 
 /// The joints of all bodies.
-pub type Joints<'g> = List<BodyId, Joint<'g>>;
+pub type Joints<'g> = List<BodyId, DisplacedJoint<'g>>;
 
-impl<'g> Joint<'g> {
+impl<'g> DisplacedJoint<'g> {
     /// The joint of body `k`, where `left` has the rotation that each body's frame leaves to its children.
     fn new(
         bodies: &Bodies<'g>,
@@ -119,7 +119,7 @@ impl<'g> Joint<'g> {
         let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
         let index = self.body.into();
         let screw = self.screw.change_frame(pose);
-        let of = Of::Body(index);
+        let of = LabelledBodies::Body(index);
         screw
             .u
             .label(Block::Direction.of(of).seen_in(Numeral::BASE));
@@ -141,7 +141,7 @@ impl<'g> Joint<'g> {
     /// M₀ of the body, where `outer` is that of its parent.
     fn pose(&self, outer: Pose<Term<'g>>) -> Pose<Term<'g>> {
         let pose = outer * self.placement * self.displacement();
-        let of = Of::FromBase(self.body.into());
+        let of = LabelledBodies::FromBase(self.body.into());
         if !self.from_root {
             pose.translation.label(Block::Origin.of(of));
         }
@@ -272,8 +272,10 @@ impl<'g> Joint<'g> {
 }
 
 /// Joints, each with M₀ of its body; parents come before children.
-pub(super) fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
-    let mut found: Vec<(Joint<'g>, Pose<Term<'g>>)> = Vec::with_capacity(joints.len());
+pub(super) fn placed<'g>(
+    joints: &[DisplacedJoint<'g>],
+) -> Vec<(DisplacedJoint<'g>, Pose<Term<'g>>)> {
+    let mut found: Vec<(DisplacedJoint<'g>, Pose<Term<'g>>)> = Vec::with_capacity(joints.len());
     for &joint in joints {
         let outer = (found.iter().rev()).find(|(outer, _)| Some(outer.body) == joint.parent);
         let base = || Pose::identity(joint.translation.graph());
@@ -284,7 +286,7 @@ pub(super) fn placed<'g>(joints: &[Joint<'g>]) -> Vec<(Joint<'g>, Pose<Term<'g>>
 }
 
 /// Joints with all their matrices in frame 0, of all bodies or of some.
-pub fn in_frame_0<'g, J: FromIterator<Joint<'g>>>(joints: &[Joint<'g>]) -> J {
+pub fn in_frame_0<'g, J: FromIterator<DisplacedJoint<'g>>>(joints: &[DisplacedJoint<'g>]) -> J {
     let placed = placed(joints).into_iter();
     placed.map(|(joint, pose)| joint.in_frame_0(pose)).collect()
 }
@@ -309,7 +311,7 @@ pub(super) fn left<'g>(
 pub fn joints<'g>(bodies: &Bodies<'g>, state: &State<'g>, algorithm: Algorithm) -> Joints<'g> {
     let left = left(bodies, state, algorithm);
     let all = bodies.bodies.ids();
-    all.map(|k| Joint::new(bodies, k, state, &left, algorithm.congruence))
+    all.map(|k| DisplacedJoint::new(bodies, k, state, &left, algorithm.congruence))
         .collect()
 }
 
@@ -322,7 +324,7 @@ pub fn from_root<'g>(
     for joint in &mut joints {
         joint.from_root = true;
     }
-    let mut roots: Vec<&mut Joint<'g>> = joints
+    let mut roots: Vec<&mut DisplacedJoint<'g>> = joints
         .iter_mut()
         .filter(|joint| joint.parent.is_none())
         .collect();
@@ -347,7 +349,7 @@ pub struct Path<'g> {
     /// The frame of the matrices of its joints.
     pub frame: Frame,
     /// The joints that move the frame, from the base outwards.
-    pub joints: Vec<Joint<'g>>,
+    pub joints: Vec<DisplacedJoint<'g>>,
     /// Number of joints of the robot.
     pub count: usize,
     /// M of the frame in the last body's, or M₀ of the frame if all matrices are in frame 0.
@@ -356,7 +358,7 @@ pub struct Path<'g> {
 
 impl<'g> Path<'g> {
     /// The joints from the base outwards, each with M₀ of its body.
-    pub fn outwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+    pub fn outwards(&self) -> Vec<(DisplacedJoint<'g>, Pose<Term<'g>>)> {
         placed(&self.joints)
     }
 
@@ -364,7 +366,7 @@ impl<'g> Path<'g> {
     ///
     /// The offsets between them are summed. A difference of two offsets from the base would lose the digits of short
     /// ones.
-    pub fn outwards_from_end(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+    pub fn outwards_from_end(&self) -> Vec<(DisplacedJoint<'g>, Pose<Term<'g>>)> {
         let mut placed = self.outwards();
         let graph = self.end.translation.x().graph();
         let mut between = match placed.last() {
@@ -385,7 +387,7 @@ impl<'g> Path<'g> {
     }
 
     /// The joints from the frame inwards, each with M of its body in the frame.
-    pub fn inwards(&self) -> Vec<(Joint<'g>, Pose<Term<'g>>)> {
+    pub fn inwards(&self) -> Vec<(DisplacedJoint<'g>, Pose<Term<'g>>)> {
         let mut pose = self.end.inverse();
         let joints = self.joints.iter().rev().map(|joint| {
             let seen = (*joint, pose);
@@ -438,8 +440,9 @@ pub fn path_beyond<'g>(
         let next = inwards().find(|&next| bodies.bodies[next].parent == Some(k));
         Some(k) != from && next.is_some_and(|next| axis_rotation::is_parallel(&bodies.bodies[next]))
     });
-    let joints = inwards().map(|k| Joint::new(bodies, k, state, &left, algorithm.congruence));
-    let mut joints: Vec<Joint<'g>> = joints.collect();
+    let joints =
+        inwards().map(|k| DisplacedJoint::new(bodies, k, state, &left, algorithm.congruence));
+    let mut joints: Vec<DisplacedJoint<'g>> = joints.collect();
     joints.reverse();
     Path {
         frame: Frame::Link,

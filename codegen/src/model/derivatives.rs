@@ -18,8 +18,8 @@
 //! Forces do not depend on a constant velocity of the observer: the matrices of each joint are those of an observer who
 //! moves with its pole, so that no velocity of an origin is passed on from the base.
 
-use super::carry::{Joint, Joints};
-use super::newton_euler::{Moving, motion, seen};
+use super::carry::{DisplacedJoint, Joints};
+use super::newton_euler::{BodyMotion, motion, seen};
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -124,7 +124,7 @@ pub(super) struct Rates<'g> {
 pub(super) fn rates<'g>(
     joints: &Joints<'g>,
     gravity: Vector<Term<'g>>,
-    motions: &List<BodyId, Moving<'g>>,
+    motions: &List<BodyId, BodyMotion<'g>>,
 ) -> List<BodyId, Rates<'g>> {
     let base = Acceleration::linear(-gravity);
     // The parent body of each joint, and the last body that it moves.
@@ -194,11 +194,11 @@ impl<'g> Whole<'g> {
     pub(super) fn of(
         joints: &Joints<'g>,
         state: &State<'g>,
-        motions: &List<BodyId, Moving<'g>>,
+        motions: &List<BodyId, BodyMotion<'g>>,
         multiple: impl Fn(Vector<Term<'g>>) -> Vector<Term<'g>>,
     ) -> Self {
         let gains = joints.map(|joint| {
-            let Joint { placement, .. } = joint;
+            let DisplacedJoint { placement, .. } = joint;
             let at_rest = Vector::zero(state.graph);
             let omega = joint.parent.map_or(at_rest, |k| motions[k].h.omega);
             let linear = joint.turn() * joint.screw.b * state.qd(joint.body);

@@ -4,7 +4,7 @@
 //! In: the mass matrix and the tree. Out: factors that solve M x = b without fill-in. There is no pivoting: M is
 //! positive definite, or the chain has been refused.
 
-use crate::expression::{Block, Component, Of, Term};
+use crate::expression::{Block, Component, LabelledBodies, Term};
 use crate::list::{List, Square};
 use crate::space::VelocityId;
 
@@ -32,7 +32,11 @@ pub fn factor<'g>(
     let mut rows = List::filled(Vec::new(), parents.len());
     for k in parents.ids().rev() {
         let pivot = entries[(k, k)];
-        pivot.label(Block::Pivot.of(Of::Body(k.into())).entry(Component::Scalar));
+        pivot.label(
+            Block::Pivot
+                .of(LabelledBodies::Body(k.into()))
+                .entry(Component::Scalar),
+        );
         pivots[k] = pivot;
         inverse[k] = one / pivot;
         for (nearest, &i) in inboard[k].iter().enumerate() {
@@ -40,7 +44,7 @@ pub fn factor<'g>(
             let l = entry * inverse[k];
             l.label(
                 Block::Factor
-                    .of(Of::Pair(k.into(), i.into()))
+                    .of(LabelledBodies::Pair(k.into(), i.into()))
                     .entry(Component::Scalar),
             );
             for &j in &inboard[k][nearest..] {

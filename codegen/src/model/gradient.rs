@@ -14,9 +14,9 @@
 //!
 //! Each is computed as often as there are bodies: the gradient costs little more than τ itself.
 
-use super::carry::{Joint, Joints};
+use super::carry::{DisplacedJoint, Joints};
 use super::derivatives::{Rates, Whole, rates};
-use super::newton_euler::{Motion, Moving, motion};
+use super::newton_euler::{BodyMotion, Dynamics, motion};
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -99,7 +99,7 @@ pub fn add_constant_wrenches<'g>(
 
 /// A motion with weights, of which the derivatives of λᵀτ are made.
 pub(super) struct WeightedMotion<'g> {
-    pub(super) motion: Motion<'g>,
+    pub(super) motion: Dynamics<'g>,
     pub(super) rates: List<BodyId, Rates<'g>>,
     pub(super) whole: Whole<'g>,
     pub(super) lambda: Lambda<'g>,
@@ -161,7 +161,7 @@ impl<'g> Lambda<'g> {
     }
 
     /// Ψλ of a joint, in its frame.
-    pub(super) fn rate(&self, k: BodyId, joint: &Joint<'g>) -> Screw<Term<'g>> {
+    pub(super) fn rate(&self, k: BodyId, joint: &DisplacedJoint<'g>) -> Screw<Term<'g>> {
         self.outer[k].rate_of(joint.screw)
     }
 }
@@ -180,7 +180,7 @@ impl<'g> Weighted<'g> {
     fn of(
         joints: &Joints<'g>,
         lambda: &Lambda<'g>,
-        motions: &List<BodyId, Moving<'g>>,
+        motions: &List<BodyId, BodyMotion<'g>>,
         whole: &Whole<'g>,
     ) -> Self {
         let each = joints.iter().zip(&lambda.bodies);

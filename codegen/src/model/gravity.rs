@@ -4,7 +4,7 @@
 use super::carry::Joints;
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Block, Of, Term};
+use crate::expression::{Block, LabelledBodies, Term};
 use crate::list::{List, Square};
 use crate::matrix::{Screw, Vector};
 
@@ -84,7 +84,7 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
         let (index, frame) = joint.numbers();
         a.label(
             Block::LinearAcceleration
-                .of(Of::FromBase(index))
+                .of(LabelledBodies::FromBase(index))
                 .seen_in(frame),
         );
         accelerations.push(a);
@@ -95,7 +95,11 @@ fn rest<'g>(joints: &Joints<'g>, gravity: Vector<Term<'g>>, state: &State<'g>) -
     for (k, joint) in joints.numbered().rev() {
         let a = accelerations[k];
         let (index, frame) = joint.numbers();
-        moments[k].label(Block::Inertia.of(Of::Body(index)).seen_in(frame));
+        moments[k].label(
+            Block::Inertia
+                .of(LabelledBodies::Body(index))
+                .seen_in(frame),
+        );
         let (screw, mass) = (joint.screw, masses[k]);
         let couple = screw.u.dot(moments[k].cross(a));
         // A mass folds into a constant acceleration; beside a variable one, one product is enough.

@@ -11,7 +11,7 @@
 
 use std::collections::BTreeMap;
 
-use super::carry::{Joint, Joints};
+use super::carry::{DisplacedJoint, Joints};
 use super::derivatives::{Rates, Whole};
 use super::gradient::{Lambda, Weighted, WeightedMotion};
 use super::state::State;
@@ -180,7 +180,7 @@ struct Along<'g> {
 }
 
 impl<'g> Along<'g> {
-    fn of(joint: &Joint<'g>, rates: &Rates<'g>, weights: Screw<Term<'g>>) -> Self {
+    fn of(joint: &DisplacedJoint<'g>, rates: &Rates<'g>, weights: Screw<Term<'g>>) -> Self {
         Self {
             screw: joint.screw,
             weights,
@@ -211,7 +211,7 @@ struct Columns<'g> {
 impl<'g> Columns<'g> {
     /// Those of joint `k`, with its Ψλ and with Φ of all bodies that it carries.
     fn of(
-        (k, joint): (BodyId, &Joint<'g>),
+        (k, joint): (BodyId, &DisplacedJoint<'g>),
         rates: &Rates<'g>,
         weights: Screw<Term<'g>>,
         action: Action<Term<'g>>,
@@ -247,7 +247,7 @@ impl<'g> Columns<'g> {
     }
 
     /// The same for the parent body: what is carried inwards is in its frame.
-    fn inboard(self, joint: &Joint<'g>, gains: [Vector<Term<'g>>; 2]) -> Self {
+    fn inboard(self, joint: &DisplacedJoint<'g>, gains: [Vector<Term<'g>>; 2]) -> Self {
         let poses = [joint.displacement(), joint.placement].into_iter();
         poses.zip(gains).fold(self, |own, (pose, gain)| {
             let turned = Self {

@@ -6,7 +6,7 @@
 //! with them; it leaves the screws of joints inboard, whose b' follow the reference point, ∂b' = u' × b. So the part of
 //! b is symmetric, but between the velocities of one joint, each of which turns the screws of all.
 
-use super::carry::{Joint, Path};
+use super::carry::{DisplacedJoint, Path};
 use crate::chain::BodyId;
 use crate::expression::Term;
 use crate::list::Square;
@@ -19,11 +19,11 @@ pub fn geometric<'g>(path: &Path<'g>) -> [Square<BodyId, Term<'g>>; 6] {
     let mut entries = [(); 6].map(|()| Square::filled(zero, path.count));
     for (place, change) in changes(&screws(path)) {
         let change = match change {
-            Change::Turned(axis, screw) => Screw {
+            ScrewDerivative::Turned(axis, screw) => Screw {
                 u: axis.cross(screw.u),
                 b: axis.cross(screw.b),
             },
-            Change::Followed(axis, b) => Screw {
+            ScrewDerivative::Followed(axis, b) => Screw {
                 u: Vector::zero(zero.graph()),
                 b: axis.cross(b),
             },
@@ -42,24 +42,24 @@ pub fn contracted<'g>(path: &Path<'g>, wrench: Action<Term<'g>>) -> Square<BodyI
     let mut powers = Square::filled(zero, path.count);
     for ((coordinate, screw), change) in changes(&screws(path)) {
         powers[(screw, coordinate)] = match change {
-            Change::Turned(axis, screw) => {
+            ScrewDerivative::Turned(axis, screw) => {
                 axis.dot(screw.u.cross(wrench.c) + screw.b.cross(wrench.f))
             }
-            Change::Followed(axis, b) => axis.dot(b.cross(wrench.f)),
+            ScrewDerivative::Followed(axis, b) => axis.dot(b.cross(wrench.f)),
         };
     }
     powers
 }
 
 /// The derivative of a screw by a coordinate.
-enum Change<'g> {
+enum ScrewDerivative<'g> {
     /// A rotation about an axis that carries the screw and its reference point.
     Turned(Vector<Term<'g>>, Screw<Term<'g>>),
     /// A motion b of the reference point alone, of a screw with this axis.
     Followed(Vector<Term<'g>>, Vector<Term<'g>>),
 }
 
-type Placed<'g> = (Joint<'g>, Screw<Term<'g>>);
+type Placed<'g> = (DisplacedJoint<'g>, Screw<Term<'g>>);
 
 /// The joints, each with its screw in the axes of frame 0 and with the reference point at the frame.
 fn screws<'g>(path: &Path<'g>) -> Vec<Placed<'g>> {
@@ -70,7 +70,7 @@ fn screws<'g>(path: &Path<'g>) -> Vec<Placed<'g>> {
 }
 
 /// The derivatives that are not zero by structure, each with its coordinate and its screw.
-fn changes<'g>(screws: &[Placed<'g>]) -> Vec<((BodyId, BodyId), Change<'g>)> {
+fn changes<'g>(screws: &[Placed<'g>]) -> Vec<((BodyId, BodyId), ScrewDerivative<'g>)> {
     let mut changes = Vec::new();
     for (k, (joint, screw)) in screws.iter().enumerate() {
         // Those of the same joint that are further outboard have its displacement.
@@ -79,14 +79,17 @@ fn changes<'g>(screws: &[Placed<'g>]) -> Vec<((BodyId, BodyId), Change<'g>)> {
             .take_while(|(next, _)| next.taken)
             .count();
         // Its own axis stays.
-        let itself = Change::Followed(screw.u, screw.b);
+        let itself = ScrewDerivative::Followed(screw.u, screw.b);
         changes.push(((joint.body, joint.body), itself));
         for (further, (other, outer)) in screws[k + 1..].iter().enumerate() {
-            changes.push(((joint.body, other.body), Change::Turned(screw.u, *outer)));
+            changes.push((
+                (joint.body, other.body),
+                ScrewDerivative::Turned(screw.u, *outer),
+            ));
             let change = if further < own {
-                Change::Turned(outer.u, *screw)
+                ScrewDerivative::Turned(outer.u, *screw)
             } else {
-                Change::Followed(screw.u, outer.b)
+                ScrewDerivative::Followed(screw.u, outer.b)
             };
             changes.push(((other.body, joint.body), change));
         }

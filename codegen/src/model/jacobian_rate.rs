@@ -5,7 +5,7 @@
 //! screws of a joint with several are constant in the frame of the last body, and all move with it.
 
 use super::algorithm::Carried;
-use super::carry::{Joint, Path};
+use super::carry::{DisplacedJoint, Path};
 use super::jacobian::columns;
 use super::moving::velocities;
 use super::state::State;
@@ -103,14 +103,15 @@ pub fn body<'g>(path: &Path<'g>, state: &State<'g>) -> List<BodyId, Screw<Term<'
             (joint.body, rate)
         });
         found.extend(rates);
-        let joints: Vec<Joint<'g>> = together.iter().rev().map(|&(joint, _)| joint).collect();
+        let joints: Vec<DisplacedJoint<'g>> =
+            together.iter().rev().map(|&(joint, _)| joint).collect();
         w = joints[0].motion_inboard(w - own(&local(&joints), state));
     }
     columns(path, found.into_iter())
 }
 
 /// The screws of some bodies, each with its number, in the frame in which their poses are given.
-fn seen<'g>(bodies: &[(Joint<'g>, Pose<Term<'g>>)]) -> Vec<(BodyId, Screw<Term<'g>>)> {
+fn seen<'g>(bodies: &[(DisplacedJoint<'g>, Pose<Term<'g>>)]) -> Vec<(BodyId, Screw<Term<'g>>)> {
     let bodies = bodies.iter();
     bodies
         .map(|(joint, pose)| (joint.body, joint.screw.change_frame(*pose)))
@@ -118,7 +119,7 @@ fn seen<'g>(bodies: &[(Joint<'g>, Pose<Term<'g>>)]) -> Vec<(BodyId, Screw<Term<'
 }
 
 /// The same in the frames of the bodies.
-fn local<'g>(bodies: &[Joint<'g>]) -> Vec<(BodyId, Screw<Term<'g>>)> {
+fn local<'g>(bodies: &[DisplacedJoint<'g>]) -> Vec<(BodyId, Screw<Term<'g>>)> {
     let bodies = bodies.iter();
     bodies.map(|joint| (joint.body, joint.screw)).collect()
 }

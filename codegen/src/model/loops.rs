@@ -6,7 +6,7 @@
 //! loop, W and H by the composition rules (paper, eqs. 10 and 11), and W M and H M, the first and the second
 //! derivative of M.
 
-use super::carry::{self, Joint};
+use super::carry::{self, DisplacedJoint};
 use super::state::State;
 use super::{Algorithm, Scene};
 use crate::chain::BodyId;
@@ -98,10 +98,10 @@ fn seen<'g>(
     let [a, b] = closed.frames;
     let both = inwards(a).find(|k| inwards(b).any(|other| other == *k));
     let [a, b] = [a, b].map(|frame| carry::path_beyond(bodies, both, frame, state, algorithm));
-    let together = |_: &Joint<'g>, next: &Joint<'g>| next.taken;
+    let together = |_: &DisplacedJoint<'g>, next: &DisplacedJoint<'g>| next.taken;
     let mut pose = a.end.inverse();
     let mut joints = Vec::new();
-    let mut pass = |joints_of_one: &[Joint<'g>], pose: Pose<Term<'g>>, away: bool| {
+    let mut pass = |joints_of_one: &[DisplacedJoint<'g>], pose: Pose<Term<'g>>, away: bool| {
         let seen = joints_of_one.iter().map(|joint| {
             let screw = joint.screw.change_frame(pose);
             let screw = if away {

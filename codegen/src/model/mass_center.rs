@@ -8,7 +8,7 @@ use super::algorithm::Carried;
 use super::carry::{self, Joints};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Block, Of, Term};
+use crate::expression::{Block, LabelledBodies, Term};
 use crate::list::List;
 use crate::matrix::{Inertia, Vector};
 
@@ -36,7 +36,11 @@ impl<'s, 'g> MassCenter<'s, 'g> {
         for (k, joint) in joints.numbered().rev() {
             let (mass, q) = carried[k];
             let (index, frame) = joint.numbers();
-            q.label(Block::MassCenter.of(Of::Body(index)).seen_in(frame));
+            q.label(
+                Block::MassCenter
+                    .of(LabelledBodies::Body(index))
+                    .seen_in(frame),
+            );
             let inboard = joint.first_moment_inboard(q, mass);
             if let Some(parent) = joint.parent {
                 let (outer_mass, outer) = carried[parent];

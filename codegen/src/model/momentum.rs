@@ -4,7 +4,7 @@
 //! and the same change of frame, so that one type is used for both.
 
 use super::carry::{self, Joints};
-use super::newton_euler::{Moving, beyond};
+use super::newton_euler::{BodyMotion, beyond};
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -27,8 +27,8 @@ pub fn momentum<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> 
 
 /// Γ̇ at q̈ = 0: Φ = skew\[H J\] of all bodies without gravity, with the pole at the origin of frame 0.
 pub fn bias<'g>(joints: &Joints<'g>, state: &State<'g>) -> Action<Term<'g>> {
-    let rest = Moving::still(Acceleration::linear(Vector::zero(state.graph)));
-    let mut motions: List<BodyId, Moving<'g>> = List::new();
+    let rest = BodyMotion::still(Acceleration::linear(Vector::zero(state.graph)));
+    let mut motions: List<BodyId, BodyMotion<'g>> = List::new();
     let mut each = List::new();
     for joint in joints {
         let outer = joint.parent.map_or(rest, |parent| motions[parent]);

@@ -1,7 +1,7 @@
 //! Inverse dynamics by Newton and Euler (RNEA): accelerations H outwards, wrenches Φ = skew\[H J\] inwards, each in the
 //! frame of its joint's matrices.
 
-use super::carry::{Joint, Joints};
+use super::carry::{DisplacedJoint, Joints};
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -20,9 +20,9 @@ pub fn inverse_dynamics<'g>(
 }
 
 /// A motion with its wrenches and torques, each in the frame of its joint's matrices.
-pub struct Motion<'g> {
+pub struct Dynamics<'g> {
     /// The motion of each body.
-    pub motions: List<BodyId, Moving<'g>>,
+    pub motions: List<BodyId, BodyMotion<'g>>,
     /// Φ of all bodies that each joint carries, less the external wrenches.
     pub actions: List<BodyId, Action<Term<'g>>>,
     /// τ of each body.
@@ -36,10 +36,10 @@ pub fn motion<'g>(
     state: &State<'g>,
     qdd: &List<BodyId, Term<'g>>,
     external: &[(BodyId, Action<Term<'g>>)],
-) -> Motion<'g> {
+) -> Dynamics<'g> {
     // Gravity is replaced by the opposite acceleration of the base.
-    let base = Moving::still(Acceleration::linear(-gravity));
-    let mut motions: List<BodyId, Moving<'g>> = List::new();
+    let base = BodyMotion::still(Acceleration::linear(-gravity));
+    let mut motions: List<BodyId, BodyMotion<'g>> = List::new();
     let mut actions: List<BodyId, Action<Term<'g>>> = List::new();
     for (k, joint) in joints.numbered() {
         let outer = joint.parent.map_or(base, |parent| motions[parent]);
@@ -69,7 +69,7 @@ pub fn motion<'g>(
             actions[parent] = actions[parent] + carried;
         }
     }
-    Motion {
+    Dynamics {
         motions,
         actions,
         tau,
@@ -78,7 +78,7 @@ pub fn motion<'g>(
 
 /// The motion of a body, in the frame of its joint's matrices.
 #[derive(Clone, Copy)]
-pub struct Moving<'g> {
+pub struct BodyMotion<'g> {
     /// H.
     pub h: Acceleration<Term<'g>>,
     /// ω of its joint's parent body.
@@ -87,7 +87,7 @@ pub struct Moving<'g> {
     pub relative: Vector<Term<'g>>,
 }
 
-impl<'g> Moving<'g> {
+impl<'g> BodyMotion<'g> {
     /// The motion of a body that no joint moves.
     pub fn still(h: Acceleration<Term<'g>>) -> Self {
         Self {
@@ -104,11 +104,11 @@ impl<'g> Moving<'g> {
 /// For a joint with several velocities, Wⱼₖ = Σ L q̇ is in the frame of its last body, where all L are constant:
 /// Hⱼₖ = Σ L q̈ + Wⱼₖ², to which each L adds its products with those before it.
 pub fn beyond<'g>(
-    outer: Moving<'g>,
-    joint: &Joint<'g>,
+    outer: BodyMotion<'g>,
+    joint: &DisplacedJoint<'g>,
     rate: Term<'g>,
     second: Term<'g>,
-) -> Moving<'g> {
+) -> BodyMotion<'g> {
     let (carried, offset) = seen(outer.h, joint);
     let (u, b) = (joint.screw.u, joint.screw.b);
     let (angular, linear) = (u * rate, b * rate);
@@ -126,7 +126,7 @@ pub fn beyond<'g>(
         omega_dot: carried.omega_dot + u * second + base.cross(angular),
         a: carried.point(offset) + b * second + coriolis,
     };
-    Moving {
+    BodyMotion {
         h,
         outer: base,
         relative,
@@ -136,7 +136,7 @@ pub fn beyond<'g>(
 /// H of a joint's parent body, in the axes of the joint's matrices, and the offset from its pole to theirs.
 pub fn seen<'g>(
     outer: Acceleration<Term<'g>>,
-    joint: &Joint<'g>,
+    joint: &DisplacedJoint<'g>,
 ) -> (Acceleration<Term<'g>>, Vector<Term<'g>>) {
     let placed = outer
         .move_pole(joint.placement.translation)

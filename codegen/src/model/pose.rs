@@ -4,7 +4,7 @@
 
 use super::algorithm::Carried;
 use super::carry::Path;
-use crate::expression::{Block, Numeral, Of, Term};
+use crate::expression::{Block, LabelledBodies, Numeral, Term};
 use crate::matrix::{Pose, Rotation, Vector};
 
 /// M of the frame at the end of a path, by rows.
@@ -46,8 +46,8 @@ fn label(
 ) {
     for (k, column) in columns.into_iter().enumerate() {
         if by_product != Some(k) {
-            column.label(Block::Axis(k).of(Of::TipFrom(index)));
+            column.label(Block::Axis(k).of(LabelledBodies::TipFrom(index)));
         }
     }
-    origin.label(Block::Origin.of(Of::TipFrom(index)));
+    origin.label(Block::Origin.of(LabelledBodies::TipFrom(index)));
 }

@@ -6,10 +6,10 @@
 //! link: L is passed outwards, one screw a joint, instead of ten wrenches inwards. ½ Tr(W J Wᵗ) and −Tr(H_g J) are
 //! linear in J too.
 
-use super::carry::{Joint, Joints};
+use super::carry::{DisplacedJoint, Joints};
 use super::gradient::Lambda;
 use super::moving;
-use super::newton_euler::{Moving, beyond};
+use super::newton_euler::{BodyMotion, beyond};
 use super::state::State;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -67,13 +67,13 @@ pub fn motions<'g>(
 
 /// The motion of a body, after those inboard of it.
 fn moved<'g>(
-    all: &List<BodyId, Moving<'g>>,
-    joint: &Joint<'g>,
+    all: &List<BodyId, BodyMotion<'g>>,
+    joint: &DisplacedJoint<'g>,
     gravity: Vector<Term<'g>>,
     state: &State<'g>,
     second: Term<'g>,
-) -> Moving<'g> {
-    let base = Moving::still(Acceleration::linear(-gravity));
+) -> BodyMotion<'g> {
+    let base = BodyMotion::still(Acceleration::linear(-gravity));
     let outer = joint.parent.map_or(base, |parent| all[parent]);
     let moving = beyond(outer, joint, state.qd(joint.body), second);
     let (index, frame) = joint.numbers();

@@ -2,24 +2,24 @@
 //! pose is needed; or, with matrices in frame 0, composed outwards, so that parallel axes, which are most often at the
 //! base, meet in the sums.
 
-use super::carry::{Joint, Path};
-use super::newton_euler::{Moving, beyond};
+use super::carry::{DisplacedJoint, Path};
+use super::newton_euler::{BodyMotion, beyond};
 use super::state::State;
 use crate::chain::BodyId;
-use crate::expression::{Of, Term};
+use crate::expression::{LabelledBodies, Term};
 use crate::formulation::Frame;
 use crate::matrix::{Acceleration, Pose, Vector, Velocity};
 
 /// W of the frame at the end of a path: ω, v₀.
 pub fn velocity<'g>(path: &Path<'g>, state: &State<'g>) -> Vec<Term<'g>> {
-    let own = |joint: &Joint<'g>| Velocity::of_screw(joint.screw, state.qd(joint.body));
+    let own = |joint: &DisplacedJoint<'g>| Velocity::of_screw(joint.screw, state.qd(joint.body));
     let (rest, joints) = (Velocity::zero(state.graph), path.joints.iter());
     let w = match path.frame {
         Frame::Base => joints.fold(rest, |w, joint| w + own(joint)),
         Frame::Link => joints.rev().fold(rest, |w, joint| {
             let w = joint.motion_inboard(own(joint) + w);
             let index = joint.outer_frame_number();
-            w.label(Of::TipFrom(index), index);
+            w.label(LabelledBodies::TipFrom(index), index);
             w
         }),
     };
@@ -38,7 +38,7 @@ pub fn acceleration<'g>(
             let motion = path
                 .joints
                 .iter()
-                .fold(Moving::still(rest), |outer, joint| {
+                .fold(BodyMotion::still(rest), |outer, joint| {
                     beyond(outer, joint, state.qd(joint.body), second(joint.body))
                 });
             motion.h
@@ -56,7 +56,7 @@ pub fn acceleration_with_dynamics<'g>(
     state: &State<'g>,
     second: impl Fn(BodyId) -> Term<'g>,
 ) -> Vec<Term<'g>> {
-    let base = Moving::still(Acceleration::linear(-gravity));
+    let base = BodyMotion::still(Acceleration::linear(-gravity));
     let motion = path.joints.iter().fold(base, |outer, joint| {
         beyond(outer, joint, state.qd(joint.body), second(joint.body))
     });

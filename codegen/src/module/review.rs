@@ -6,7 +6,7 @@ use crate::space::Variable;
 #[derive(Clone, Debug, Default)]
 pub struct Review {
     /// Test vectors.
-    pub vectors: Vec<Vector>,
+    pub vectors: Vec<TestVector>,
     /// Origins of inertial numbers, for each layout of the frames.
     pub origins: Vec<Origins>,
     /// Merged links, and the link whose body each became part of.
@@ -15,7 +15,7 @@ pub struct Review {
 
 /// Test vector: expected results of a function at a state, computed without its program.
 #[derive(Clone, Debug)]
-pub struct Vector {
+pub struct TestVector {
     /// Index of the function in the module.
     pub function: usize,
     /// Arguments, rounded to the scalar type.

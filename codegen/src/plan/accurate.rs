@@ -4,9 +4,9 @@
 //! cheapest program that is accurate enough by its [`Measure`]; if there is none, the cheapest of those that lose
 //! little more than the best; or an error if none leaves half of the digits.
 
-use super::forward::{self, Form};
+use super::forward::{self, ForwardForm};
 use super::measured::{ENOUGH, Measure, MeasuredError};
-use super::search::{Found, Search};
+use super::search::{ChosenProgram, Search};
 use super::solvable::Worst;
 use crate::error::Errors;
 
@@ -28,7 +28,7 @@ const fn is_dear(cost: usize, least: usize) -> bool {
 ///
 /// # Errors
 /// If no form leaves half of the digits.
-pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<Found, Errors> {
+pub(super) fn accurate(search: &Search<'_>, worst: Worst) -> Result<ChosenProgram, Errors> {
     let mut trial = Trial::of(search, worst);
     for forms in forward::groups(search.chain, search.functions, search.formulation) {
         for form in forms {
@@ -58,18 +58,18 @@ struct Trial<'s> {
     search: &'s Search<'s>,
     measure: Measure<'s>,
     /// The cheapest program that is accurate enough, with its cost.
-    best: Option<(usize, Found)>,
+    best: Option<(usize, ChosenProgram)>,
     /// Programs that are not, in the order in which they were measured.
     tried: Vec<Tried>,
     /// The same forms in more expensive layouts, with their costs; not measured yet.
-    costlier: Vec<(usize, Found)>,
+    costlier: Vec<(usize, ChosenProgram)>,
 }
 
 /// A program that is not accurate enough.
 struct Tried {
     /// Its cost.
     cost: usize,
-    found: Found,
+    found: ChosenProgram,
     /// True if it is the cheapest of all layouts; false if the form was tried in one.
     is_cheapest: bool,
 }
@@ -92,7 +92,7 @@ impl<'s> Trial<'s> {
         }
     }
 
-    fn measured(&mut self, mut found: Found) -> Found {
+    fn measured(&mut self, mut found: ChosenProgram) -> ChosenProgram {
         if !found.error.is_measured() {
             found.error = self.measure.error(&found.program);
         }
@@ -100,7 +100,7 @@ impl<'s> Trial<'s> {
     }
 
     /// Measures a form in its cheapest layout, if it can still be the cheapest.
-    fn measure(&mut self, form: Form) {
+    fn measure(&mut self, form: ForwardForm) {
         let mut made = Vec::new();
         // A form that costs far more in the layout of the best one is not tried in others.
         if let Some((least, before)) = &self.best {
@@ -144,15 +144,15 @@ impl<'s> Trial<'s> {
 
     /// The cheapest that is accurate enough. Frames far from their bodies may cause the loss of a form, so other
     /// layouts are tried before a more expensive form is taken.
-    fn accurate(&mut self) -> Option<(usize, Found)> {
+    fn accurate(&mut self) -> Option<(usize, ChosenProgram)> {
         let costlier = std::mem::take(&mut self.costlier);
         self.take_cheapest(costlier);
         let waiting = self
             .tried
             .iter()
             .filter(|tried| !tried.is_cheapest && !tried.is_far());
-        let waiting: Vec<(usize, Form)> = waiting
-            .map(|tried| (tried.cost, Form::of(tried.found.algorithm)))
+        let waiting: Vec<(usize, ForwardForm)> = waiting
+            .map(|tried| (tried.cost, ForwardForm::of(tried.found.algorithm)))
             .collect();
         for (cost, form) in waiting {
             if (self.best.as_ref()).is_none_or(|(least, _)| !is_dear(cost, *least)) {
@@ -164,7 +164,7 @@ impl<'s> Trial<'s> {
     }
 
     /// Replaces the best program by the cheapest of some that is accurate enough, if there is a cheaper one.
-    fn take_cheapest(&mut self, mut programs: Vec<(usize, Found)>) {
+    fn take_cheapest(&mut self, mut programs: Vec<(usize, ChosenProgram)>) {
         if let Some((least, _)) = &self.best {
             programs.retain(|(cost, _)| cost < least);
         }
@@ -178,9 +178,9 @@ impl<'s> Trial<'s> {
     }
 
     /// The same with inertias that are rotated in full, if that halves the loss for little.
-    fn safer(&mut self, cost: usize, found: Found) -> Found {
-        let full = Form::full(found.algorithm.forward);
-        if found.error.worst <= BARELY || full == Form::of(found.algorithm) {
+    fn safer(&mut self, cost: usize, found: ChosenProgram) -> ChosenProgram {
+        let full = ForwardForm::full(found.algorithm.forward);
+        if found.error.worst <= BARELY || full == ForwardForm::of(found.algorithm) {
             return found;
         }
         let (more, full) = self.search.like(&found, full, &mut Vec::new());
@@ -197,7 +197,7 @@ impl<'s> Trial<'s> {
 
     /// The cheapest of those that lose little more than the best, if none is accurate enough. All forms lose digits
     /// near singular configurations. A loss a few times larger matters less than an inverse that does not invert.
-    fn nearly_as_good(mut self, least: f64) -> Found {
+    fn nearly_as_good(mut self, least: f64) -> ChosenProgram {
         let mut good = std::mem::take(&mut self.tried);
         let solves = |Tried { found, .. }: &Tried| {
             found.error.worst <= FAR * least && self.measure.unsolved(&found.program) <= ENOUGH
@@ -214,7 +214,7 @@ impl<'s> Trial<'s> {
             if tried.is_cheapest {
                 return (tried.cost, tried.found);
             }
-            let (cost, found) = self.search.best(Form::of(tried.found.algorithm));
+            let (cost, found) = self.search.best(ForwardForm::of(tried.found.algorithm));
             (cost, self.measured(found))
         });
         let best = weighed.min_by_key(|(cost, _)| *cost);

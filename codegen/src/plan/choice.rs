@@ -5,9 +5,9 @@
 //! algorithms. Functions that solve an equation are left to [`accurate`], which finds a form that loses few digits.
 
 use super::accurate::accurate;
-use super::forward::{self, Form};
+use super::forward::{self, ForwardForm};
 use super::identifiable::settled;
-use super::search::{Found, Search};
+use super::search::{ChosenProgram, Search};
 use super::solvable::solvable;
 use super::weighable::weighable;
 use crate::chain::Chain;
@@ -35,7 +35,7 @@ pub(super) fn cheapest(
     functions: &[Function],
     frame: FrameId,
     scalar: Real,
-) -> Result<Found, Errors> {
+) -> Result<ChosenProgram, Errors> {
     if functions.iter().any(|function| function.is_of_mass()) {
         weighable(chain)?;
     }
@@ -49,14 +49,14 @@ pub(super) fn cheapest(
             |function: &Function| function.is_constrained() && !function.wants_actuators();
         if functions.iter().any(inverts) {
             solvable(chain)?;
-            return Ok(search.best(Form::full(Forward::UNREFINED)).1);
+            return Ok(search.best(ForwardForm::full(Forward::UNREFINED)).1);
         }
-        return Ok(search.best(Form::sparing(Forward::UNREFINED)).1);
+        return Ok(search.best(ForwardForm::sparing(Forward::UNREFINED)).1);
     }
     let worst = solvable(chain)?;
     if let Some(asked) = formulation.forward {
         forward::check(chain, asked)?;
-        return Ok(search.best(Form::sparing(asked)).1);
+        return Ok(search.best(ForwardForm::sparing(asked)).1);
     }
     accurate(&search, worst)
 }

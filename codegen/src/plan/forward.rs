@@ -23,12 +23,12 @@ const DOUBTFUL: f64 = 10.0 * LIMIT;
 
 /// A form of forward dynamics, and the change of frame of inertias that it uses.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Form {
+pub(super) struct ForwardForm {
     pub(super) forward: Forward,
     congruence: Congruence,
 }
 
-impl Form {
+impl ForwardForm {
     const fn refined(refinements: usize) -> Self {
         Self::sparing(Forward::MassMatrix { refinements })
     }
@@ -74,16 +74,16 @@ pub(super) fn groups(
     chain: &Chain,
     functions: &[Function],
     formulation: Formulation,
-) -> Vec<Vec<Form>> {
+) -> Vec<Vec<ForwardForm>> {
     const COMPARED: usize = 8;
     const DEARER: usize = 20;
-    let [plain, once, twice] = [0, 1, 2].map(Form::refined);
+    let [plain, once, twice] = [0, 1, 2].map(ForwardForm::refined);
     // In frame 0 inertias are not rotated from body to body.
-    let full = (formulation.frame == Frame::Link).then_some(Form::full(plain.forward));
+    let full = (formulation.frame == Frame::Link).then_some(ForwardForm::full(plain.forward));
     // A mimic joint closes a loop, which the articulated-body algorithm does not cover.
     let open = formulation.frame == Frame::Link && chain.all_lead();
-    let bodies = open.then_some(Form::sparing(Forward::Articulated));
-    let full_bodies = open.then_some(Form::full(Forward::Articulated));
+    let bodies = open.then_some(ForwardForm::sparing(Forward::Articulated));
+    let full_bodies = open.then_some(ForwardForm::full(Forward::Articulated));
     if open && chain.is_long() {
         let each = bodies.into_iter().chain(full_bodies);
         return each.map(|form| vec![form]).collect();

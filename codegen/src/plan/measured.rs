@@ -23,7 +23,7 @@ use crate::real::Real;
 use crate::schedule::{LANES, Lanes, Program, run};
 use crate::space::{Arguments, FrameId};
 use rounded::{Plain, Rounded, Single};
-use states::{Angles, States};
+use states::{AngleRange, StateRanges};
 
 /// The largest error allowed, relative to the largest result, in a thousand states \[u\].
 pub(super) const LIMIT: f64 = 100.0;
@@ -62,11 +62,11 @@ pub(super) struct Measure<'c> {
     solved: Vec<Solved>,
     /// The mass matrix, if an inverse of it is among the results.
     mass: Option<Evaluation<Double>>,
-    states: States<'c>,
+    states: StateRanges<'c>,
     /// The states within the limits that have been needed.
-    limited: Vec<State>,
+    limited: Vec<ReferenceState>,
     /// The states at any angles that have been needed.
-    any: Vec<State>,
+    any: Vec<ReferenceState>,
 }
 
 /// A function that solves an equation.
@@ -168,7 +168,7 @@ impl Tried {
 }
 
 /// A state, with the exact results of each function that solves an equation.
-struct State {
+struct ReferenceState {
     arguments: Arguments<f64>,
     exact: Vec<Vec<Double>>,
     mass: Vec<Double>,
@@ -221,7 +221,7 @@ impl<'c> Measure<'c> {
             scalar,
             solved,
             mass: inverts.then(|| exactly(Function::MassMatrix)),
-            states: States::of(chain, scalar),
+            states: StateRanges::of(chain, scalar),
             limited: Vec::new(),
             any: Vec::new(),
         }
@@ -230,14 +230,14 @@ impl<'c> Measure<'c> {
     /// The error in the worst of a thousand states, estimated from a few, relative to the largest result, in units of
     /// the type's roundoff: within the limits and, if it is small there, at any angles. Infinite if a result is NaN.
     pub(super) fn error(&mut self, program: &Program) -> MeasuredError {
-        let mut any = self.tried(program, Angles::Any, 0..FIRST);
+        let mut any = self.tried(program, AngleRange::Any, 0..FIRST);
         let is_negligible = any.iter().all(|tried| tried.error <= NOTHING);
         let (mut error, mut tried) = self.limited(program, is_negligible);
         if error.worst <= ENOUGH && tried.len() == STATES {
             if program.steps.len() > LONG {
                 error.worst = error.worst.max(estimated(&mut any));
             } else {
-                any.extend(self.tried(program, Angles::Any, FIRST..STATES));
+                any.extend(self.tried(program, AngleRange::Any, FIRST..STATES));
             }
         }
         error.random = tried.len() + any.len();
@@ -258,9 +258,9 @@ impl<'c> Measure<'c> {
     /// The same, with the program at each state, worst first; at a few if its errors there are negligible, and it may
     /// stop at them.
     fn limited(&mut self, program: &Program, may_stop: bool) -> (MeasuredError, Vec<Tried>) {
-        let mut tried = self.tried(program, Angles::Limited, 0..FIRST);
+        let mut tried = self.tried(program, AngleRange::Limited, 0..FIRST);
         if !(may_stop && tried.iter().all(|tried| tried.error <= NOTHING)) {
-            tried.extend(self.tried(program, Angles::Limited, FIRST..STATES));
+            tried.extend(self.tried(program, AngleRange::Limited, FIRST..STATES));
         }
         let error = MeasuredError {
             worst: estimated(&mut tried),
@@ -275,7 +275,7 @@ impl<'c> Measure<'c> {
     pub(super) fn unsolved(&self, program: &Program) -> f64 {
         let inverts = self.mass.is_some();
         let states = self.limited.iter().filter(|_| inverts);
-        let states: Vec<&State> = states.collect();
+        let states: Vec<&ReferenceState> = states.collect();
         let found = self.found(program, &states);
         let unsolved = found
             .iter()
@@ -321,25 +321,25 @@ impl<'c> Measure<'c> {
     fn tried(
         &mut self,
         program: &Program,
-        angles: Angles,
+        angles: AngleRange,
         numbers: std::ops::Range<usize>,
     ) -> Vec<Tried> {
         let of = |measure: &Self| match angles {
-            Angles::Limited => measure.limited.len(),
-            Angles::Any => measure.any.len(),
+            AngleRange::Limited => measure.limited.len(),
+            AngleRange::Any => measure.any.len(),
         };
         for number in of(self)..numbers.end {
             let state = self.exactly(self.states.numbered(number, angles));
             match angles {
-                Angles::Limited => self.limited.push(state),
-                Angles::Any => self.any.push(state),
+                AngleRange::Limited => self.limited.push(state),
+                AngleRange::Any => self.any.push(state),
             }
         }
         let states = match angles {
-            Angles::Limited => &self.limited[numbers],
-            Angles::Any => &self.any[numbers],
+            AngleRange::Limited => &self.limited[numbers],
+            AngleRange::Any => &self.any[numbers],
         };
-        let states: Vec<&State> = states.iter().collect();
+        let states: Vec<&ReferenceState> = states.iter().collect();
         let found = self.found(program, &states);
         let tried = states.iter().zip(&found);
         tried
@@ -348,10 +348,10 @@ impl<'c> Measure<'c> {
     }
 
     /// A state with the exact results.
-    fn exactly(&self, arguments: Arguments<f64>) -> State {
+    fn exactly(&self, arguments: Arguments<f64>) -> ReferenceState {
         let input = |input| Double::from(at(&arguments, self.chain, input));
         let exact = self.solved.iter().map(|solved| solved.exactly.at(input));
-        State {
+        ReferenceState {
             exact: exact.collect(),
             mass: self.mass.iter().flat_map(|mass| mass.at(input)).collect(),
             arguments,
@@ -359,7 +359,7 @@ impl<'c> Measure<'c> {
     }
 
     /// The errors of the results of a program at a state.
-    fn judged(&self, state: &State, found: &[f64]) -> Tried {
+    fn judged(&self, state: &ReferenceState, found: &[f64]) -> Tried {
         let (mut error, mut relative) = (0.0_f64, 0.0_f64);
         for (solved, exact) in self.solved.iter().zip(&state.exact) {
             let size = largest(exact.iter().map(|exact| exact.to_f64()));
@@ -383,15 +383,16 @@ impl<'c> Measure<'c> {
     }
 
     /// The results of a program in each of some states.
-    fn found(&self, program: &Program, states: &[&State]) -> Vec<Vec<f64>> {
+    fn found(&self, program: &Program, states: &[&ReferenceState]) -> Vec<Vec<f64>> {
         match self.scalar {
             Real::F32 => self.rounded::<Single>(program, states),
             Real::F64 | Real::Generic => self.rounded::<Plain>(program, states),
         }
     }
 
-    fn rounded<T: Rounded>(&self, program: &Program, states: &[&State]) -> Vec<Vec<f64>> {
-        let entry = |state: &State, input| T::literal(at(&state.arguments, self.chain, input));
+    fn rounded<T: Rounded>(&self, program: &Program, states: &[&ReferenceState]) -> Vec<Vec<f64>> {
+        let entry =
+            |state: &ReferenceState, input| T::literal(at(&state.arguments, self.chain, input));
         let together = states.chunks(LANES).flat_map(|states| {
             if let [state] = states {
                 let found = run::<T>(program, |input| entry(state, input));
@@ -407,7 +408,7 @@ impl<'c> Measure<'c> {
     }
 
     /// The largest entry of M M⁻¹ − I, relative to the terms of its sum, in units that make all Mᵢᵢ = 1.
-    fn residual(&self, found: &[f64], state: &State) -> f64 {
+    fn residual(&self, found: &[f64], state: &ReferenceState) -> f64 {
         let count = self.chain.spaces().velocities.len();
         let units: Vec<f64> = (state.mass.iter().step_by(count + 1))
             .map(|entry| entry.to_f64().max(0.0).sqrt())

@@ -39,12 +39,12 @@ pub fn program_by(
 /// Programs of a chain for bounds, each made once, when it is first needed.
 pub struct Programs<'c> {
     chain: &'c Chain,
-    made: RefCell<Vec<(Key, Rc<Program>)>>,
+    made: RefCell<Vec<(ProgramKey, Rc<Program>)>>,
 }
 
 /// The inputs that determine a program.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Key {
+enum ProgramKey {
     Function(Function, Layout, Algorithm),
     Equation(Layout, Algorithm, bool),
     EquationAtRest(Layout, Algorithm),
@@ -85,7 +85,7 @@ impl<'c> Programs<'c> {
         layout: Layout,
         algorithm: Algorithm,
     ) -> Rc<Program> {
-        self.get(Key::Function(function, layout, algorithm), || {
+        self.get(ProgramKey::Function(function, layout, algorithm), || {
             program_by(self.chain, &[function], FrameId::FIRST, layout, algorithm)
         })
     }
@@ -99,16 +99,19 @@ impl<'c> Programs<'c> {
         algorithm: Algorithm,
         has_residual: bool,
     ) -> Rc<Program> {
-        self.get(Key::Equation(layout, algorithm, has_residual), || {
-            compiled(self.chain, layout, |graph, bodies| {
-                equation(graph, bodies, algorithm, has_residual)
-            })
-        })
+        self.get(
+            ProgramKey::Equation(layout, algorithm, has_residual),
+            || {
+                compiled(self.chain, layout, |graph, bodies| {
+                    equation(graph, bodies, algorithm, has_residual)
+                })
+            },
+        )
     }
 
     /// The program of the derivatives of torques by q and q̇, at such accelerations.
     pub fn torque_derivatives(&self, layout: Layout, algorithm: Algorithm) -> Rc<Program> {
-        self.get(Key::TorqueDerivatives(layout, algorithm), || {
+        self.get(ProgramKey::TorqueDerivatives(layout, algorithm), || {
             compiled(self.chain, layout, |graph, bodies| {
                 torque_derivatives(graph, bodies, algorithm)
             })
@@ -117,14 +120,14 @@ impl<'c> Programs<'c> {
 
     /// The program of the fall of a floating base: its acceleration, and the derivatives of it by q and q̇.
     pub fn free_fall(&self, layout: Layout) -> Rc<Program> {
-        self.get(Key::FreeFall(layout), || {
+        self.get(ProgramKey::FreeFall(layout), || {
             compiled(self.chain, layout, free_fall)
         })
     }
 
     /// The same as [`equation`](Self::equation) for the refinement of the inverse of the mass matrix.
     pub fn equation_at_rest(&self, layout: Layout, algorithm: Algorithm) -> Rc<Program> {
-        self.get(Key::EquationAtRest(layout, algorithm), || {
+        self.get(ProgramKey::EquationAtRest(layout, algorithm), || {
             compiled(self.chain, layout, |graph, bodies| {
                 equation_at_rest(graph, bodies, algorithm)
             })
@@ -157,7 +160,7 @@ impl<'c> Programs<'c> {
         }
     }
 
-    fn get(&self, key: Key, make: impl FnOnce() -> Program) -> Rc<Program> {
+    fn get(&self, key: ProgramKey, make: impl FnOnce() -> Program) -> Rc<Program> {
         let made = self.made.borrow();
         let before = made.iter().find(|(other, _)| *other == key);
         if let Some((_, program)) = before {

@@ -2,9 +2,9 @@
 //!
 //! In: a chain, the functions that are requested together, a formulation, a processor. Out: for a form, the program
 //! with the least cost, over all layouts of the frames and all algorithms or over some. Costs alone decide; callers
-//! measure the error and note it in a [`Found`].
+//! measure the error and note it in a [`ChosenProgram`].
 
-use super::forward::Form;
+use super::forward::ForwardForm;
 use super::measured::MeasuredError;
 use super::program::expressions_by;
 use crate::chain::Chain;
@@ -18,7 +18,7 @@ use crate::schedule::{OperationCount, Program, schedule, schedule_unfused};
 use crate::space::FrameId;
 
 /// A program with its layout and algorithm.
-pub(super) struct Found {
+pub(super) struct ChosenProgram {
     pub(super) program: Program,
     pub(super) layout: Layout,
     pub(super) algorithm: Algorithm,
@@ -66,13 +66,17 @@ impl<'a> Search<'a> {
 
     /// The cheapest program in a form of forward dynamics, over all layouts and algorithms; its error has not been
     /// measured.
-    pub(super) fn best(&self, form: Form) -> (usize, Found) {
+    pub(super) fn best(&self, form: ForwardForm) -> (usize, ChosenProgram) {
         self.within(form, &self.layouts, &self.algorithms, &mut Vec::new())
     }
 
     /// The cheapest program of each layout, the cheapest layout first; once, if layouts give the same program. Takes
     /// programs of this form that have been made.
-    pub(super) fn by_cost(&self, form: Form, mut made: Vec<(usize, Found)>) -> Vec<(usize, Found)> {
+    pub(super) fn by_cost(
+        &self,
+        form: ForwardForm,
+        mut made: Vec<(usize, ChosenProgram)>,
+    ) -> Vec<(usize, ChosenProgram)> {
         let layouts = self.layouts.chunks(1);
         let mut found: Vec<_> = layouts
             .map(|layout| self.within(form, layout, &self.algorithms, &mut made))
@@ -85,26 +89,26 @@ impl<'a> Search<'a> {
     /// The program in the layout and by the algorithm of another one. Takes a program that has been made.
     pub(super) fn like(
         &self,
-        other: &Found,
-        form: Form,
-        made: &mut Vec<(usize, Found)>,
-    ) -> (usize, Found) {
+        other: &ChosenProgram,
+        form: ForwardForm,
+        made: &mut Vec<(usize, ChosenProgram)>,
+    ) -> (usize, ChosenProgram) {
         self.within(form, &[other.layout], &[other.algorithm], made)
     }
 
     /// The same as [`best`](Self::best), over some layouts and algorithms. Takes programs that have been made.
     fn within(
         &self,
-        form: Form,
+        form: ForwardForm,
         layouts: &[Layout],
         algorithms: &[Algorithm],
-        made: &mut Vec<(usize, Found)>,
-    ) -> (usize, Found) {
+        made: &mut Vec<(usize, ChosenProgram)>,
+    ) -> (usize, ChosenProgram) {
         // Articulated inertias must be those of physical bodies, and a refinement is as good as its residual: regrouped
         // parameters contain masses of heavy neighbours, and their rounding errors are of that size.
         let physical =
             form.forward != Forward::UNREFINED || self.formulation.parameters == Parameters::Raw;
-        let mut best: Option<(usize, Found)> = None;
+        let mut best: Option<(usize, ChosenProgram)> = None;
         for &layout in layouts {
             let regroup = layout.regroup && !physical;
             let layout = Layout { regroup, ..layout };
@@ -129,7 +133,7 @@ impl<'a> Search<'a> {
     }
 
     /// The program of a layout and an algorithm, and its cost.
-    fn make(&self, layout: Layout, algorithm: Algorithm) -> (usize, Found) {
+    fn make(&self, layout: Layout, algorithm: Algorithm) -> (usize, ChosenProgram) {
         let (chain, functions) = (self.chain, self.functions);
         let (graph, results) = expressions_by(chain, functions, self.frame, layout, algorithm);
         let schedule = match self.formulation.products {
@@ -138,7 +142,7 @@ impl<'a> Search<'a> {
         };
         let program = schedule(&graph, &results);
         let cost = OperationCount::of(&program).weight(self.processor, self.scalar);
-        let found = Found {
+        let found = ChosenProgram {
             program,
             layout,
             algorithm,

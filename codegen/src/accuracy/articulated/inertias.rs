@@ -7,7 +7,7 @@
 use std::f64::consts::SQRT_2;
 use std::{cmp, ops};
 
-use super::sizes::{Link, Pair};
+use super::sizes::{LinkSizes, Pair};
 use crate::accuracy::mobility::Mobility;
 use crate::accuracy::solved::UNCERTAIN;
 use crate::chain::BodyId;
@@ -103,7 +103,7 @@ pub(super) struct Outboard {
 /// # Errors
 /// If rounding may take more than [`SPOILT`] of the energy.
 pub(super) fn outboard(
-    links: &List<BodyId, Link>,
+    links: &List<BodyId, LinkSizes>,
     mobility: &Mobility,
     scalar: Real,
     step: impl Fn(BodyId, &[Value]) -> Result<Vec<Value>, &'static str>,

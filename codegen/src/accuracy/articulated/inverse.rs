@@ -7,7 +7,7 @@ use std::cmp;
 
 use super::Articulated;
 use super::inertias::{SPOILT, TRUST, errors};
-use super::recursion::Steps;
+use super::recursion::RoundedRecursion;
 use super::sizes::Pair;
 use crate::accuracy::error_bounds::{Accuracy, RoundingModel, Worst, beside_diagonal};
 use crate::accuracy::solved::{UNCERTAIN, underflow};
@@ -18,12 +18,12 @@ impl Articulated<'_> {
     #[must_use]
     pub fn inverse(&self, rounding: RoundingModel) -> Accuracy {
         beside_diagonal(self.chain, &self.steps(), rounding, |scalar| {
-            Steps::of(self, rounding, scalar)?.shares()
+            RoundedRecursion::of(self, rounding, scalar)?.shares()
         })
     }
 }
 
-impl Steps<'_, '_> {
+impl RoundedRecursion<'_, '_> {
     /// For each row the largest error of an entry, in units of √((M⁻¹)ᵢᵢ (M⁻¹)ⱼⱼ).
     fn shares(&self) -> Worst {
         let Articulated {

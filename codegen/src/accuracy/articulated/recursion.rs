@@ -6,7 +6,7 @@
 use std::rc::Rc;
 
 use super::inertias::{Outboard, around_zero, outboard};
-use super::sizes::{Link, Pair};
+use super::sizes::{LinkSizes, Pair};
 use crate::accuracy::error_bounds::{RoundingModel, value, values};
 use crate::accuracy::free_fall::FreeFall;
 use crate::accuracy::mobility::{Mobility, mobility};
@@ -27,7 +27,7 @@ pub struct Articulated<'c> {
     pub(super) chain: &'c Chain,
     pub(super) range: Range,
     pub(super) mobility: Mobility,
-    pub(super) links: List<BodyId, Link>,
+    pub(super) links: List<BodyId, LinkSizes>,
     pub(super) programs: Recursion,
     /// The fall of a floating base, to which the accelerations of the recursion are relative.
     pub(super) fall: Rc<Program>,
@@ -51,8 +51,8 @@ impl<'c> Articulated<'c> {
         let mobility = mobility(chain, layout, &range)?;
         let graph = chain.graph.clone();
         let bodies = arranged(&graph, chain, layout);
-        let links = bodies.bodies.iter().map(|body| Link::of(body, &range));
-        let links: Option<List<BodyId, Link>> = links.collect();
+        let links = bodies.bodies.iter().map(|body| LinkSizes::of(body, &range));
+        let links: Option<List<BodyId, LinkSizes>> = links.collect();
         let read = chain.nominal.iter().all(Vec::is_empty);
         let (Some(links), true) = (links, read) else {
             return Err("neither screws nor fields nor inertias that no body has are followed");
@@ -77,7 +77,7 @@ impl<'c> Articulated<'c> {
 }
 
 /// The recursion in numbers of a type.
-pub(super) struct Steps<'a, 'c> {
+pub(super) struct RoundedRecursion<'a, 'c> {
     pub(super) bodies: &'a Articulated<'c>,
     pub(super) rounding: RoundingModel,
     pub(super) scalar: Real,
@@ -89,7 +89,7 @@ pub(super) struct Steps<'a, 'c> {
     pub(super) spoilt: f64,
 }
 
-impl<'a, 'c> Steps<'a, 'c> {
+impl<'a, 'c> RoundedRecursion<'a, 'c> {
     /// The recursion in numbers of a type.
     ///
     /// # Errors

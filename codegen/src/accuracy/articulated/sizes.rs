@@ -1,6 +1,6 @@
 //! Bodies and motions as sizes: an angular and a linear part.
 //!
-//! In: the bodies of a chain. Out: a [`Link`] of each, and the arithmetic of [`Pair`]. Sizes hold in every
+//! In: the bodies of a chain. Out: a [`LinkSizes`] of each, and the arithmetic of [`Pair`]. Sizes hold in every
 //! configuration.
 
 use crate::accuracy::mobility::reach;
@@ -12,7 +12,7 @@ use crate::schedule::bound;
 use crate::space::VelocityId;
 
 /// A body and its joint.
-pub(super) struct Link {
+pub(super) struct LinkSizes {
     pub(super) parent: Option<BodyId>,
     pub(super) velocity: VelocityId,
     translates: bool,
@@ -27,7 +27,7 @@ pub(super) struct Link {
     pub(super) friction: f64,
 }
 
-impl Link {
+impl LinkSizes {
     /// `None` if the inertia is not physical, or for a screw joint.
     pub(super) fn of(body: &Body<'_>, range: &Range) -> Option<Self> {
         let number = |term: Term<'_>| term.value().map(Double::to_f64);
@@ -58,7 +58,7 @@ fn spread(second: [f64; 3]) -> Option<f64> {
     (!negative).then_some(whole * (1.0 + 3.0 * ROUNDED))
 }
 
-impl Link {
+impl LinkSizes {
     /// The largest damping and friction torque for velocities in a range.
     pub(super) fn resistance(&self, [least, most]: [f64; 2]) -> f64 {
         self.damping * least.abs().max(most.abs()) + self.friction

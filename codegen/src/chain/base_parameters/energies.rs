@@ -20,7 +20,7 @@ const FAR: f64 = 300.0;
 /// The energies of all links at some states.
 pub(super) struct Energies {
     /// For each state, the energies of each body that is needed there.
-    states: Vec<List<BodyId, Option<Of>>>,
+    states: Vec<List<BodyId, Option<LinkEnergies>>>,
     /// For each state, q̇ times the multiplier of each joint.
     rates: Vec<List<BodyId, Double>>,
     /// The body of each link.
@@ -28,7 +28,7 @@ pub(super) struct Energies {
 }
 
 /// The energies of a link at a state.
-struct Of {
+struct LinkEnergies {
     /// Twice the kinetic energy of a unit of each parameter.
     kinetic: [Double; MOMENTS],
     /// The negative potential energy of a unit of m, q_x, q_y and q_z.
@@ -47,14 +47,14 @@ struct Size {
 }
 
 /// A body at a state, in its own frame.
-struct Moving {
+struct BodyState {
     velocity: Matrix<Double>,
     gravity: [Double; 4],
     size: Size,
 }
 
 /// An entry of a column, with the size of its terms.
-pub(super) type Entry = (Double, f64);
+pub(super) type SizedEntry = (Double, f64);
 
 impl Energies {
     /// The energies of links, with a number of states for each body.
@@ -104,14 +104,14 @@ impl Energies {
         link: LinkId,
         moment: usize,
         [kinetic, potential]: [usize; 2],
-    ) -> impl Iterator<Item = Entry> {
+    ) -> impl Iterator<Item = SizedEntry> {
         let body = self.links[link];
         let at = move |state: usize| {
             let found = self.states[state][body].as_ref();
             found.expect("it is looked at as often as is asked for")
         };
         let kinetic = (0..kinetic).map(move |state| {
-            let Of { kinetic, size, .. } = at(state);
+            let LinkEnergies { kinetic, size, .. } = at(state);
             let size = match moment {
                 0 => size.linear * size.linear,
                 1..4 => size.linear * size.angular,
@@ -120,7 +120,7 @@ impl Energies {
             (kinetic[moment], size)
         });
         let potential = (0..potential).map(move |state| {
-            let Of { height, size, .. } = at(state);
+            let LinkEnergies { height, size, .. } = at(state);
             match (height.get(moment), moment) {
                 (Some(&height), 0) => (height, size.height),
                 (Some(&height), _) => (height, size.gravity),
@@ -135,7 +135,7 @@ impl Energies {
         &self,
         joint: BodyId,
         [kinetic, potential]: [usize; 2],
-    ) -> impl Iterator<Item = Entry> {
+    ) -> impl Iterator<Item = SizedEntry> {
         let rates = self.rates[..kinetic].iter().map(move |rates| rates[joint]);
         let kinetic = rates
             .map(|rate| rate * rate)
@@ -152,8 +152,8 @@ fn at(
     wanted: impl Fn(BodyId) -> bool,
     q: &List<CoordinateId, Double>,
     first: &List<VelocityId, Double>,
-) -> List<BodyId, Option<Of>> {
-    let mut moving: List<BodyId, Option<Moving>> = List::new();
+) -> List<BodyId, Option<LinkEnergies>> {
+    let mut moving: List<BodyId, Option<BodyState>> = List::new();
     for together in chain.joints.chunk_by(|_, next| is_taken(next)) {
         let k = moving.next();
         let bodies = (0..together.len()).map(|place| k.plus(place));
@@ -166,7 +166,7 @@ fn at(
         let mut found = match outer {
             Some(Some(outer)) => outer.seen_from(&pose),
             // The position of the base adds a constant to all potential energies.
-            _ => Moving::of_base(numbers).seen_from(&rotation(&pose, &numbers.placements[k])),
+            _ => BodyState::of_base(numbers).seen_from(&rotation(&pose, &numbers.placements[k])),
         };
         for (joint, body) in together.iter().zip(bodies.clone()) {
             let rate = numbers.factors[body] * first[joint.velocity];
@@ -216,7 +216,7 @@ fn rotation(pose: &Matrix<Double>, placement: &Matrix<Double>) -> Matrix<Double>
     rotation
 }
 
-impl Moving {
+impl BodyState {
     /// The base, at rest.
     fn of_base(numbers: &Numbers) -> Self {
         let [x, y, z] = numbers.gravity;
@@ -264,14 +264,14 @@ impl Moving {
         self.velocity = self.velocity.plus(&Matrix::screw(u, b).scaled(&rate));
     }
 
-    fn energies(&self) -> Of {
+    fn energies(&self) -> LinkEnergies {
         let Matrix(squares) = self.velocity.transposed().times(&self.velocity);
         let kinetic = PLACES.map(|(row, column)| {
             let entry = squares[row][column];
             if row == column { entry } else { entry + entry }
         });
         let [x, y, z, height] = self.gravity;
-        Of {
+        LinkEnergies {
             kinetic,
             height: [height, x, y, z],
             size: self.size,

@@ -8,7 +8,7 @@
 #[cfg(test)]
 mod tests;
 
-use super::energies::Entry;
+use super::energies::SizedEntry;
 use crate::expression::Double;
 use crate::space::ParameterId;
 
@@ -84,7 +84,7 @@ struct Rest {
 }
 
 impl Rest {
-    fn of((value, size): Entry) -> Self {
+    fn of((value, size): SizedEntry) -> Self {
         let roundoff = ROUNDOFF * size;
         Self {
             value,
@@ -184,7 +184,7 @@ impl Span {
     pub(super) fn take(
         &mut self,
         name: Option<ParameterId>,
-        column: impl Iterator<Item = Entry>,
+        column: impl Iterator<Item = SizedEntry>,
     ) -> Option<Combination> {
         let column = self.reduced(name, column);
         let left = column.significance();
@@ -198,7 +198,7 @@ impl Span {
 
     /// Adds the independent ones among some columns, in the order of their largest residuals: the others are
     /// combinations of those with small factors.
-    pub(super) fn take_some<C: Iterator<Item = Entry>>(
+    pub(super) fn take_some<C: Iterator<Item = SizedEntry>>(
         &mut self,
         columns: impl Iterator<Item = (ParameterId, C)>,
     ) {
@@ -221,7 +221,11 @@ impl Span {
     }
 
     /// A column after elimination of all columns that have been added.
-    fn reduced(&self, name: Option<ParameterId>, entries: impl Iterator<Item = Entry>) -> Column {
+    fn reduced(
+        &self,
+        name: Option<ParameterId>,
+        entries: impl Iterator<Item = SizedEntry>,
+    ) -> Column {
         let mut column = Column {
             name,
             rest: entries.map(Rest::of).collect(),

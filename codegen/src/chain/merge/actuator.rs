@@ -3,14 +3,14 @@
 //! In: the joint's data, and the struct fields that replace them. Out: a [`ActuatorTerms`], zero where nothing is modelled. The
 //! armature is the reflected inertia: the given one, plus that of each motor's rotor times its squared ratio.
 
-use super::Reader;
+use super::TermReader;
 use crate::description::Joint;
 use crate::expression::Term;
 use crate::joint::ActuatorTerms;
 use crate::joint::actuator::Part;
 use crate::request::Target;
 
-impl<'g> Reader<'g, '_> {
+impl<'g> TermReader<'g, '_> {
     /// Armature, damping and friction of the velocity with this index among those of a joint.
     pub(super) fn actuator(&mut self, joint: &Joint, place: usize) -> ActuatorTerms<Term<'g>> {
         let number = |part: Part| {

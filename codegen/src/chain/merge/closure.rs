@@ -3,7 +3,7 @@
 //! In: the loops of a description, and the place of each link. Out: their frames A and B, rotated so that z is the axis
 //! of the loop, if it has one. A loop with a link that is not modelled is left out with a warning.
 
-use super::{Attachment, Reader};
+use super::{Attachment, TermReader};
 use crate::chain::{Frame, Loop};
 use crate::description::{self, Description};
 use crate::error::Diagnostic;
@@ -15,7 +15,7 @@ use crate::wording::quoted;
 pub(super) fn closed<'g>(
     description: &Description,
     attachments: &[Option<Attachment<'g>>],
-    reader: &mut Reader<'g, '_>,
+    reader: &mut TermReader<'g, '_>,
 ) -> Vec<Loop> {
     let loops = description.loops.iter();
     loops
@@ -44,7 +44,7 @@ pub(super) fn closed<'g>(
 fn one<'g>(
     described: &description::Loop,
     attachments: &[Attachment<'g>; 2],
-    reader: &mut Reader<'g, '_>,
+    reader: &mut TermReader<'g, '_>,
 ) -> Loop {
     let graph = reader.graph;
     let (name, kind) = (&described.name, described.closure.definition());

@@ -3,13 +3,13 @@
 //! In: the description, and the struct fields that replace parts of it or add a payload. Out: J in the link's own
 //! frame, `None` for a link without inertial data.
 
-use super::Reader;
+use super::TermReader;
 use crate::description::{Link, Name};
 use crate::expression::Term;
 use crate::matrix::{Inertia, Pose, Symmetric, Vector};
 use crate::request::Target;
 
-impl<'g> Reader<'g, '_> {
+impl<'g> TermReader<'g, '_> {
     /// J of a link in its own frame, if it has inertial data.
     pub(super) fn inertia(&mut self, link: &Link) -> Option<Inertia<Term<'g>>> {
         let is = |name: &Name| name.text == link.name.text;

@@ -4,7 +4,7 @@
 //! joints move, with the inertia of all links merged into them.
 
 use super::displacement::{direction, held_at};
-use super::{Attachment, Body, Moved, Reader};
+use super::{Attachment, MergedBody, Moved, TermReader};
 use crate::chain::BodyId;
 use crate::chain::tree::{Branch, Tree};
 use crate::description::{Description, LinkId};
@@ -17,8 +17,11 @@ use crate::matrix::{Inertia, Pose, Rotation, Vector};
 pub(super) fn attach<'g>(
     description: &Description,
     tree: &Tree,
-    reader: &mut Reader<'g, '_>,
-) -> (List<LinkId, Option<Attachment<'g>>>, List<BodyId, Body<'g>>) {
+    reader: &mut TermReader<'g, '_>,
+) -> (
+    List<LinkId, Option<Attachment<'g>>>,
+    List<BodyId, MergedBody<'g>>,
+) {
     let graph = reader.graph;
     let mut bodies = List::new();
     let mut attachments = List::filled(None, description.links.len());
@@ -68,8 +71,8 @@ fn moved<'g>(
     branch: &Branch,
     (mut parent, mut placement): (Option<BodyId>, Pose<Term<'g>>),
     axes: [Vector<Term<'g>>; 2],
-    bodies: &mut List<BodyId, Body<'g>>,
-    reader: &mut Reader<'g, '_>,
+    bodies: &mut List<BodyId, MergedBody<'g>>,
+    reader: &mut TermReader<'g, '_>,
 ) -> (BodyId, Pose<Term<'g>>) {
     let (graph, joint) = (reader.graph, &description[branch.joint]);
     let (kind, name) = (joint.kind, &joint.name.text);
@@ -98,7 +101,7 @@ fn moved<'g>(
     }
     for (place, (velocity, degree_of_freedom)) in kind.velocities(name).enumerate() {
         let axis = direction(graph, degree_of_freedom, axes);
-        let body = bodies.push(Body {
+        let body = bodies.push(MergedBody {
             joint: branch.joint,
             velocity,
             parent,

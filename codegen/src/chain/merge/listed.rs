@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use super::{Body, Moved};
+use super::{MergedBody, Moved};
 use crate::chain::{self, BodyId, Position, limits};
 use crate::description::Description;
 use crate::expression::{Graph, Term};
@@ -15,7 +15,7 @@ use crate::space::{CoordinateId, Entry, Spaces, VelocityId};
 /// The bodies with their indices in the lists of coordinates and velocities, and those lists.
 pub(super) fn listed(
     description: &Description,
-    bodies: List<BodyId, Body<'_>>,
+    bodies: List<BodyId, MergedBody<'_>>,
     graph: &Graph,
 ) -> (List<BodyId, chain::Joint>, Spaces) {
     let mut spaces = Spaces::default();
@@ -49,7 +49,7 @@ pub(super) fn listed(
         spaces.velocities.push(entry(name, kind, range));
     }
     let one = graph.constant(1.0).expr();
-    let joint = |(body, (coordinate, velocity)): (Body<'_>, (CoordinateId, VelocityId))| {
+    let joint = |(body, (coordinate, velocity)): (MergedBody<'_>, (CoordinateId, VelocityId))| {
         let described = &description[body.joint];
         let (position, velocity) = match body.moved {
             Moved::Own => {

@@ -4,7 +4,7 @@
 //! that replaces it, or exactly 0 and right angles if those are meant. Corrections, merged links and locked joints are
 //! recorded in the report.
 
-use super::Reader;
+use super::TermReader;
 use crate::chain::axis_rotation::roll_pitch_yaw;
 use crate::chain::tree::{Branch, MimicLaw};
 use crate::chain::{MimicJoint, Plane, Snapped, Turned, angle};
@@ -19,7 +19,7 @@ use crate::space::FieldId;
 /// Standard gravity as robot software has it, in a base whose z points up [m/s²].
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
-impl<'g> Reader<'g, '_> {
+impl<'g> TermReader<'g, '_> {
     pub(super) fn number(&self, number: &Number) -> Term<'g> {
         self.graph.number(number.exact())
     }

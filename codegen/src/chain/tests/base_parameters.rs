@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{fine, read};
-use crate::chain::base_parameters::Group;
+use crate::chain::base_parameters::BaseParameter;
 use crate::chain::{Chain, build};
 use crate::description::{Description, read_file};
 use crate::error::Errors;
@@ -24,7 +24,7 @@ fn identified(text: &str) -> Chain {
     fine(text).identified()
 }
 
-fn groups(chain: &Chain) -> &[Group] {
+fn groups(chain: &Chain) -> &[BaseParameter] {
     let found = chain.base_parameters.as_ref();
     &found.expect("it is identified").groups
 }

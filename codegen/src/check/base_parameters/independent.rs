@@ -27,13 +27,13 @@ pub(super) struct Seen {
 pub(super) struct Dependent(pub(super) ParameterId);
 
 /// The rows of a block's velocities in the columns of its leaders, at some states.
-pub(super) type Rows = Vec<Vec<Entry>>;
+pub(super) type Rows = Vec<Vec<SizedEntry>>;
 
 /// An entry, and the size of its terms.
-type Entry = (Double, f64);
+type SizedEntry = (Double, f64);
 
 /// The rows at one state.
-pub(super) fn own_rows(block: &Block, at: &Seen) -> impl Iterator<Item = Vec<Entry>> {
+pub(super) fn own_rows(block: &Block, at: &Seen) -> impl Iterator<Item = Vec<SizedEntry>> {
     block.velocities.iter().map(|&row| {
         let leading = block.leading.iter();
         let entry = |&of: &ParameterId| (at.regressor[of][row].value, at.sizes[of][row]);
@@ -77,7 +77,7 @@ fn dependent(mut rows: Rows) -> Option<usize> {
         let places =
             (0..rows.len()).flat_map(|row| columns.iter().map(move |&column| (row, column)));
         let left = |&(row, column): &(usize, usize)| {
-            let (entry, size): Entry = rows[row][column];
+            let (entry, size): SizedEntry = rows[row][column];
             let entry = entry.to_f64().abs();
             if entry > ROUNDED * size { entry } else { 0.0 }
         };
@@ -110,7 +110,7 @@ fn balance(rows: &mut Rows) {
 }
 
 /// Subtracts a multiple of a row from another one, in some columns.
-fn reduce(row: &mut [Entry], pivot: &[Entry], factor: Double, columns: &[usize]) {
+fn reduce(row: &mut [SizedEntry], pivot: &[SizedEntry], factor: Double, columns: &[usize]) {
     let scale = factor.to_f64();
     if scale == 0.0 {
         return;

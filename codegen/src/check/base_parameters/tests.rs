@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::judge_base_parameters;
-use crate::chain::base_parameters::{BaseParameters, Group};
+use crate::chain::base_parameters::{BaseParameter, BaseParameters};
 use crate::check::is_fault;
 use crate::check::tests::{all_of, described, table};
 use crate::description::{Description, inline, read_text};
@@ -215,7 +215,7 @@ fn wrong_base_parameters_are_a_fault() {
         for group in &mut base.groups {
             group.members.retain(|(parameter, _)| *parameter != member);
         }
-        base.groups.push(Group {
+        base.groups.push(BaseParameter {
             members: vec![(member, 1.0)],
             value: 0.0,
             size: 0.0,

@@ -6,20 +6,20 @@
 use std::collections::HashMap;
 
 use super::matrices::{of_length_1, with_z};
-use super::{Contradiction, Reader, Scalar, held};
+use super::{Contradiction, RobotReader, Scalar, held};
 use crate::chain::Chain;
-use crate::dense::{Body, BodyId, Closed};
+use crate::dense::{BodyId, Closed, DenseBody};
 use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
 use crate::space::FrameId;
 
-impl Reader<'_> {
+impl RobotReader<'_> {
     /// The loops of the chain, with their frames as bodies fixed to the links.
     pub(super) fn loops(
         &self,
         chain: &Chain,
         attached: &HashMap<&str, BodyId>,
-        bodies: &mut List<BodyId, Body>,
+        bodies: &mut List<BodyId, DenseBody>,
         frames: &mut List<FrameId, Option<BodyId>>,
     ) -> Result<Vec<Closed>, Contradiction> {
         let mut loops = Vec::new();

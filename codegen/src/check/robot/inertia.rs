@@ -4,14 +4,14 @@
 //! frame; armature, damping and friction of a velocity.
 
 use super::matrices::loaded;
-use super::{Contradiction, Reader, Scalar};
+use super::{Contradiction, RobotReader, Scalar};
 use crate::dense::Matrix;
 use crate::description::{Inertial, Joint, Link, Name, Number};
 use crate::expression::Arithmetic;
 use crate::joint::actuator::Part;
 use crate::request::Target;
 
-impl Reader<'_> {
+impl RobotReader<'_> {
     pub(super) fn inertia(&self, link: &Link) -> Result<Matrix<Scalar>, Contradiction> {
         let is = |name: &Name| name.text == link.name.text;
         let mass = self.field(|target| matches!(target, Target::MassOf(of) if is(of)));

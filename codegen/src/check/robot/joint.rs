@@ -4,22 +4,22 @@
 //! the link.
 
 use super::matrices::across;
-use super::{Contradiction, Motion, Places, Reader, Scalar, held, place};
-use crate::dense::{Body, BodyId, DegreeOfFreedom, Matrix, Moved};
+use super::{Contradiction, JointCoordinate, Places, RobotReader, Scalar, held, place};
+use crate::dense::{BodyId, DegreeOfFreedom, DenseBody, Matrix, Moved};
 use crate::description::Joint;
 use crate::expression::{Arithmetic, Double};
 use crate::joint::{self, Along, Manifold, Movement};
 use crate::list::List;
 
-impl Reader<'_> {
+impl RobotReader<'_> {
     /// Adds the bodies of a joint whose motions follow one another; returns the last of them.
     pub(super) fn in_series(
         &self,
         joint: &Joint,
-        motion: Motion<'_>,
+        motion: JointCoordinate<'_>,
         (mut parent, mut placement): (Option<BodyId>, Matrix<Scalar>),
         places: &Places<'_>,
-        bodies: &mut List<BodyId, Body>,
+        bodies: &mut List<BodyId, DenseBody>,
     ) -> Result<BodyId, Contradiction> {
         if !joint.kind.moves() {
             let nothing = [[Scalar::literal(0.0); 3]; 2];
@@ -30,13 +30,13 @@ impl Reader<'_> {
             let screw = self.screw(joint, degree_of_freedom)?;
             let one = (Scalar::exact(1.0), Scalar::exact(0.0));
             let body = bodies.push(match motion {
-                Motion::Held(at) => held(parent, placement, screw, at),
-                Motion::Own => Body {
+                JointCoordinate::Held(at) => held(parent, placement, screw, at),
+                JointCoordinate::Own => DenseBody {
                     parent,
                     placement,
                     ..places.along(&own, screw, one)?
                 },
-                Motion::Mimic(mimicked, factor, offset) => Body {
+                JointCoordinate::Mimic(mimicked, factor, offset) => DenseBody {
                     parent,
                     placement,
                     ..places.along(mimicked, screw, (factor, offset))?
@@ -58,7 +58,7 @@ impl Reader<'_> {
         manifold: Manifold,
         (parent, mut placement): (Option<BodyId>, Matrix<Scalar>),
         places: &Places<'_>,
-        bodies: &mut List<BodyId, Body>,
+        bodies: &mut List<BodyId, DenseBody>,
     ) -> Result<BodyId, Contradiction> {
         let name = &joint.name.text;
         let rotation = match manifold {
@@ -78,7 +78,7 @@ impl Reader<'_> {
                 actuator: self.actuator(joint, k),
             });
         }
-        let body = bodies.push(Body {
+        let body = bodies.push(DenseBody {
             parent,
             placement,
             moved: Moved::Manifold(manifold, place(places.coordinates, &coordinates[0].0)?),

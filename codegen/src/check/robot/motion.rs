@@ -6,12 +6,12 @@
 
 use std::collections::HashMap;
 
-use super::{Motion, Reader, Scalar};
+use super::{JointCoordinate, RobotReader, Scalar};
 use crate::description::{Joint, LinkId, Mimic, Number};
 use crate::expression::Double;
 use crate::list::List;
 
-impl<'d> Reader<'d> {
+impl<'d> RobotReader<'d> {
     /// The joints of the modelled links, parents before children.
     pub(super) fn kept(&self, base: &'d str, links: &HashMap<&'d str, LinkId>) -> Vec<&'d Joint> {
         let mut carried: List<LinkId, Vec<&Joint>> = List::filled(Vec::new(), links.len());
@@ -49,9 +49,14 @@ impl<'d> Reader<'d> {
     }
 
     /// The motion of one of the kept joints.
-    pub(super) fn motion(&self, joint: &'d Joint, kept: &[&'d Joint], path: &[&str]) -> Motion<'d> {
+    pub(super) fn motion(
+        &self,
+        joint: &'d Joint,
+        kept: &[&'d Joint],
+        path: &[&str],
+    ) -> JointCoordinate<'d> {
         if let Some(at) = self.locked(joint) {
-            return Motion::Held(at);
+            return JointCoordinate::Held(at);
         }
         if self.mimicked(joint).is_none() {
             let leads = |other: &&'d Joint| {
@@ -60,9 +65,9 @@ impl<'d> Reader<'d> {
             };
             let moves = !self.request.path_only || kept.iter().any(leads);
             return if moves {
-                Motion::Own
+                JointCoordinate::Own
             } else {
-                Motion::Held(Double::ZERO)
+                JointCoordinate::Held(Double::ZERO)
             };
         }
         let (mut factor, mut offset) = (Scalar::exact(1.0), Scalar::exact(0.0));
@@ -79,12 +84,12 @@ impl<'d> Reader<'d> {
         }
         let there = kept.iter().any(|other| other.name.text == at.name.text);
         match self.motion(at, kept, path) {
-            Motion::Own if there && !along.is_zero() => {
-                Motion::Mimic(&at.name.text, factor, offset)
+            JointCoordinate::Own if there && !along.is_zero() => {
+                JointCoordinate::Mimic(&at.name.text, factor, offset)
             }
             // A joint that is left out has the coordinate of its lock.
-            Motion::Held(held) => Motion::Held(along * held + value),
-            _ => Motion::Held(value),
+            JointCoordinate::Held(held) => JointCoordinate::Held(along * held + value),
+            _ => JointCoordinate::Held(value),
         }
     }
 

@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::matrices::{by_products, by_quaternion, of_length_1, placed};
-use super::{Contradiction, Reader, Scalar};
+use super::{Contradiction, RobotReader, Scalar};
 use crate::dense::Matrix;
 use crate::description::{Axis, Joint, Number, Step};
 use crate::expression::Arithmetic;
@@ -14,7 +14,7 @@ use crate::list::Id;
 use crate::request::Target;
 use crate::space::FieldId;
 
-impl Reader<'_> {
+impl RobotReader<'_> {
     /// The value of the field with a target.
     pub(super) fn field<const N: usize>(
         &self,

@@ -13,13 +13,13 @@ use crate::space::VelocityId;
 
 /// The variable of a derivative.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Of {
+enum StateVariable {
     Coordinates,
     Rates,
 }
 
 /// The derivatives of a link's matrices.
-struct Change {
+struct LinkDerivatives {
     w: Matrix<Scalar>,
     h: Matrix<Scalar>,
     /// The derivative of each L of its joint.
@@ -32,7 +32,7 @@ impl Configuration {
         &self,
         rates: &Rates,
     ) -> [Square<VelocityId, Scalar>; 2] {
-        let [by_coordinate, mut by_rate] = [Of::Coordinates, Of::Rates]
+        let [by_coordinate, mut by_rate] = [StateVariable::Coordinates, StateVariable::Rates]
             .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)));
         // Of the actuator's terms only viscous friction depends on q̇; the sign is constant between its steps.
         for degree_of_freedom in self.degrees_of_freedom() {
@@ -116,31 +116,31 @@ impl Configuration {
         rates: &Rates,
         joint: BodyId,
         along: &Matrix<Scalar>,
-        of: Of,
+        of: StateVariable,
     ) -> List<VelocityId, Scalar> {
         let carried = self.carried(joint);
         let motions = self.motions(rates);
         let minus_gravity = self.minus_gravity();
-        let mut changes: List<BodyId, Change> = List::new();
+        let mut changes: List<BodyId, LinkDerivatives> = List::new();
         let mut actions: List<BodyId, [Matrix<Scalar>; 2]> = List::new();
         for (link, body) in self.robot.bodies.numbered() {
             let inertia = &self.inertias[link];
             let h = motions[link].1.plus(&minus_gravity);
             let action = h.times(inertia).skew();
             let screws = self.screws[link].iter().map(|(_, screw)| match of {
-                Of::Coordinates if carried[link] => along.commutator(screw),
+                StateVariable::Coordinates if carried[link] => along.commutator(screw),
                 _ => Matrix::zero(),
             });
             let screws: Vec<_> = screws.collect();
             if !carried[link] {
                 let (w, h) = (Matrix::zero(), Matrix::zero());
-                changes.push(Change { w, h, screws });
+                changes.push(LinkDerivatives { w, h, screws });
                 actions.push([action, Matrix::zero()]);
                 continue;
             }
             let still = || (Matrix::zero(), Matrix::zero(), Matrix::zero());
             let (w, w_change, h_change) = body.parent.map_or_else(still, |parent| {
-                let Change { w, h, .. } = &changes[parent];
+                let LinkDerivatives { w, h, .. } = &changes[parent];
                 (motions[parent].0.clone(), w.clone(), h.clone())
             });
             // The derivative of H + Σ L q̈ + (Σ L q̇)² + 2 W Σ L q̇.
@@ -151,7 +151,7 @@ impl Configuration {
                 own_change = own_change.plus(&change.scaled(&rates.first[*k]));
                 second_change = second_change.plus(&change.scaled(&rates.second[*k]));
             }
-            if of == Of::Rates && link == joint {
+            if of == StateVariable::Rates && link == joint {
                 own_change = along.clone();
             }
             let squares = own_change.times(&own).plus(&own.times(&own_change));
@@ -159,12 +159,12 @@ impl Configuration {
             let h_change = (h_change.plus(&second_change).plus(&squares))
                 .plus(&mixed.scaled(&Scalar::exact(2.0)));
             let mut flow = h_change.times(inertia);
-            if of == Of::Coordinates {
+            if of == StateVariable::Coordinates {
                 let turned = along.times(inertia);
                 flow = flow.plus(&h.times(&turned.plus(&turned.transposed())));
             }
             actions.push([action, flow.skew()]);
-            changes.push(Change {
+            changes.push(LinkDerivatives {
                 w: w_change.plus(&own_change),
                 h: h_change,
                 screws,

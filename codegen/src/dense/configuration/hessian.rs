@@ -38,7 +38,7 @@ struct Dual {
 }
 
 /// The matrices of a link.
-struct Link {
+struct LinkMatrices {
     /// The screws of its joint, with their velocities.
     screws: Vec<(VelocityId, Dual)>,
     inertia: Dual,
@@ -66,7 +66,7 @@ impl Configuration {
             qdd: self.nothing(),
         };
         for (joint, body) in self.robot.bodies.numbered() {
-            let base = || Link::base(&self.minus_gravity());
+            let base = || LinkMatrices::base(&self.minus_gravity());
             let outer = body
                 .parent
                 .map_or_else(base, |parent| links[parent].still());
@@ -96,8 +96,8 @@ impl Configuration {
         lambda: &List<VelocityId, Scalar>,
         actions: &[Double],
         direction: Direction<'_>,
-    ) -> List<BodyId, Link> {
-        let mut links: List<BodyId, Link> = List::new();
+    ) -> List<BodyId, LinkMatrices> {
+        let mut links: List<BodyId, LinkMatrices> = List::new();
         // Σ L times the direction of the joints that carry a link.
         let mut turned: List<BodyId, Matrix<Scalar>> = List::new();
         for (k, body) in self.robot.bodies.numbered() {
@@ -130,7 +130,7 @@ impl Configuration {
                 let terms = screws.iter().map(|(k, screw)| screw.scaled(&of[*k]));
                 terms.fold(Dual::zero(), |sum, term| sum.plus(&term))
             };
-            let base = || Link::base(&self.minus_gravity());
+            let base = || LinkMatrices::base(&self.minus_gravity());
             let outer = body
                 .parent
                 .map_or_else(base, |parent| links[parent].still());
@@ -153,7 +153,7 @@ impl Configuration {
             if !self.robot.external.1 {
                 action.change = turned_by(&action.value);
             }
-            links.push(Link {
+            links.push(LinkMatrices {
                 inertia: Dual {
                     change: turned_by(&inertia),
                     value: inertia,
@@ -170,7 +170,7 @@ impl Configuration {
     }
 }
 
-impl Link {
+impl LinkMatrices {
     /// The base, which accelerates against gravity.
     fn base(minus_gravity: &Matrix<Scalar>) -> Self {
         let h = Dual {

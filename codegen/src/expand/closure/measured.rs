@@ -43,7 +43,7 @@ const WHOLE: [ResidualKind; 12] = [
 ];
 
 /// A residual.
-pub(super) struct Measured {
+pub(super) struct MeasuredResidual {
     /// The value of largest magnitude [m, 1].
     pub(super) value: f64,
     /// The value's scale: the largest distance of A and B \[m\], or 1 for an angle.
@@ -53,7 +53,7 @@ pub(super) struct Measured {
 }
 
 /// The residuals of all loops, one list a loop.
-pub(super) fn measured(chain: &Chain) -> Vec<Vec<Measured>> {
+pub(super) fn measured(chain: &Chain) -> Vec<Vec<MeasuredResidual>> {
     let mut whole = chain.clone();
     whole.close(|loops| {
         for closed in loops {
@@ -137,7 +137,7 @@ fn configuration(chain: &Chain, random: &mut Random) -> Vec<Double> {
     q
 }
 
-fn of_loop(rows: &[ResidualKind], samples: &[&Sample]) -> Vec<Measured> {
+fn of_loop(rows: &[ResidualKind], samples: &[&Sample]) -> Vec<MeasuredResidual> {
     let first = rows.len();
     let distance = |sample: &Sample| length(&sample.values[first..][..3]);
     let distances = samples.iter().map(|sample| distance(sample));
@@ -157,7 +157,7 @@ fn of_loop(rows: &[ResidualKind], samples: &[&Sample]) -> Vec<Measured> {
             1.0
         };
         let share = |sample: &&Sample| share(sample, k, (first, row.kind()), size);
-        Measured {
+        MeasuredResidual {
             value,
             size,
             share: samples.iter().map(share).fold(0.0, f64::max),

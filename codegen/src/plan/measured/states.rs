@@ -22,7 +22,7 @@ const STEP: f64 = 0.2;
 
 /// The angles of a state.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Angles {
+pub(super) enum AngleRange {
     /// Within the limits of the joints.
     Limited,
     /// Any: a controller may overshoot a limit, a simulation may have none, and a singular configuration beyond the
@@ -31,14 +31,14 @@ pub(super) enum Angles {
 }
 
 /// The ranges from which states are drawn.
-pub(super) struct States<'c> {
+pub(super) struct StateRanges<'c> {
     chain: &'c Chain,
     scalar: Real,
     limited: Arguments<[f64; 2]>,
     any: Arguments<[f64; 2]>,
 }
 
-impl<'c> States<'c> {
+impl<'c> StateRanges<'c> {
     pub(super) fn of(chain: &'c Chain, scalar: Real) -> Self {
         let (spaces, range) = (chain.spaces(), Range::of(chain));
         let limited = Arguments::of(|variable| match variable {
@@ -68,10 +68,10 @@ impl<'c> States<'c> {
 
     /// A state of a sequence that fills the range evenly: multiples of the golden ratio and of roots. Every eighth
     /// state is near the configuration of the description, in which axes and links are in line.
-    pub(super) fn numbered(&self, number: usize, angles: Angles) -> Arguments<f64> {
+    pub(super) fn numbered(&self, number: usize, angles: AngleRange) -> Arguments<f64> {
         let ranges = match angles {
-            Angles::Limited => &self.limited,
-            Angles::Any => &self.any,
+            AngleRange::Limited => &self.limited,
+            AngleRange::Any => &self.any,
         };
         let is_near = number % 8 == 7;
         let step = u32::try_from(number + 1).map_or(1.0, f64::from);

@@ -10,7 +10,7 @@ use super::comments::{comment, harmless};
 use super::declarations::{argument_lengths, lengths, number, results};
 use super::literals::{literal, string};
 use super::names::{constant, own, symbols, unscoped};
-use crate::module::{Module, Vector};
+use crate::module::{Module, TestVector};
 use crate::print::described::{self, CONFIGURATIONS, NumberList};
 use crate::print::review;
 use crate::schedule::Names;
@@ -206,7 +206,7 @@ impl<'l> Test<'l> {
     }
 
     /// Block that calls a function and counts failures.
-    fn call(&self, vector: &Vector) -> String {
+    fn call(&self, vector: &TestVector) -> String {
         let Self {
             module, compare, ..
         } = self;
@@ -257,7 +257,7 @@ impl<'l> Test<'l> {
     }
 
     /// Arguments of a call, and the lines that declare them.
-    fn arguments(&self, vector: &Vector) -> (Vec<String>, Vec<String>) {
+    fn arguments(&self, vector: &TestVector) -> (Vec<String>, Vec<String>) {
         let Self { module, robot, .. } = self;
         let number = number(module.scalar);
         let (mut call, mut lines) = (Vec::new(), Vec::new());

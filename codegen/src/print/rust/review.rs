@@ -10,7 +10,7 @@ use syn::ext::IdentExt;
 use super::item::Item;
 use super::library::Library;
 use super::names::of_methods;
-use crate::module::{GeneratedFunction, Module, Vector};
+use crate::module::{GeneratedFunction, Module, TestVector};
 use crate::print::c;
 use crate::print::review;
 use crate::real::Real;
@@ -88,7 +88,7 @@ fn words(calls: &str) -> Names {
 }
 
 /// Tests, one for each function.
-fn calls(module: &Module, vectors: &[Vector], robot: &str, number: &str) -> String {
+fn calls(module: &Module, vectors: &[TestVector], robot: &str, number: &str) -> String {
     let mut text = String::new();
     let functions = module.functions.iter().zip(of_methods(module)).enumerate();
     for (function, (generated, method)) in functions {
@@ -114,7 +114,7 @@ fn calls(module: &Module, vectors: &[Vector], robot: &str, number: &str) -> Stri
 /// Statements that call a method and compare its results.
 fn call(
     module: &Module,
-    (generated, vector): (&GeneratedFunction, &Vector),
+    (generated, vector): (&GeneratedFunction, &TestVector),
     (robot, method): (&str, &str),
     number: &str,
 ) -> String {

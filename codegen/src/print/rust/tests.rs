@@ -6,7 +6,7 @@ use quote::format_ident;
 use super::{Declaration, Item, Library, Source, print, stub};
 use crate::accuracy::{Accuracy, Bound, ErrorBounds};
 use crate::description::Name;
-use crate::expression::{Block, Component, Input, Numeral, Of};
+use crate::expression::{Block, Component, Input, LabelledBodies, Numeral};
 use crate::formulation::Sines;
 use crate::function::Function;
 use crate::layout::Layout;
@@ -29,7 +29,7 @@ const Q: [Operand; 2] = [
 pub(crate) fn step(pivot: Option<usize>, operation: Operation) -> Step {
     let label = pivot.map(|k| {
         Block::Pivot
-            .of(Of::Body(Numeral(k)))
+            .of(LabelledBodies::Body(Numeral(k)))
             .entry(Component::Scalar)
     });
     Step { label, operation }

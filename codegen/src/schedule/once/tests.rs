@@ -1,7 +1,7 @@
 //! Separated programs compute the same as whole ones.
 
 use super::{Parts, part};
-use crate::expression::{Block, Component, Input, Numeral, Of};
+use crate::expression::{Block, Component, Input, LabelledBodies, Numeral};
 use crate::schedule::{Operand, Operation, Program, Step, run};
 use crate::space::Variable;
 
@@ -18,7 +18,7 @@ fn program(
     let steps = steps.iter().map(|&operation| Step {
         label: Some(
             Block::Pivot
-                .of(Of::Body(Numeral(1)))
+                .of(LabelledBodies::Body(Numeral(1)))
                 .entry(Component::Scalar),
         ),
         operation,

@@ -1,7 +1,7 @@
 //! Names and structure of routines.
 
 use super::{Angle, Meaning, Names, Readable, RotationAngle, Routine, Statement, Stored, Value};
-use crate::expression::{Block, Component, Input, Numeral, Of};
+use crate::expression::{Block, Component, Input, LabelledBodies, Numeral};
 use crate::schedule::{Length, Operand, Operation, Program, Step};
 use crate::space::{Entry, Kind, Spaces, Variable};
 
@@ -26,7 +26,7 @@ fn program() -> Program {
             step(
                 Some(
                     Block::Pivot
-                        .of(Of::Body(Numeral(2)))
+                        .of(LabelledBodies::Body(Numeral(2)))
                         .entry(Component::Scalar),
                 ),
                 Operation::Mul(Operand::Cos(1), Operand::Step(1)),
@@ -95,7 +95,7 @@ fn only_values_that_are_read_have_names() {
         name: name.to_owned(),
         coordinates: coordinates.to_vec(),
     };
-    let pivot = Block::Pivot.of(Of::Body(Numeral(2)));
+    let pivot = Block::Pivot.of(LabelledBodies::Body(Numeral(2)));
     let meanings = [
         ("q_1", Meaning::Argument(Variable::Q, 0)),
         ("q_2_", Meaning::Argument(Variable::Q, 1)),

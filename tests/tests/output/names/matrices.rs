@@ -7,7 +7,9 @@ use std::array::from_fn;
 
 use homogen::{Acceleration, Action, Inertia, Pose, Screw, Velocity};
 use homogen_codegen::chain::Chain;
-use homogen_codegen::expression::{Block, Component, Label, Numeral, Of, Quantity, Term, evaluate};
+use homogen_codegen::expression::{
+    Block, Component, Label, LabelledBodies, Numeral, Quantity, Term, evaluate,
+};
 use homogen_codegen::joint::Motion;
 use homogen_codegen::layout::{Body, Layout, arrange};
 use homogen_codegen::list::Id;
@@ -137,7 +139,10 @@ impl Matrices {
             Component::Along(k) => vector[k],
             other => panic!("{other:?} of a vector"),
         };
-        let (Of::Body(body) | Of::FromBase(body) | Of::TipFrom(body) | Of::Pair(body, _)) = of;
+        let (LabelledBodies::Body(body)
+        | LabelledBodies::FromBase(body)
+        | LabelledBodies::TipFrom(body)
+        | LabelledBodies::Pair(body, _)) = of;
         // Bodies are counted from 1; frame 0 has no body.
         let i = || body.0.checked_sub(1).expect("a body");
         let h = |which: usize| m_k_0.change_frame(&self.h[which][i()]);
@@ -182,21 +187,21 @@ impl Matrices {
     }
 
     /// M of a label.
-    fn seen(&self, of: Of) -> Pose<f64> {
+    fn seen(&self, of: LabelledBodies) -> Pose<f64> {
         match of {
-            Of::TipFrom(i) => self.frame(i.0).inverse() * self.end.1,
-            Of::FromBase(i) => self.frame(i.0),
-            Of::Body(_) | Of::Pair(..) => panic!("{of:?} of a pose"),
+            LabelledBodies::TipFrom(i) => self.frame(i.0).inverse() * self.end.1,
+            LabelledBodies::FromBase(i) => self.frame(i.0),
+            LabelledBodies::Body(_) | LabelledBodies::Pair(..) => panic!("{of:?} of a pose"),
         }
     }
 
     /// W of a label, in frame 0.
-    fn velocity(&self, of: Of) -> Velocity<f64> {
+    fn velocity(&self, of: LabelledBodies) -> Velocity<f64> {
         let at = |body: Option<usize>| body.map_or_else(Velocity::zero, |body| self.w[body]);
         match of {
-            Of::TipFrom(i) => at(self.end.0) - at(i.0.checked_sub(1)),
-            Of::FromBase(i) => at(i.0.checked_sub(1)),
-            Of::Body(_) | Of::Pair(..) => panic!("{of:?} of a velocity"),
+            LabelledBodies::TipFrom(i) => at(self.end.0) - at(i.0.checked_sub(1)),
+            LabelledBodies::FromBase(i) => at(i.0.checked_sub(1)),
+            LabelledBodies::Body(_) | LabelledBodies::Pair(..) => panic!("{of:?} of a velocity"),
         }
     }
 

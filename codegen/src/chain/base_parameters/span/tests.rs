@@ -1,12 +1,12 @@
 //! Tests of which columns are kept.
 
-use super::{Entry, Span};
+use super::{SizedEntry, Span};
 use crate::expression::Double;
 use crate::list::Id;
 use crate::space::ParameterId;
 
 /// Entries of a column that are sums of terms of magnitude 1.
-fn column(entries: [f64; 3]) -> impl Iterator<Item = Entry> {
+fn column(entries: [f64; 3]) -> impl Iterator<Item = SizedEntry> {
     entries.into_iter().map(|entry| (Double::from(entry), 1.0))
 }
 

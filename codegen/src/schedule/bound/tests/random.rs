@@ -10,7 +10,7 @@ use homogen_random::Random;
 
 use super::quaternion::{QUATERNIONS, entry, rotation, times};
 use super::{A, B, Conditions, Value, program, results, step};
-use crate::expression::{Arithmetic, Block, Component, Double, Input, Numeral, Of};
+use crate::expression::{Arithmetic, Block, Component, Double, Input, LabelledBodies, Numeral};
 use crate::real::Real;
 use crate::schedule::{Operand, Operation, Program, run};
 use crate::space::Variable;
@@ -153,7 +153,7 @@ fn drawn(seed: u64) -> Program {
         draft.grow();
     }
     let omega = Block::AngularVelocity
-        .of(Of::FromBase(Numeral(1)))
+        .of(LabelledBodies::FromBase(Numeral(1)))
         .seen_in(Numeral(1));
     let labels = [0, 1, 2].map(|k| omega.entry(Component::Along(k)));
     let mut program = program(&[A], &draft.operations);

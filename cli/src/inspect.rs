@@ -10,7 +10,7 @@ use super::{Answer, Outcome, functions};
 use homogen_codegen::description::Name;
 use homogen_codegen::expand::expand;
 use homogen_codegen::function::Function;
-use homogen_codegen::print::rust::{self, Item, Library, Source};
+use homogen_codegen::print::rust::{self, FormattedSource, Item, Library};
 use homogen_codegen::request::setting::text::together;
 
 /// Print the code of a derive, formatted, with its operation count
@@ -50,7 +50,7 @@ impl Inspect {
         let item = Item::named_after(&module.about.robot);
         let methods = rust::methods(&module, &item, &Library::default());
         Ok(Answer {
-            output: Source::new("", &methods).to_string(),
+            output: FormattedSource::new("", &methods).to_string(),
             remarks: functions::warnings(&module.about),
             code: 0,
         })

@@ -26,11 +26,11 @@ pub use lanes::{LANES, Lanes};
 pub use limbs::fused_alike;
 pub use names::Names;
 pub(crate) use names::sanitize;
-pub use once::{Parts, part};
+pub use once::{SeparatedPrograms, part};
 pub use operation_count::OperationCount;
 pub use order::{schedule, schedule_unfused};
 pub use routine::{
-    Angle, Cells, Entries, Found, Loop, Meaning, Readable, RotationAngle, Routine, SectionBody,
+    Angle, Cells, Entries, Loop, LoopTable, Meaning, Readable, RotationAngle, Routine, SectionBody,
     Statement, Stored, Value, Work,
 };
 pub use run::run;

@@ -6,7 +6,7 @@ use homogen_codegen::Function;
 use homogen_codegen::description::read_text;
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
-use homogen_codegen::print::rust::{Item, Library, Source, methods};
+use homogen_codegen::print::rust::{FormattedSource, Item, Library, methods};
 use homogen_codegen::request::Request;
 
 const URDF: &str = include_str!("../../robots/two_link.urdf");
@@ -26,5 +26,5 @@ pub fn inverse_dynamics_of_two_links() -> Result<String, Errors> {
     };
     let module = expand(&robot, &request)?;
     let methods = methods(&module, &Item::named_after("two link"), &Library::default());
-    Ok(Source::new("", &methods).to_string())
+    Ok(FormattedSource::new("", &methods).to_string())
 }

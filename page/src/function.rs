@@ -11,7 +11,7 @@ use crate::skeleton::Layouts;
 use homogen_codegen::chain::Chain;
 use homogen_codegen::function::Function;
 use homogen_codegen::module::{Module, name};
-use homogen_codegen::print::rust::{Item, Library, Source, each_method};
+use homogen_codegen::print::rust::{FormattedSource, Item, Library, each_method};
 use homogen_codegen::space::{FrameId, Variable};
 use homogen_codegen::wording::visible;
 
@@ -53,7 +53,7 @@ pub fn explained(module: &Module) -> impl Iterator<Item = [(&'static str, Value)
     let item = Item::named_after(&module.about.robot);
     let methods = each_method(module, &item, &Library::default()).into_iter();
     methods.map(|method| {
-        let code = Source::new("", &method.text).to_string();
+        let code = FormattedSource::new("", &method.text).to_string();
         [
             ("lines", json!(code.lines().count())),
             ("code", json!(packed(&code))),

@@ -270,7 +270,7 @@ pub(super) fn computed(
     range: &Range,
     rounding: RoundingModel,
     scalar: Real,
-) -> Vec<bound::Found> {
+) -> Vec<bound::ResultBound> {
     let input = |input: Input| value(range, input, scalar);
     let conditions = Conditions {
         scalar,
@@ -282,7 +282,7 @@ pub(super) fn computed(
 }
 
 /// The error of a result, or the reason why it has no bound.
-pub(super) fn error(found: bound::Found) -> Result<f64, &'static str> {
+pub(super) fn error(found: bound::ResultBound) -> Result<f64, &'static str> {
     if found.value.error.is_finite() {
         Ok(found.value.error)
     } else {
@@ -291,7 +291,7 @@ pub(super) fn error(found: bound::Found) -> Result<f64, &'static str> {
 }
 
 /// All results of a program, or the reason why one of them has no bound.
-pub(super) fn values(found: Vec<bound::Found>) -> Result<Vec<Value>, &'static str> {
+pub(super) fn values(found: Vec<bound::ResultBound>) -> Result<Vec<Value>, &'static str> {
     let found = found.into_iter();
     found
         .map(|found| error(found).map(|_| found.value))

@@ -269,8 +269,8 @@ pub(super) fn underflow(size: f64, joints: usize, scalar: Real) -> Result<f64, &
 }
 
 /// The size of the numbers that a solution x of given torques needs. Every intermediate result is at most a product of
-/// two of these and of [`EquationBounds::factors`], as many times as there are joints, twice: factors are √(M/d), and pivots d
-/// at least half of 1/(M⁻¹)ₖₖ.
+/// two of these and of [`EquationBounds::factors`], as many times as there are joints, twice: factors are √(M/d), and
+/// pivots d at least half of 1/(M⁻¹)ₖₖ.
 fn solution(x: &[f64], given: impl Iterator<Item = f64>) -> f64 {
     largest(x.iter().copied()) * largest(given.map(|torque| 2.0 * torque))
 }

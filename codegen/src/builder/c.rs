@@ -9,7 +9,7 @@ use super::output::only_for_c;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::arrays::Order;
-use crate::print::c::{self, Source, Writing};
+use crate::print::c::{self, COptions, SourceFile};
 use crate::real::Real;
 use crate::request::ForC;
 
@@ -25,7 +25,7 @@ impl Builder {
     ///
     /// # Errors
     /// All errors of the description and of the request; options that only Rust has.
-    pub fn to_c(&self, header: &str) -> Result<Source, Errors> {
+    pub fn to_c(&self, header: &str) -> Result<SourceFile, Errors> {
         self.c_module().map(|module| self.c(&module, header))
     }
 
@@ -111,10 +111,10 @@ impl Builder {
     /// The file in C of a module.
     #[doc(hidden)]
     #[must_use]
-    pub fn c(&self, module: &Module, header: &str) -> Source {
-        let Source { header, text } = self.written(module, header, c::print);
+    pub fn c(&self, module: &Module, header: &str) -> SourceFile {
+        let SourceFile { header, text } = self.written(module, header, c::print);
         let [header, text] = [header, text].map(|text| self.in_ascii(text));
-        Source { header, text }
+        SourceFile { header, text }
     }
 
     /// The same with a source for each function, which are compiled side by side: names and texts, the header first, and
@@ -131,9 +131,9 @@ impl Builder {
         &self,
         module: &Module,
         header: &str,
-        print: impl FnOnce(&Module, &Writing<'_>) -> T,
+        print: impl FnOnce(&Module, &COptions<'_>) -> T,
     ) -> T {
-        let writing = Writing {
+        let options = COptions {
             prefix: &self.prefix(module),
             header,
             asked: &self.asked(module, Language::C(header)),
@@ -142,7 +142,7 @@ impl Builder {
             templates: false,
             order: Order::AngularFirst,
         };
-        print(module, &writing)
+        print(module, &options)
     }
 }
 

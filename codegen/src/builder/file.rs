@@ -9,7 +9,7 @@ use super::{Builder, Origin};
 use crate::description::Name;
 use crate::error::{Errors, Place};
 use crate::module::Module;
-use crate::print::rust::{self, Source};
+use crate::print::rust::{self, FormattedSource};
 use crate::processor::Processor;
 use crate::real::Real;
 
@@ -18,7 +18,7 @@ impl Builder {
     ///
     /// # Errors
     /// All errors of the description and of the request.
-    pub fn to_source(&self) -> Result<Source, Errors> {
+    pub fn to_source(&self) -> Result<FormattedSource, Errors> {
         self.file_module().map(|module| self.source(&module))
     }
 
@@ -95,10 +95,10 @@ impl Builder {
     /// The file in Rust of a module.
     #[doc(hidden)]
     #[must_use]
-    pub fn source(&self, module: &Module) -> Source {
+    pub fn source(&self, module: &Module) -> FormattedSource {
         let header = rust::header(module, &self.asked(module, Language::Rust), &self.library());
         let appendix = rust::appendix(module, &self.item(module), &self.library());
-        let source = Source::file(header, &self.print(module), appendix);
+        let source = FormattedSource::file(header, &self.print(module), appendix);
         if self.ascii {
             source.in_ascii()
         } else {

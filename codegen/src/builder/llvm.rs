@@ -6,7 +6,7 @@ use super::Builder;
 use super::command::Language;
 use crate::error::Errors;
 use crate::module::Module;
-use crate::print::llvm::{self, States, Steps, Writing};
+use crate::print::llvm::{self, LlvmOptions, States, Steps};
 
 impl Builder {
     /// The functions as LLVM IR, for LLVM 19 or later: `NAME` for one state, with the parameters of
@@ -29,13 +29,13 @@ impl Builder {
     #[doc(hidden)]
     #[must_use]
     pub fn llvm(&self, module: &Module, lanes: NonZeroUsize) -> String {
-        let writing = Writing {
+        let options = LlvmOptions {
             prefix: &self.prefix(module),
             asked: Some(&self.asked(module, Language::Llvm(lanes))),
             steps: Steps::OfQuaternions,
             states: States::InLanes(lanes.get()),
             fused: self.fuses(module),
         };
-        llvm::print(module, &writing)
+        llvm::print(module, &options)
     }
 }

@@ -8,7 +8,7 @@ use super::output::only_for_c;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::arrays::Order;
-use crate::print::plain_python::{self, Writing};
+use crate::print::plain_python::{self, PythonOptions};
 use crate::processor::Processor;
 use crate::request::ForC;
 
@@ -71,6 +71,6 @@ impl Builder {
     pub fn plain_python(&self, module: &Module, order: Order) -> String {
         let asked = self.asked(module, Language::Python(order));
         let asked = &asked;
-        plain_python::print(module, &Writing { asked, order })
+        plain_python::print(module, &PythonOptions { asked, order })
     }
 }

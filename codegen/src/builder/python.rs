@@ -8,7 +8,7 @@ use std::{env, fs, io, process};
 use super::Builder;
 use crate::error::{Errors, Place};
 use crate::module::Module;
-use crate::print::python::{self, MARK, Package, Writing};
+use crate::print::python::{self, MARK, Package, PackageOptions};
 use crate::processor::Processor;
 
 impl Builder {
@@ -87,11 +87,11 @@ impl Builder {
     #[doc(hidden)]
     #[must_use]
     pub fn python(&self, generated: &Module, module: &str) -> Package {
-        let writing = Writing {
+        let options = PackageOptions {
             module,
-            options: &self.options(),
+            asked: &self.options(),
         };
-        python::print(generated, &self.item(generated), &writing)
+        python::print(generated, &self.item(generated), &options)
     }
 }
 

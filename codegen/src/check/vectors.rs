@@ -20,7 +20,7 @@ use crate::module::{GeneratedFunction, TestVector};
 use crate::quaternion::{normalize, of_length_1};
 use crate::real::Real;
 use crate::schedule::Program;
-use crate::schedule::bound::{self, Conditions, Found, Reason, Value};
+use crate::schedule::bound::{self, Conditions, Reason, ResultBound, Value};
 use crate::space::{Arguments, FrameId, Kind, Variable, VelocityId};
 
 /// Largest number of results for which there are two states; longer ones have one.
@@ -110,7 +110,7 @@ fn vector(
     dense: &Dense,
     chain: &Chain,
     (function, generated): (usize, &GeneratedFunction),
-    (found, scalar): (&[Found], Real),
+    (found, scalar): (&[ResultBound], Real),
 ) -> Option<TestVector> {
     let named = |name: &String| chain.frames.find(|of| of.name == *name);
     let frame = generated.frame.as_ref().and_then(named);
@@ -311,7 +311,7 @@ fn rows_of(
 }
 
 /// Bounds of the rounding errors of a program's results at a state.
-fn rounding(state: &State, program: &Program, model: RoundingModel) -> Vec<Found> {
+fn rounding(state: &State, program: &Program, model: RoundingModel) -> Vec<ResultBound> {
     let scalar = model.scalar;
     let range = |input: Input| {
         let meant = state.get(input);
@@ -331,7 +331,7 @@ fn rounding(state: &State, program: &Program, model: RoundingModel) -> Vec<Found
 }
 
 /// Tolerances of results: their rounding errors, and those of the expected results.
-fn tolerances(found: &[Found], expected: &[Approximate], scalar: Real) -> Vec<f64> {
+fn tolerances(found: &[ResultBound], expected: &[Approximate], scalar: Real) -> Vec<f64> {
     let largest = expected
         .iter()
         .map(|entry| entry.size())

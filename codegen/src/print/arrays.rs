@@ -8,7 +8,7 @@
 //! one of two orders, in arguments as in results.
 
 use super::documentation;
-use super::steps::Step;
+use super::steps::ConfigurationFunction;
 use crate::expression::Input;
 use crate::function::Function;
 use crate::module::{GeneratedFunction, Module, arguments};
@@ -102,7 +102,7 @@ pub fn steps(module: &Module) -> impl Iterator<Item = Signature> {
             ..argument(variable, spaces)
         }
     };
-    let steps = Step::ALL
+    let steps = ConfigurationFunction::ALL
         .into_iter()
         .filter(|step| !step.arguments().is_empty());
     steps.map(move |step| Signature {
@@ -128,13 +128,13 @@ pub fn arrange(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order)
 /// Puts results into the order of their shapes, with a fourth row below each of several matrices.
 pub fn arrange_results(generated: &mut GeneratedFunction, spaces: &Spaces, order: Order) {
     let mut first = 0;
-    let mut places: Vec<Source> = Vec::new();
+    let mut places: Vec<NumberSource> = Vec::new();
     let results = generated.functions.iter().map(|function| function.result());
     for (_, quantity) in results.flat_map(Outcome::parts) {
         let own = arranged(&quantity, spaces, order);
         places.extend(own.map(|source| match source {
-            Source::Result(place) => Source::Result(first + place),
-            constant @ Source::Constant(_) => constant,
+            NumberSource::Result(place) => NumberSource::Result(first + place),
+            constant @ NumberSource::Constant(_) => constant,
         }));
         first += quantity.size(spaces);
     }
@@ -142,8 +142,8 @@ pub fn arrange_results(generated: &mut GeneratedFunction, spaces: &Spaces, order
     program.results = places
         .into_iter()
         .map(|source| match source {
-            Source::Result(place) => program.results[place],
-            Source::Constant(value) => Operand::Literal(value),
+            NumberSource::Result(place) => program.results[place],
+            NumberSource::Constant(value) => Operand::Literal(value),
         })
         .collect();
 }
@@ -168,7 +168,7 @@ fn read_linear_first(program: &mut Program) {
 
 /// Source of a number of an array.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Source {
+enum NumberSource {
     /// An index into the results of a program.
     Result(usize),
     /// A number of the fourth row of a matrix.
@@ -180,7 +180,7 @@ fn arranged(
     quantity: &Quantity,
     spaces: &Spaces,
     order: Order,
-) -> impl Iterator<Item = Source> + use<> {
+) -> impl Iterator<Item = NumberSource> + use<> {
     let each = quantity.entity.size();
     let row = quantity
         .entity
@@ -189,7 +189,7 @@ fn arranged(
     in_order(quantity, spaces, order).flat_map(move |place| {
         let is_last = place % each == each - 1;
         let row = row.filter(|_| is_last).into_iter().flatten();
-        std::iter::once(Source::Result(place)).chain(row.map(Source::Constant))
+        std::iter::once(NumberSource::Result(place)).chain(row.map(NumberSource::Constant))
     })
 }
 

@@ -1,7 +1,7 @@
 //! C: functions in C99, and headers for functions in another language.
 //!
-//! In: a [`Module`] and a prefix for names. Out: a [`Source`], a source for each function, or the header alone; on request
-//! with `CasADi`'s external interface.
+//! In: a [`Module`] and a prefix for names. Out: a [`SourceFile`], a source for each function, or the header alone; on
+//! request with `CasADi`'s external interface.
 
 mod acados;
 mod body;
@@ -22,7 +22,7 @@ mod steps;
 #[cfg(test)]
 mod tests;
 
-use super::documentation::Angles;
+use super::documentation::SineAngles;
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::real::Real;
@@ -37,7 +37,7 @@ pub use steps::check as check_steps;
 
 /// Functions in C99.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct SourceFile {
     /// The header: declarations with units and frames.
     pub header: String,
     /// The source, which includes the header unless it has been included before.
@@ -46,7 +46,7 @@ pub struct Source {
 
 /// Options of the output.
 #[derive(Clone, Copy, Debug)]
-pub struct Writing<'a> {
+pub struct COptions<'a> {
     /// Prefix of all names.
     pub prefix: &'a str,
     /// Name by which the source includes the header.
@@ -72,40 +72,40 @@ pub fn prefix(robot: &str) -> String {
 
 /// Functions and their header; [`Real::Generic`] is printed as `double`.
 #[must_use]
-pub fn print(module: &Module, writing: &Writing<'_>) -> Source {
-    Source {
-        header: header(module, writing),
-        text: source::source(module, writing),
+pub fn print(module: &Module, options: &COptions<'_>) -> SourceFile {
+    SourceFile {
+        header: header(module, options),
+        text: source::source(module, options),
     }
 }
 
 /// The same in a file for each function: names and texts, the header first, and then the source with everything that is
 /// not a function of the request.
 #[must_use]
-pub fn print_apart(module: &Module, writing: &Writing<'_>) -> Vec<(String, String)> {
-    let header = (writing.header.to_owned(), header(module, writing));
-    let sources = source::sources(module, writing);
+pub fn print_apart(module: &Module, options: &COptions<'_>) -> Vec<(String, String)> {
+    let header = (options.header.to_owned(), header(module, options));
+    let sources = source::sources(module, options);
     std::iter::once(header).chain(sources).collect()
 }
 
-fn header(module: &Module, writing: &Writing<'_>) -> String {
+fn header(module: &Module, options: &COptions<'_>) -> String {
     let angles = match (module.sines, module.scalar) {
-        (Sines::Own, real) => Angles::own(real),
-        (Sines::Platform, Real::F32) => Angles::As("sinf".to_owned()),
-        (Sines::Platform, Real::F64 | Real::Generic) => Angles::As("sin".to_owned()),
+        (Sines::Own, real) => SineAngles::own(real),
+        (Sines::Platform, Real::F32) => SineAngles::As("sinf".to_owned()),
+        (Sines::Platform, Real::F64 | Real::Generic) => SineAngles::As("sin".to_owned()),
     };
     let header = Header {
-        prefix: writing.prefix,
-        guard: writing.prefix,
-        asked: writing.asked,
+        prefix: options.prefix,
+        guard: options.prefix,
+        asked: options.asked,
         angles: &angles,
-        needs: Some(&writing.needs()),
-        steps: writing.for_c.steps,
+        needs: Some(&options.needs()),
+        steps: options.for_c.steps,
     };
     header.text(module)
 }
 
-impl Writing<'_> {
+impl COptions<'_> {
     /// A name private to the file.
     fn own(&self, name: &str) -> String {
         own(self.prefix, name)

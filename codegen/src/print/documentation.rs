@@ -7,7 +7,7 @@ mod error;
 
 use std::fmt::Write;
 
-use super::steps::Step;
+use super::steps::ConfigurationFunction;
 use crate::function::Function;
 use crate::module::{self, About, GeneratedFunction, LeftOut, Module};
 use crate::real::Real;
@@ -17,14 +17,14 @@ use crate::space::{Entry, Kind, Order, Outcome, Space, Spaces, Variable};
 use crate::wording::{code, list};
 
 /// Angles for which the sines of a function without the runtime are accurate.
-pub(super) enum Angles {
+pub(super) enum SineAngles {
     /// Up to this magnitude.
     UpTo(&'static str),
     /// As far as those of the function at this path.
     As(String),
 }
 
-impl Angles {
+impl SineAngles {
     /// Range of the sines that generated code carries itself.
     pub fn own(real: Real) -> Self {
         Self::UpTo(match real {
@@ -39,7 +39,7 @@ impl Angles {
 pub(super) fn of_function(
     module: &Module,
     generated: &GeneratedFunction,
-    plain: Option<(&Angles, Order)>,
+    plain: Option<(&SineAngles, Order)>,
     once: Option<&OperationCount>,
 ) -> Vec<String> {
     let about = &module.about;
@@ -118,7 +118,11 @@ pub(super) fn remarks(spaces: &Spaces, functions: &[Function]) -> Vec<String> {
 }
 
 /// Comment of a function of configurations; `angles`: given if its result is a plain array.
-pub(super) fn of_step(module: &Module, step: Step, angles: Option<&Angles>) -> Vec<String> {
+pub(super) fn of_step(
+    module: &Module,
+    step: ConfigurationFunction,
+    angles: Option<&SineAngles>,
+) -> Vec<String> {
     let mut lines = step.about().map(str::to_owned).to_vec();
     if let Some(angles) = angles.filter(|_| step.turns(module)) {
         lines.extend([String::new(), range(angles)]);
@@ -327,10 +331,10 @@ pub(super) fn operation_count(generated: &GeneratedFunction, name: &str) -> Vec<
 const HUGE: &str = "NaN, infinite and huge arguments follow IEEE 754 arithmetic";
 
 /// Line about the angles for which results are accurate.
-fn range(angles: &Angles) -> String {
+fn range(angles: &SineAngles) -> String {
     match angles {
-        Angles::UpTo(range) => format!("Accurate for angles up to {range}; {HUGE}."),
-        Angles::As(path) => {
+        SineAngles::UpTo(range) => format!("Accurate for angles up to {range}; {HUGE}."),
+        SineAngles::As(path) => {
             let path = code(path);
             format!("Accurate for angles for which {path} is accurate; {HUGE}.")
         }

@@ -18,18 +18,18 @@ mod tests;
 use crate::formulation::Sines;
 use crate::module::Module;
 use crate::print::c::{own, symbols};
-use crate::print::documentation::{self, Angles};
-use crate::print::steps::{Step, has_angles};
+use crate::print::documentation::{self, SineAngles};
+use crate::print::steps::{ConfigurationFunction, has_angles};
 use crate::real::Real;
 use crate::space::Order;
 use crate::wording::visible;
 use batch::{arrays, batch, moves};
-use function::{Function, Of, define};
+use function::{ComputedFunction, LlvmFunction, define};
 use lanes::Lanes;
 
 /// Options of the output.
 #[derive(Clone, Copy, Debug)]
-pub struct Writing<'a> {
+pub struct LlvmOptions<'a> {
     /// Prefix of all names.
     pub prefix: &'a str,
     /// Request, quoted at the head; without it there are no comments, and equal programs are equal texts.
@@ -64,21 +64,21 @@ pub enum Steps {
 
 /// The module; [`Real::Generic`] is printed as `double`.
 #[must_use]
-pub fn print(module: &Module, writing: &Writing<'_>) -> String {
+pub fn print(module: &Module, options: &LlvmOptions<'_>) -> String {
     let real = match module.scalar {
         Real::F32 => Real::F32,
         Real::F64 | Real::Generic => Real::F64,
     };
-    let widths = match writing.states {
+    let widths = match options.states {
         States::InLanes(several) if several > 1 => vec![1, several],
         States::InLanes(_) | States::InThreads => vec![1],
     };
     let widths: Vec<Lanes> = (widths.into_iter())
         .map(|count| Lanes { real, count })
         .collect();
-    let symbols = symbols(module, writing.prefix);
+    let symbols = symbols(module, options.prefix);
     let mut text = String::new();
-    if let Some(asked) = writing.asked {
+    if let Some(asked) = options.asked {
         let mut head = documentation::head(module, asked);
         for (generated, name) in module.functions.iter().zip(&symbols) {
             head.extend(documentation::operation_count(generated, name));
@@ -88,44 +88,49 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
     }
     let own_sines = module.sines == Sines::Own && has_angles(module);
     for &lanes in widths.iter().filter(|_| own_sines) {
-        text.push_str(&sines::define(lanes, writing.fused));
+        text.push_str(&sines::define(lanes, options.fused));
     }
     for &lanes in &widths {
-        text.push_str(&moves(lanes, writing.states == States::InThreads));
+        text.push_str(&moves(lanes, options.states == States::InThreads));
     }
     let angles = match module.sines {
-        Sines::Own => Angles::own(real),
-        Sines::Platform => Angles::As("llvm.sin".to_owned()),
+        Sines::Own => SineAngles::own(real),
+        Sines::Platform => SineAngles::As("llvm.sin".to_owned()),
     };
     let functions = module
         .functions
         .iter()
         .zip(symbols)
-        .map(|(generated, symbol)| (Of::State(generated), symbol));
-    let steps = match writing.steps {
-        Steps::OfQuaternions => Step::of(module),
-        Steps::All => &Step::ALL,
+        .map(|(generated, symbol)| (ComputedFunction::State(generated), symbol));
+    let steps = match options.steps {
+        Steps::OfQuaternions => ConfigurationFunction::of(module),
+        Steps::All => &ConfigurationFunction::ALL,
         Steps::None => &[],
     };
     let steps = steps.iter();
-    let steps = steps.map(|&step| (Of::Step(step), own(writing.prefix, step.name())));
+    let steps = steps.map(|&step| {
+        (
+            ComputedFunction::Step(step),
+            own(options.prefix, step.name()),
+        )
+    });
     for (of, symbol) in functions.chain(steps) {
-        if writing.asked.is_some() {
+        if options.asked.is_some() {
             text.push_str(&comment(&match of {
-                Of::State(generated) => documentation::of_function(
+                ComputedFunction::State(generated) => documentation::of_function(
                     module,
                     generated,
                     Some((&angles, Order::AngularFirst)),
                     None,
                 ),
-                Of::Step(step) => documentation::of_step(module, step, Some(&angles)),
+                ComputedFunction::Step(step) => documentation::of_step(module, step, Some(&angles)),
             }));
         }
-        let function = Function::new(module, of, &symbol, writing.fused);
+        let function = LlvmFunction::new(module, of, &symbol, options.fused);
         for &lanes in &widths {
             text.push_str(&define(&function, lanes));
         }
-        match writing.states {
+        match options.states {
             States::InLanes(_) => {
                 text.push_str(&batch(&function, &widths));
                 text.push_str(&arrays(&function));
@@ -136,7 +141,7 @@ pub fn print(module: &Module, writing: &Writing<'_>) -> String {
     for lanes in widths {
         text.push_str(&lanes.declarations());
     }
-    if writing.states == States::InThreads {
+    if options.states == States::InThreads {
         text.push_str(&kernel::declarations());
     }
     text

@@ -12,13 +12,13 @@ mod names;
 mod tests;
 
 use super::arrays::Order;
-use super::steps::Step;
+use super::steps::ConfigurationFunction;
 use crate::module::Module;
 use function::{Printed, of_state, of_step};
 
 /// Options of the output.
 #[derive(Clone, Copy, Debug)]
-pub struct Writing<'a> {
+pub struct PythonOptions<'a> {
     /// The request.
     pub asked: &'a str,
     /// Order of the two halves of twists, wrenches and momenta.
@@ -27,22 +27,22 @@ pub struct Writing<'a> {
 
 /// The module of Python.
 #[must_use]
-pub fn print(module: &Module, writing: &Writing<'_>) -> String {
+pub fn print(module: &Module, options: &PythonOptions<'_>) -> String {
     let mut names = names::of_module();
     let functions = module.functions.iter();
     let named = functions.map(|generated| (names.fresh(&generated.name()), generated));
     let named: Vec<_> = named.collect();
     let of_state = named
         .iter()
-        .map(|(name, generated)| of_state(module, (name, generated), writing.order));
-    let steps = Step::of(module).iter();
+        .map(|(name, generated)| of_state(module, (name, generated), options.order));
+    let steps = ConfigurationFunction::of(module).iter();
     // The neutral configuration is a constant.
     let steps = steps.filter(|step| !step.arguments().is_empty());
     let of_steps = steps.map(|&step| of_step(module, step));
     let printed: Vec<Printed> = of_state.chain(of_steps).collect();
     let counted: Vec<_> = named.iter().map(|(name, of)| (&**name, *of)).collect();
     let has_signs = printed.iter().any(|of| of.has_signs);
-    let mut text = head::head(module, &counted, writing.asked);
+    let mut text = head::head(module, &counted, options.asked);
     text.push_str(&head::constants(module));
     if has_signs {
         text.push_str(head::SIGN_OF_A_NUMBER);

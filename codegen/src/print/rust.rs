@@ -58,7 +58,7 @@ pub use method::Explained;
 #[cfg(feature = "files")]
 pub(crate) use names::in_every_edition;
 #[cfg(feature = "files")]
-pub use pretty::Source;
+pub use pretty::FormattedSource;
 #[cfg(feature = "files")]
 pub use review::appendix;
 pub use stub::stub;

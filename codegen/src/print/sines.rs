@@ -18,7 +18,7 @@ pub(super) const COSINE: &str = "cosine";
 pub(super) const SHIFTED: &str = "shifted";
 
 /// Accuracy and range of the sines.
-pub(super) struct Range {
+pub(super) struct SineRange {
     /// Maximum magnitude \[rad\] with the error below; beyond, it grows with the angle.
     pub limit: &'static str,
     /// The same in turns.
@@ -32,16 +32,16 @@ pub(super) struct Range {
 }
 
 /// Range for a scalar type.
-pub(super) const fn range(real: Real) -> Range {
+pub(super) const fn range(real: Real) -> SineRange {
     match real {
-        Real::F32 => Range {
+        Real::F32 => SineRange {
             limit: "3200",
             turns: "509",
             error: "0.92",
             growth: "6e-8",
             end: "6e6",
         },
-        Real::F64 | Real::Generic => Range {
+        Real::F64 | Real::Generic => SineRange {
             limit: "2e5",
             turns: "31,830",
             error: "0.9",
@@ -53,7 +53,7 @@ pub(super) const fn range(real: Real) -> Range {
 
 /// Statements from the angle to the values that the last step reads.
 pub(super) fn statements(real: Real) -> Vec<Statement> {
-    let mut steps = Steps::default();
+    let mut steps = SineStatements::default();
     match real {
         Real::F32 => steps.single(),
         Real::F64 | Real::Generic => steps.double(),
@@ -62,9 +62,9 @@ pub(super) fn statements(real: Real) -> Vec<Statement> {
 }
 
 #[derive(Default)]
-struct Steps(Vec<Statement>);
+struct SineStatements(Vec<Statement>);
 
-impl Steps {
+impl SineStatements {
     fn bind(&mut self, name: &str, operation: Operation<Value>) -> Value {
         self.0
             .push(Statement::Operation(name.to_owned(), operation));

@@ -19,7 +19,7 @@ use crate::space::Space;
 
 /// Function of configurations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum ConfigurationFunction {
     /// The neutral configuration.
     Neutral,
     /// The configuration after one unit of time at given velocities.
@@ -31,7 +31,7 @@ pub(super) enum Step {
 }
 
 /// Joint with coordinates of its own.
-pub(super) struct Own {
+pub(super) struct JointRanges {
     pub motion: DataMotion,
     /// Indices of its coordinates.
     pub coordinates: Range<usize>,
@@ -40,11 +40,11 @@ pub(super) struct Own {
 }
 
 /// Joints with coordinates of a robot.
-pub(super) fn joints(module: &Module) -> impl Iterator<Item = Own> {
+pub(super) fn joints(module: &Module) -> impl Iterator<Item = JointRanges> {
     let (mut coordinate, mut velocity) = (0, 0);
     let motions = module.data.motions.iter().map(move |&motion| {
         let (coordinates, velocities) = motion.counts();
-        let own = Own {
+        let own = JointRanges {
             motion,
             coordinates: coordinate..coordinate + coordinates,
             velocities: velocity..velocity + velocities,
@@ -58,13 +58,14 @@ pub(super) fn joints(module: &Module) -> impl Iterator<Item = Own> {
 /// True if the generated code has sines or cosines.
 pub(super) fn has_angles(module: &Module) -> bool {
     let mut programs = module.functions.iter().map(|generated| &generated.program);
-    programs.any(|program| !program.angles.is_empty()) || Step::Integrate.turns(module)
+    programs.any(|program| !program.angles.is_empty())
+        || ConfigurationFunction::Integrate.turns(module)
 }
 
 /// True if the generated code has square roots.
 pub(super) fn has_roots(module: &Module) -> bool {
     let mut programs = module.functions.iter().map(|generated| &generated.program);
-    programs.any(Program::has_roots) || !Step::of(module).is_empty()
+    programs.any(Program::has_roots) || !ConfigurationFunction::of(module).is_empty()
 }
 
 /// Configuration spaces of the joints with planar or quaternion coordinates.
@@ -76,7 +77,7 @@ fn manifolds(module: &Module) -> impl Iterator<Item = Manifold> + '_ {
     })
 }
 
-impl Own {
+impl JointRanges {
     /// Index of its quaternion among its coordinates, if it has one.
     pub fn quaternion(&self) -> Option<usize> {
         match self.motion {
@@ -100,7 +101,7 @@ pub(super) fn neutral(module: &Module) -> Vec<f64> {
     joints(module).flat_map(|own| own.neutral()).collect()
 }
 
-impl Step {
+impl ConfigurationFunction {
     /// All functions.
     pub const ALL: [Self; 4] = [
         Self::Neutral,
@@ -178,7 +179,7 @@ impl Step {
 }
 
 #[cfg(feature = "files")]
-impl Step {
+impl ConfigurationFunction {
     /// Operations without fused products, so that results are the same on every processor.
     pub fn program(self, module: &Module) -> Program {
         let graph = Graph::new();
@@ -190,7 +191,7 @@ impl Step {
     }
 
     /// Entries of the result for a joint.
-    fn of_joint<'g>(self, own: &Own, graph: &'g Graph, real: Real) -> Vec<Term<'g>> {
+    fn of_joint<'g>(self, own: &JointRanges, graph: &'g Graph, real: Real) -> Vec<Term<'g>> {
         // Arguments are inputs as fields are, since functions of the state do not have these arguments.
         let entry = |argument: u16, place: usize| {
             let place = u16::try_from(place).expect("fewer than 65,536 entries");

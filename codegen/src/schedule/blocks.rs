@@ -28,7 +28,7 @@ const SHORTEST: usize = LONGEST_SCOPE / 2;
 
 /// Entry of a scope.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Part {
+pub enum ScopeEntry {
     /// Step with this index, as in [`Operand::Step`].
     Step(u32),
     /// Inner scope.
@@ -39,7 +39,7 @@ pub enum Part {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     /// Contents.
-    pub parts: Vec<Part>,
+    pub entries: Vec<ScopeEntry>,
     /// Steps inside that are read after the block, in order.
     pub outputs: Vec<u32>,
 }
@@ -47,15 +47,15 @@ pub struct Block {
 /// Steps of a program without sections.
 pub struct Nested {
     /// Steps before the sines and cosines.
-    pub before: Vec<Part>,
+    pub before: Vec<ScopeEntry>,
     /// Steps after them: before the first repeat, between two, and after the last.
-    pub after: Vec<Vec<Part>>,
+    pub after: Vec<Vec<ScopeEntry>>,
 }
 
 /// Steps of a program with loops; `results` are read at the end.
 #[must_use]
 pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nested {
-    let steps = (0_u32..).take(program.steps.len()).map(Part::Step);
+    let steps = (0_u32..).take(program.steps.len()).map(ScopeEntry::Step);
     let mut steps: Vec<_> = steps.collect();
     let mut after = Vec::new();
     for repeat in repeats.iter().rev() {
@@ -71,11 +71,11 @@ pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nes
     };
     let stretches = std::iter::once(&mut nested.before).chain(&mut nested.after);
     let stretches: Vec<_> = stretches.collect();
-    let written: usize = stretches.iter().map(|parts| parts.len()).sum();
+    let written: usize = stretches.iter().map(|entries| entries.len()).sum();
     if written + program.angles.len() > FLAT {
         let read_until = read_until(program, results);
-        for parts in stretches {
-            *parts = in_blocks(std::mem::take(parts), &read_until);
+        for entries in stretches {
+            *entries = in_blocks(std::mem::take(entries), &read_until);
         }
     }
     nested
@@ -83,10 +83,10 @@ pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nes
 
 /// Steps before the sines and cosines of a program with sections.
 #[must_use]
-pub fn before(program: &Program) -> Vec<Part> {
+pub fn before(program: &Program) -> Vec<ScopeEntry> {
     let steps = (0_u32..).take(program.before_angles);
     in_blocks(
-        steps.map(Part::Step).collect(),
+        steps.map(ScopeEntry::Step).collect(),
         &read_until(program, &program.results),
     )
 }
@@ -94,10 +94,10 @@ pub fn before(program: &Program) -> Vec<Part> {
 /// Steps of a section, or of the first iteration of a repeat. `bound` steps are read by name after it; all others are
 /// read from the work array or the table.
 #[must_use]
-pub fn within(program: &Program, section: Range<u32>, bound: &[u32]) -> Vec<Part> {
-    let parts = section.clone().map(Part::Step).collect();
+pub fn within(program: &Program, section: Range<u32>, bound: &[u32]) -> Vec<ScopeEntry> {
+    let entries = section.clone().map(ScopeEntry::Step).collect();
     if section.len() <= FLAT {
-        return parts;
+        return entries;
     }
     let mut read_until = vec![0; program.steps.len()];
     let steps = &program.steps[section.start as usize..section.end as usize];
@@ -105,18 +105,18 @@ pub fn within(program: &Program, section: Range<u32>, bound: &[u32]) -> Vec<Part
     for &step in bound {
         read_until[step as usize] = u32::MAX;
     }
-    in_blocks(parts, &read_until)
+    in_blocks(entries, &read_until)
 }
 
-/// Groups the parts until a scope has at most [`LONGEST_SCOPE`] bindings.
-fn in_blocks(mut parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
-    while parts.len() > LONGEST_SCOPE {
-        parts = grouped(parts, read_until);
+/// Groups the entries until a scope has at most [`LONGEST_SCOPE`] bindings.
+fn in_blocks(mut entries: Vec<ScopeEntry>, read_until: &[u32]) -> Vec<ScopeEntry> {
+    while entries.len() > LONGEST_SCOPE {
+        entries = grouped(entries, read_until);
     }
-    parts
+    entries
 }
 
-impl Part {
+impl ScopeEntry {
     /// Steps inside that are read after it.
     fn outputs(&self) -> &[u32] {
         match self {
@@ -129,38 +129,38 @@ impl Part {
     fn end(&self) -> u32 {
         match self {
             Self::Step(step) => step + 1,
-            Self::Block(block) => block.parts.last().map_or(0, Self::end),
+            Self::Block(block) => block.entries.last().map_or(0, Self::end),
         }
     }
 }
 
-/// Parts in blocks of [`SHORTEST`] to [`LONGEST_SCOPE`], cut such that the blocks return the fewest values.
-fn grouped(parts: Vec<Part>, read_until: &[u32]) -> Vec<Part> {
-    let mut rest = parts.into_iter();
+/// Entries in blocks of [`SHORTEST`] to [`LONGEST_SCOPE`], cut such that the blocks return the fewest values.
+fn grouped(entries: Vec<ScopeEntry>, read_until: &[u32]) -> Vec<ScopeEntry> {
+    let mut rest = entries.into_iter();
     let cuts = cuts(rest.as_slice(), read_until);
     let blocks = cuts.into_iter().map(|cut| {
-        let parts: Vec<_> = rest.by_ref().take(cut.len()).collect();
-        let end = parts.last().map_or(0, Part::end);
-        let inside = parts.iter().flat_map(Part::outputs).copied();
+        let entries: Vec<_> = rest.by_ref().take(cut.len()).collect();
+        let end = entries.last().map_or(0, ScopeEntry::end);
+        let inside = entries.iter().flat_map(ScopeEntry::outputs).copied();
         let outputs = inside
             .filter(|&step| read_until[step as usize] >= end)
             .collect();
-        Part::Block(Block { parts, outputs })
+        ScopeEntry::Block(Block { entries, outputs })
     });
     blocks.collect()
 }
 
 /// Best cuts by dynamic programming: those up to an index extend those up to the start of the last block.
-fn cuts(parts: &[Part], read_until: &[u32]) -> Vec<Range<usize>> {
+fn cuts(entries: &[ScopeEntry], read_until: &[u32]) -> Vec<Range<usize>> {
     // For each index: number of values returned by all blocks before it, and start of the last one.
-    let mut best = vec![None; parts.len() + 1];
+    let mut best = vec![None; entries.len() + 1];
     best[0] = Some((0, 0));
-    for end in SHORTEST..=parts.len() {
-        let behind = parts[end - 1].end();
+    for end in SHORTEST..=entries.len() {
+        let behind = entries[end - 1].end();
         let mut outputs = 0;
         let mut found = None;
         for start in (end.saturating_sub(LONGEST_SCOPE)..end).rev() {
-            for &step in parts[start].outputs() {
+            for &step in entries[start].outputs() {
                 outputs += u32::from(read_until[step as usize] >= behind);
             }
             if let (true, Some((before, _))) = (end - start >= SHORTEST, best[start]) {
@@ -173,7 +173,7 @@ fn cuts(parts: &[Part], read_until: &[u32]) -> Vec<Range<usize>> {
         best[end] = found;
     }
     let mut cuts = Vec::new();
-    let mut end = parts.len();
+    let mut end = entries.len();
     while let Some((_, start)) = best[end].filter(|_| end > 0) {
         cuts.push(start..end);
         end = start;
@@ -186,7 +186,7 @@ fn cuts(parts: &[Part], read_until: &[u32]) -> Vec<Range<usize>> {
 mod tests {
     use homogen_random::Random;
 
-    use super::{Block, FLAT, LONGEST_SCOPE, Nested, Part, SHORTEST, nested};
+    use super::{Block, FLAT, LONGEST_SCOPE, Nested, SHORTEST, ScopeEntry, nested};
     use crate::expression::Input;
     use crate::schedule::{Operand, Operation, Program, Step};
     use crate::space::Variable;
@@ -248,17 +248,17 @@ mod tests {
 
     impl Walk<'_> {
         /// Steps that a scope binds, and the maximum number of nested bindings.
-        fn scope(&mut self, parts: &[Part]) -> (Vec<u32>, usize) {
-            let (mut bound, mut deepest) = (Vec::new(), parts.len());
-            for (before, part) in parts.iter().enumerate() {
-                let new = match part {
-                    Part::Step(step) => {
+        fn scope(&mut self, entries: &[ScopeEntry]) -> (Vec<u32>, usize) {
+            let (mut bound, mut deepest) = (Vec::new(), entries.len());
+            for (before, entry) in entries.iter().enumerate() {
+                let new = match entry {
+                    ScopeEntry::Step(step) => {
                         self.step(*step);
                         vec![*step]
                     }
-                    Part::Block(Block { parts, outputs }) => {
-                        assert!((SHORTEST..=LONGEST_SCOPE).contains(&parts.len()));
-                        let (inside, depth) = self.scope(parts);
+                    ScopeEntry::Block(Block { entries, outputs }) => {
+                        assert!((SHORTEST..=LONGEST_SCOPE).contains(&entries.len()));
+                        let (inside, depth) = self.scope(entries);
                         deepest = deepest.max(before + depth);
                         for step in &inside {
                             self.visible[*step as usize] = false;
@@ -312,10 +312,10 @@ mod tests {
 
     #[test]
     fn blocks_return_only_values_that_are_read() {
-        fn check(parts: &[Part], program: &Program) {
-            for part in parts {
-                if let Part::Block(Block { parts, outputs }) = part {
-                    let end = part.end() as usize;
+        fn check(entries: &[ScopeEntry], program: &Program) {
+            for entry in entries {
+                if let ScopeEntry::Block(Block { entries, outputs }) = entry {
+                    let end = entry.end() as usize;
                     let behind = program.steps[end..].iter();
                     let behind = behind.flat_map(|step| step.operation.operands());
                     let mut behind: Vec<_> = behind.chain(program.results.clone()).collect();
@@ -324,20 +324,20 @@ mod tests {
                     }
                     let read = |step: &u32| behind.contains(&Operand::Step(*step));
                     assert!(outputs.iter().all(read));
-                    check(parts, program);
+                    check(entries, program);
                 }
             }
         }
         let [program, _] = long();
         let Nested { before, after } = nested(&program, &[], &program.results);
-        for parts in [before, after.concat()] {
-            check(&parts, &program);
+        for entries in [before, after.concat()] {
+            check(&entries, &program);
         }
     }
 
     #[test]
     fn a_short_program_is_one_scope() {
-        let is_step = |part: &Part| matches!(part, Part::Step(_));
+        let is_step = |entry: &ScopeEntry| matches!(entry, ScopeEntry::Step(_));
         let nested = |steps: usize| {
             let program = tangled(steps);
             nested(&program, &[], &program.results)
@@ -360,7 +360,7 @@ mod tests {
             since => [k - since, k - 1],
         });
         let after = nested(&program, &[], &program.results).after.concat();
-        let outputs: Vec<_> = after.iter().map(|part| part.outputs().to_vec()).collect();
+        let outputs: Vec<_> = after.iter().map(|entry| entry.outputs().to_vec()).collect();
         let last_of_each = (1..=10).map(|k| vec![k * stretch - 1]);
         assert_eq!(outputs, last_of_each.collect::<Vec<_>>());
     }

@@ -19,7 +19,7 @@ mod term;
 mod tests;
 mod value;
 
-use self::kind::{Follows, Form, Kind, is_sum};
+use self::kind::{ColumnKind, Follows, StepForm, is_sum};
 pub use self::known::Conditions;
 use self::known::{Computed, Known};
 use self::length::Lengths;
@@ -34,7 +34,7 @@ use super::{Operand, Operation, Program, Step};
 
 /// Bound of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct ResultBound {
     /// Range and error; the error is infinite without a bound.
     pub value: Value,
     /// Reason why there is no bound; `None` also if an input is unknown.
@@ -43,7 +43,7 @@ pub struct Found {
 
 /// Bound of each result.
 #[must_use]
-pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
+pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<ResultBound> {
     let mut known = Known {
         program,
         conditions,
@@ -62,7 +62,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
         known.rotation();
     }
     let results = program.results.iter();
-    let found = results.map(|&result| Found {
+    let found = results.map(|&result| ResultBound {
         // No operation reads an argument that is a result.
         value: match result {
             Operand::Input(input) => (conditions.range)(input),
@@ -71,7 +71,7 @@ pub fn results(program: &Program, conditions: &Conditions<'_>) -> Vec<Found> {
         reason: known.reason(result),
     });
     found
-        .map(|found| Found {
+        .map(|found| ResultBound {
             value: Value {
                 error: found.value.error * SLACK,
                 ..found.value
@@ -109,7 +109,7 @@ impl<'p> Known<'p> {
         let (range, entry) = polynomial.map_or((None, None), |(range, entry)| (Some(range), entry));
         let (value, form) = self.step(operation, range, lengths);
         let place = match form {
-            Form::ByRotation(rotation) => self.turns.place(step, &rotation),
+            StepForm::ByRotation(rotation) => self.turns.place(step, &rotation),
             _ => None,
         };
         let value = value.unwrap_or(Value::UNKNOWN);
@@ -123,7 +123,7 @@ impl<'p> Known<'p> {
                 None => Follows::of(taken, &form),
                 Some(_) => Follows::Never,
             },
-            kind: Kind::of(Operand::Step(step), taken.label, &form, place),
+            kind: ColumnKind::of(Operand::Step(step), taken.label, &form, place),
             entry,
         });
         if fits && is_sum(operation) {
@@ -151,7 +151,7 @@ impl<'p> Known<'p> {
         operation: Operation,
         range: Option<[f64; 2]>,
         lengths: &mut Lengths,
-    ) -> (Option<Value>, Form) {
+    ) -> (Option<Value>, StepForm) {
         if let Some(terms) = self.terms(operation) {
             return self.sum(terms, range, lengths);
         }
@@ -160,12 +160,17 @@ impl<'p> Known<'p> {
             Operation::Div(a, b) => self.value(a).times(self.value(b).reciprocal()),
             Operation::Sqrt(a) => self.value(a).root(),
             // Exact, and not part of a vector.
-            Operation::Sign(a) => return (Some(self.value(a).sign(self.scalar())), Form::Plain),
+            Operation::Sign(a) => {
+                return (Some(self.value(a).sign(self.scalar())), StepForm::Plain);
+            }
             // Negations occur only before results and angles, never within a vector.
-            Operation::Neg(a) => return (Some(self.value(a).opposite()), Form::Plain),
+            Operation::Neg(a) => return (Some(self.value(a).opposite()), StepForm::Plain),
             _ => unreachable!("a sum has terms"),
         };
-        (Some(exact.kept(range).rounded(self.scalar())), Form::Plain)
+        (
+            Some(exact.kept(range).rounded(self.scalar())),
+            StepForm::Plain,
+        )
     }
 
     fn sum(
@@ -173,7 +178,7 @@ impl<'p> Known<'p> {
         terms: [Term; 2],
         range: Option<[f64; 2]>,
         lengths: &mut Lengths,
-    ) -> (Option<Value>, Form) {
+    ) -> (Option<Value>, StepForm) {
         // A product is rounded before the sum; if they are fused, the error is smaller.
         let [a, b] = terms.map(|term| match (term.whole, term.factors) {
             (Some(whole), _) => self.value(whole),
@@ -181,7 +186,7 @@ impl<'p> Known<'p> {
             (None, None) => Value::UNKNOWN,
         });
         if !(a.fits(self.scalar()) && b.fits(self.scalar())) {
-            return (None, Form::Plain);
+            return (None, StepForm::Plain);
         }
         let signed = |value: Value, minus| if minus { value.opposite() } else { value };
         let sum = signed(a, terms[0].minus).plus(signed(b, terms[1].minus));
@@ -194,9 +199,9 @@ impl<'p> Known<'p> {
             sum.rounded(self.scalar())
         };
         let form = match wholes {
-            (Some(a), Some(b)) => Form::Sum(a, b),
-            (None, Some(rest)) => Form::More(rest, a),
-            (_, None) => Form::Plain,
+            (Some(a), Some(b)) => StepForm::Sum(a, b),
+            (None, Some(rest)) => StepForm::More(rest, a),
+            (_, None) => StepForm::Plain,
         };
         let [Some([x, y]), Some([z, w])] = terms.map(|term| term.factors) else {
             return (Some(sum), form);
@@ -212,6 +217,6 @@ impl<'p> Known<'p> {
                 });
         let place = |operand| self.place(operand);
         let rotation = PlaneRotation::of(place, [x, y], terms[0].minus, [z, w], terms[1].minus);
-        (Some(sum), rotation.map_or(form, Form::ByRotation))
+        (Some(sum), rotation.map_or(form, StepForm::ByRotation))
     }
 }

@@ -7,7 +7,7 @@ use crate::expression::{Expr, Graph, Node};
 
 /// Form of a fused operation.
 #[derive(Clone, Copy)]
-pub enum Form {
+pub enum FusedForm {
     /// a b + c.
     Plus,
     /// a b − c.
@@ -18,7 +18,7 @@ pub enum Form {
 
 /// Fused sums, and the products that only they read.
 pub struct Fused {
-    product_of: Vec<Option<(Expr, Expr, Expr, Form)>>,
+    product_of: Vec<Option<(Expr, Expr, Expr, FusedForm)>>,
     vanishes: Vec<bool>,
 }
 
@@ -32,7 +32,7 @@ impl Fused {
     }
 
     /// Factors, other term and form of a fused sum.
-    pub fn product_of(&self, sum: Expr) -> Option<(Expr, Expr, Expr, Form)> {
+    pub fn product_of(&self, sum: Expr) -> Option<(Expr, Expr, Expr, FusedForm)> {
         self.product_of[sum.index()]
     }
 
@@ -51,11 +51,12 @@ pub fn choose(graph: &Graph, needed: &[Expr], uses: &[u32]) -> Fused {
     };
     for &sum in needed {
         let (a, b, forms) = match graph.node(sum) {
-            Node::Add(a, b) => (a, b, [Form::Plus, Form::Plus]),
-            Node::Sub(a, b) => (a, b, [Form::Minus, Form::From]),
+            Node::Add(a, b) => (a, b, [FusedForm::Plus, FusedForm::Plus]),
+            Node::Sub(a, b) => (a, b, [FusedForm::Minus, FusedForm::From]),
             _ => continue,
         };
-        if graph.value(sum).is_some() || (matches!(forms[1], Form::From) && can_cancel(graph, a, b))
+        if graph.value(sum).is_some()
+            || (matches!(forms[1], FusedForm::From) && can_cancel(graph, a, b))
         {
             continue;
         }

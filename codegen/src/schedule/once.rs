@@ -15,7 +15,7 @@ use crate::expression::Input;
 
 /// Separated programs.
 #[derive(Clone, Debug)]
-pub struct Parts {
+pub struct SeparatedPrograms {
     /// Program that depends on fields alone. Its results are the values that the others read.
     pub once: Program,
     /// Preferred names of these values, all different.
@@ -26,11 +26,11 @@ pub struct Parts {
 
 /// Separates programs; `fields` has a name for each entry of each field.
 #[must_use]
-pub fn part(programs: &[&Program], fields: &[Vec<String>]) -> Parts {
+pub fn part(programs: &[&Program], fields: &[Vec<String>]) -> SeparatedPrograms {
     let mut once = Once::default();
     let each = programs.iter().map(|program| once.take(program)).collect();
     let names = once.names(fields);
-    Parts {
+    SeparatedPrograms {
         once: once.program(),
         names,
         each,
@@ -39,7 +39,7 @@ pub fn part(programs: &[&Program], fields: &[Vec<String>]) -> Parts {
 
 /// Operand by its bits, for the search of equal ones.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Key {
+enum OperandKey {
     Literal(u64),
     Input(Input),
     Sin(u32),
@@ -47,7 +47,7 @@ enum Key {
     Step(u32),
 }
 
-impl Key {
+impl OperandKey {
     fn of(operand: Operand) -> Self {
         match operand {
             Operand::Literal(value) => Self::Literal(value.to_bits()),
@@ -65,19 +65,19 @@ struct Once {
     steps: Vec<Step>,
     angles: Vec<Operand>,
     values: Vec<Operand>,
-    known_steps: HashMap<(std::mem::Discriminant<Operation>, Vec<Key>), u32>,
-    known_angles: HashMap<Key, u32>,
-    known_values: HashMap<Key, u16>,
+    known_steps: HashMap<(std::mem::Discriminant<Operation>, Vec<OperandKey>), u32>,
+    known_angles: HashMap<OperandKey, u32>,
+    known_values: HashMap<OperandKey, u16>,
 }
 
 /// New places of the steps and angles of one program: in the program of fields or in the rest.
 struct Moved {
-    steps: Vec<Place>,
-    angles: Vec<Place>,
+    steps: Vec<NewPlace>,
+    angles: Vec<NewPlace>,
 }
 
 #[derive(Clone, Copy)]
-enum Place {
+enum NewPlace {
     Once(u32),
     Left(u32),
 }
@@ -85,9 +85,9 @@ enum Place {
 impl Moved {
     /// Operand in the program of fields; `None` if it depends on anything else.
     fn once(&self, operand: Operand) -> Option<Operand> {
-        let place = |places: &[Place], k: u32| match places[k as usize] {
-            Place::Once(k) => Some(k),
-            Place::Left(_) => None,
+        let place = |places: &[NewPlace], k: u32| match places[k as usize] {
+            NewPlace::Once(k) => Some(k),
+            NewPlace::Left(_) => None,
         };
         match operand {
             Operand::Literal(_) | Operand::Input(Input::Parameter(..)) => Some(operand),
@@ -100,8 +100,8 @@ impl Moved {
 
     /// Operand in the rest.
     fn left(&self, operand: Operand, once: &mut Once) -> Operand {
-        let place = |places: &[Place], k: u32| match places[k as usize] {
-            Place::Once(k) | Place::Left(k) => k,
+        let place = |places: &[NewPlace], k: u32| match places[k as usize] {
+            NewPlace::Once(k) | NewPlace::Left(k) => k,
         };
         match (self.once(operand), operand) {
             (Some(literal @ Operand::Literal(_)), _) => literal,
@@ -133,10 +133,10 @@ impl Once {
         left.before_angles = left.steps.len();
         for &angle in &program.angles {
             let place = if let Some(angle) = moved.once(angle) {
-                Place::Once(self.angle(angle))
+                NewPlace::Once(self.angle(angle))
             } else {
                 left.angles.push(moved.left(angle, self));
-                Place::Left(index(left.angles.len() - 1))
+                NewPlace::Left(index(left.angles.len() - 1))
             };
             moved.angles.push(place);
         }
@@ -152,14 +152,14 @@ impl Once {
             let of_fields: Option<Vec<Operand>> =
                 operands.map(|operand| moved.once(operand)).collect();
             let place = if let Some(operands) = of_fields {
-                Place::Once(self.step(step, &operands))
+                NewPlace::Once(self.step(step, &operands))
             } else {
                 let operation = step.operation.map(|operand| moved.left(operand, self));
                 left.steps.push(Step {
                     label: step.label,
                     operation,
                 });
-                Place::Left(index(left.steps.len() - 1))
+                NewPlace::Left(index(left.steps.len() - 1))
             };
             moved.steps.push(place);
         }
@@ -167,7 +167,7 @@ impl Once {
 
     /// Step with this operation and these operands, added if it is new.
     fn step(&mut self, step: &Step, operands: &[Operand]) -> u32 {
-        let keys = operands.iter().copied().map(Key::of).collect();
+        let keys = operands.iter().copied().map(OperandKey::of).collect();
         let key = (std::mem::discriminant(&step.operation), keys);
         let next = index(self.steps.len());
         let found = *self.known_steps.entry(key).or_insert(next);
@@ -184,7 +184,10 @@ impl Once {
 
     fn angle(&mut self, angle: Operand) -> u32 {
         let next = index(self.angles.len());
-        let found = *self.known_angles.entry(Key::of(angle)).or_insert(next);
+        let found = *self
+            .known_angles
+            .entry(OperandKey::of(angle))
+            .or_insert(next);
         if found == next {
             self.angles.push(angle);
         }
@@ -193,7 +196,10 @@ impl Once {
 
     fn value(&mut self, value: Operand) -> u16 {
         let next = u16::try_from(self.values.len()).expect("fewer than 2¹⁶ values of fields");
-        let found = *self.known_values.entry(Key::of(value)).or_insert(next);
+        let found = *self
+            .known_values
+            .entry(OperandKey::of(value))
+            .or_insert(next);
         if found == next {
             self.values.push(value);
         }

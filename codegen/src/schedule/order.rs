@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::fuse::{self, Form, Fused};
+use super::fuse::{self, Fused, FusedForm};
 use super::signs::Signs;
 use super::{Operand, Operation, Program, Step};
 use crate::expression::{Expr, Graph, Input, Label, Node};
@@ -158,9 +158,9 @@ impl Placing<'_> {
         if let Some((x, y, rest, form)) = self.fused.product_of(expr) {
             // The terms as ± x y ± rest.
             let (product, other) = match form {
-                Form::Plus => (false, false),
-                Form::Minus => (false, true),
-                Form::From => (true, false),
+                FusedForm::Plus => (false, false),
+                FusedForm::Minus => (false, true),
+                FusedForm::From => (true, false),
             };
             let mut product = (product != turned) != self.signs.of_factors(x, y);
             let mut x = self.at(x);

@@ -11,10 +11,10 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-pub use self::loops::{Cells, Found, Loop};
+pub use self::loops::{Cells, Loop, LoopTable};
 pub use self::meaning::{Meaning, RotationAngle};
 pub use self::section::{SectionBody, Work};
-use super::blocks::{Block, Part, nested};
+use super::blocks::{Block, ScopeEntry, nested};
 use super::names::Names;
 use super::sections::{Length, Shared};
 use super::{Arranged, Operand, Operation, Program, Step};
@@ -302,11 +302,11 @@ impl Naming<'_> {
         Value::Name(name.expect("what is read is bound before").clone())
     }
 
-    fn statements(&mut self, parts: &[Part]) -> Vec<Statement> {
-        let mut statements = Vec::with_capacity(parts.len());
-        for part in parts {
-            match part {
-                Part::Step(step) => {
+    fn statements(&mut self, entries: &[ScopeEntry]) -> Vec<Statement> {
+        let mut statements = Vec::with_capacity(entries.len());
+        for entry in entries {
+            match entry {
+                ScopeEntry::Step(step) => {
                     statements.push(self.operation(&self.program.steps[*step as usize]));
                     if let Some(&place) = self.stores.get(step) {
                         let value = self.steps[*step as usize].clone();
@@ -317,8 +317,8 @@ impl Naming<'_> {
                         statements.push(Statement::StoreResult(result, value));
                     }
                 }
-                Part::Block(Block { parts, outputs }) => {
-                    let inside = self.statements(parts);
+                ScopeEntry::Block(Block { entries, outputs }) => {
+                    let inside = self.statements(entries);
                     let outputs = outputs.iter().map(|&step| self.name(step));
                     statements.push(Statement::Block {
                         statements: inside,

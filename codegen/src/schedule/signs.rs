@@ -4,7 +4,7 @@
 //! In: a graph, its needed expressions, and its fused sums. Out: a sign for each expression. No operation is added:
 //! a − b and b − a cost the same, and literals are negated during generation.
 
-use super::fuse::{Form, Fused};
+use super::fuse::{Fused, FusedForm};
 use crate::expression::{Expr, Graph, Node};
 
 /// Signs with which expressions are computed.
@@ -51,9 +51,9 @@ impl Signs {
                     };
                     let (product, rest) = (product, signs.term(rest));
                     match form {
-                        Form::Plus => sum(product, rest),
-                        Form::Minus => sum(product, rest.map(|minus| !minus)),
-                        Form::From => sum(product.map(|minus| !minus), rest),
+                        FusedForm::Plus => sum(product, rest),
+                        FusedForm::Minus => sum(product, rest.map(|minus| !minus)),
+                        FusedForm::From => sum(product.map(|minus| !minus), rest),
                     }
                 }
                 (Node::Neg(a), _) => Some(!signs.turned(a)),

@@ -7,7 +7,7 @@
 use std::fmt::Write;
 use std::mem;
 
-use super::Writing;
+use super::COptions;
 use super::declarations::{VALUES, argument_lengths, lengths, members, number, results};
 use super::literals::literal;
 use super::names::{ascii, unscoped};
@@ -17,16 +17,16 @@ use crate::module::{GeneratedFunction, Module, Prepared};
 use crate::print::Fields;
 use crate::print::large::columns;
 use crate::print::review::filled;
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
 use crate::schedule::{
-    Angle, Found, Length, Loop, Names, Operation, Program, Readable, Routine, Stored, Value,
+    Angle, Length, Loop, LoopTable, Names, Operation, Program, Readable, Routine, Stored, Value,
 };
 use crate::space::Variable;
 
 /// Function body, and the sections that it calls.
-pub(super) struct Body {
+pub(super) struct FunctionBody {
     /// Definitions of the sections, each after an empty line.
     pub sections: String,
     /// Lines within the braces.
@@ -37,25 +37,25 @@ pub(super) struct Body {
 pub(super) fn body(
     module: &Module,
     (generated, fields): (&GeneratedFunction, Fields<'_>),
-    writing: &Writing<'_>,
+    options: &COptions<'_>,
     own: &mut dyn FnMut(&str) -> String,
-) -> Body {
+) -> FunctionBody {
     let arguments = generated.arguments(&module.spaces);
     let results = results(&generated.functions);
     let reserved = results.iter().map(|(name, _)| name.as_str());
-    let names = names(reserved, writing);
+    let names = names(reserved, options);
     let large = columns(&generated.functions, &module.spaces).is_some();
     let filled = results.first().filter(|_| large);
     let filled = filled.map(|(name, quantity)| (name.clone(), lengths(quantity, &module.spaces)));
-    let (mut writer, routine) = Writer::of(
+    let (mut writer, routine) = CWriter::of(
         (&generated.program, filled),
         (module, fields),
         &arguments,
-        (names, writing),
+        (names, options),
     );
     let sections = writer.sections(&routine, own);
     writer.store_results(&routine, module, &results);
-    Body {
+    FunctionBody {
         sections,
         text: writer.text,
     }
@@ -65,37 +65,41 @@ pub(super) fn body(
 pub(super) fn once(
     module: &Module,
     prepared: &Prepared,
-    writing: &Writing<'_>,
+    options: &COptions<'_>,
     own: &mut dyn FnMut(&str) -> String,
-) -> Body {
-    let names = names(["prepared"].into_iter(), writing);
+) -> FunctionBody {
+    let names = names(["prepared"].into_iter(), options);
     let fields = Fields::Own(&module.parameters);
-    let (mut writer, routine) = Writer::of(
+    let (mut writer, routine) = CWriter::of(
         (&prepared.once, None),
         (module, fields),
         &[],
-        (names, writing),
+        (names, options),
     );
     let sections = writer.sections(&routine, own);
     for (k, value) in routine.results.iter().enumerate() {
         let value = writer.read(value);
         writer.line(&format!("prepared->{VALUES}[{k}] = {value};"));
     }
-    Body {
+    FunctionBody {
         sections,
         text: writer.text,
     }
 }
 
 /// Body of a function of configurations.
-pub(super) fn of_step(step: Step, module: &Module, writing: &Writing<'_>) -> Body {
+pub(super) fn of_step(
+    step: ConfigurationFunction,
+    module: &Module,
+    options: &COptions<'_>,
+) -> FunctionBody {
     let arguments = step.arguments().iter().map(|(name, _)| *name);
-    let names = names(arguments.clone().chain([step.name()]), writing);
+    let names = names(arguments.clone().chain([step.name()]), options);
     let routine = step.routine(module, names);
-    let mut writer = Writer {
+    let mut writer = CWriter {
         sines: module.sines,
         names: routine.names.clone(),
-        ..Writer::new(module.scalar, writing)
+        ..CWriter::new(module.scalar, options)
     };
     for (argument, entries) in arguments.zip(&routine.fields) {
         for (k, name) in entries.iter().enumerate() {
@@ -112,7 +116,7 @@ pub(super) fn of_step(step: Step, module: &Module, writing: &Writing<'_>) -> Bod
         let value = writer.stored(value);
         writer.line(&format!("{}[{k}] = {value};", step.name()));
     }
-    Body {
+    FunctionBody {
         sections: String::new(),
         text: writer.text,
     }
@@ -127,7 +131,7 @@ fn in_ascii(fields: Fields<'_>) -> Vec<Vec<String>> {
 }
 
 /// Reserved names in a function with these results.
-fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> Names {
+fn names<'n>(results: impl Iterator<Item = &'n str>, options: &COptions<'_>) -> Names {
     let mut names = unscoped();
     for name in ["cos", "cosf", "robot", "sin", "sinf", "sqrt", "sqrtf"] {
         names.take(name);
@@ -136,9 +140,9 @@ fn names<'n>(results: impl Iterator<Item = &'n str>, writing: &Writing<'_>) -> N
         names.take(name);
     }
     for own in ["sin_cos", SQRT, "turn"] {
-        names.take(&writing.own(own));
+        names.take(&options.own(own));
     }
-    for own in RESERVED.iter().filter(|_| writing.templates) {
+    for own in RESERVED.iter().filter(|_| options.templates) {
         names.take(own);
     }
     names
@@ -151,8 +155,8 @@ const RESERVED: [&str; 15] = [
 ];
 
 /// Printer of routines.
-pub(super) struct Writer<'w> {
-    pub(super) writing: &'w Writing<'w>,
+pub(super) struct CWriter<'w> {
+    pub(super) options: &'w COptions<'w>,
     pub(super) real: Real,
     sines: Sines,
     pub(super) text: String,
@@ -165,11 +169,11 @@ pub(super) struct Writer<'w> {
     filled: Option<(String, Vec<usize>)>,
 }
 
-impl<'w> Writer<'w> {
+impl<'w> CWriter<'w> {
     /// Printer of statements outside of functions.
-    pub(super) fn new(real: Real, writing: &'w Writing<'w>) -> Self {
+    pub(super) fn new(real: Real, options: &'w COptions<'w>) -> Self {
         Self {
-            writing,
+            options,
             real,
             sines: Sines::default(),
             text: String::new(),
@@ -185,7 +189,7 @@ impl<'w> Writer<'w> {
         (program, filled): (&Program, Option<(String, Vec<usize>)>),
         (module, fields): (&Module, Fields<'_>),
         arguments: &[Variable],
-        (names, writing): (Names, &'w Writing<'w>),
+        (names, options): (Names, &'w COptions<'w>),
     ) -> (Self, Routine) {
         let readable = Readable {
             arguments,
@@ -194,7 +198,7 @@ impl<'w> Writer<'w> {
             fields: &in_ascii(fields),
         };
         // Templates are inline, so that sections would be, too.
-        let length = if writing.templates {
+        let length = if options.templates {
             Length::UNBOUNDED
         } else {
             module.length
@@ -210,7 +214,7 @@ impl<'w> Writer<'w> {
             names: routine.names.clone(),
             work: work.map_or_else(String::new, |work| work.name.clone()),
             filled,
-            ..Self::new(module.scalar, writing)
+            ..Self::new(module.scalar, options)
         };
         writer.load(&routine, (module, fields));
         walk(&mut writer, &routine.statements);
@@ -219,7 +223,7 @@ impl<'w> Writer<'w> {
 
     /// The type of numbers.
     fn number(&self) -> &'static str {
-        if self.writing.templates {
+        if self.options.templates {
             "T"
         } else {
             number(self.real)
@@ -244,7 +248,7 @@ impl<'w> Writer<'w> {
             for (k, name) in read.filter_map(|(k, name)| Some((k, name.as_ref()?))) {
                 let lengths = argument_lengths(*argument, &module.spaces);
                 let k = if argument.has_wrenches() {
-                    self.writing.order.place(k)
+                    self.options.order.place(k)
                 } else {
                     k
                 };
@@ -264,7 +268,7 @@ impl<'w> Writer<'w> {
             for (k, name) in entries.iter().enumerate() {
                 let Some(name) = name else { continue };
                 unread = false;
-                let arrow = if self.writing.templates { "." } else { "->" };
+                let arrow = if self.options.templates { "." } else { "->" };
                 let value = match (&**entries, fields) {
                     ([_], Fields::Own(_)) => format!("robot{arrow}{member}"),
                     _ => format!("robot{arrow}{member}[{k}]"),
@@ -292,14 +296,14 @@ impl<'w> Writer<'w> {
     /// The same as a number of its type: classes may have no conversion from a literal.
     pub(super) fn stored(&self, value: &Value) -> String {
         match (value, self.read(value)) {
-            (Value::Literal(_), literal) if self.writing.templates => format!("T({literal})"),
+            (Value::Literal(_), literal) if self.options.templates => format!("T({literal})"),
             (_, value) => value,
         }
     }
 
     /// An argument or a field, which may have another type than results.
     fn loaded(&self, value: String) -> String {
-        if self.writing.templates {
+        if self.options.templates {
             format!("T({value})")
         } else {
             value
@@ -308,7 +312,7 @@ impl<'w> Writer<'w> {
 
     /// Place of an entry of a result.
     pub(super) fn entry(&self, name: &str, index: usize, lengths: &[usize]) -> String {
-        if self.writing.templates && lengths.is_empty() {
+        if self.options.templates && lengths.is_empty() {
             name.to_owned()
         } else {
             place(name, index, lengths)
@@ -317,18 +321,18 @@ impl<'w> Writer<'w> {
 
     /// Operation, with fused products if the file has them.
     fn spelled(&self, operation: &Operation<Value>) -> String {
-        let fused = self.writing.fused.then(|| self.writing.mul_add());
+        let fused = self.options.fused.then(|| self.options.mul_add());
         match (operation.clone().map(|value| self.read(&value)), fused) {
             (Operation::Add(a, b), _) => format!("{a} + {b}"),
             (Operation::Sub(a, b), _) => format!("{a} - {b}"),
             (Operation::Mul(a, b), _) => format!("{a} * {b}"),
             (Operation::Div(a, b), _) => format!("{a} / {b}"),
-            (Operation::Sqrt(a), _) if self.writing.templates => format!("detail::root({a})"),
-            (Operation::Sqrt(a), _) => format!("{}({a})", self.writing.own(SQRT)),
+            (Operation::Sqrt(a), _) if self.options.templates => format!("detail::root({a})"),
+            (Operation::Sqrt(a), _) => format!("{}({a})", self.options.own(SQRT)),
             (Operation::Sign(a), _) => {
                 let (number, zero) = (self.number(), literal(0.0, self.real));
                 let difference = format!("(({a} > {zero}) - ({a} < {zero}))");
-                if self.writing.templates {
+                if self.options.templates {
                     format!("{number}{difference}")
                 } else {
                     format!("({number}){difference}")
@@ -351,7 +355,7 @@ impl<'w> Writer<'w> {
     /// Call of a library function in the scalar type.
     fn call(&self, function: &str, value: &str) -> String {
         match self.real {
-            Real::F32 if !self.writing.templates => format!("{function}f({value})"),
+            Real::F32 if !self.options.templates => format!("{function}f({value})"),
             Real::F32 | Real::F64 | Real::Generic => format!("{function}({value})"),
         }
     }
@@ -372,10 +376,10 @@ impl<'w> Writer<'w> {
             }
             return;
         }
-        let [turn, sin_cos] = if self.writing.templates {
+        let [turn, sin_cos] = if self.options.templates {
             ["auto", "detail::sin_cos"].map(str::to_owned)
         } else {
-            ["turn", "sin_cos"].map(|name| self.writing.own(name))
+            ["turn", "sin_cos"].map(|name| self.options.own(name))
         };
         // `s_1` and `c_1` are parts of `turn_1`.
         let subject = parts.clone().next().map_or("", |(name, ..)| &name[1..]);
@@ -388,7 +392,7 @@ impl<'w> Writer<'w> {
 }
 
 /// Scopes are omitted: names are unique in the function, and C compilers have no limit on their number.
-impl Language for Writer<'_> {
+impl Language for CWriter<'_> {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
         let value = self.spelled(operation);
         self.constant(name, &value);
@@ -428,7 +432,7 @@ impl Language for Writer<'_> {
             let filled = filled((&start, "        "), &rows, "};");
             let _ = writeln!(self.text, "{filled}");
         }
-        if let Some(Found { table, height, .. }) = &each.found {
+        if let Some(LoopTable { table, height, .. }) = &each.found {
             self.line(&format!("{number} {table}[{height}][{count}];"));
         }
         self.line(&format!(

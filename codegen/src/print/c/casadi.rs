@@ -17,7 +17,7 @@ mod tables;
 
 use std::collections::BTreeSet;
 
-use super::Writing;
+use super::COptions;
 use super::names::own;
 use crate::module::Module;
 use crate::print::c::comments::comment;
@@ -26,18 +26,18 @@ use crate::space::Space;
 use derived::{adjoint, adjoint_jacobian, jacobian, without_derivatives};
 use described::text;
 use external::{External, Port, Store, input};
-use matrix::Matrix;
+use matrix::SparseMatrix;
 use tables::Tables;
 
 /// Text of the interface.
-pub(super) fn interface(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> String {
+pub(super) fn interface(module: &Module, options: &COptions<'_>, symbols: &[String]) -> String {
     // C has no arrays of length 0.
     if module.spaces.len(Space::Velocities) == 0 {
         return String::new();
     }
-    let mut tables = Tables::new(own(writing.prefix, "casadi"));
+    let mut tables = Tables::new(own(options.prefix, "casadi"));
     let (mut functions, mut remarks) = (String::new(), Vec::new());
-    for (of, name) in names(module, writing.prefix).into_iter().enumerate() {
+    for (of, name) in names(module, options.prefix).into_iter().enumerate() {
         let function = function(module, (of, name));
         remarks
             .extend(without_derivatives(module, of).map(|why| format!("{}: {why}", function.name)));
@@ -47,7 +47,7 @@ pub(super) fn interface(module: &Module, writing: &Writing<'_>, symbols: &[Strin
             adjoint_jacobian(module, of, &function),
         ];
         for external in [Some(function)].into_iter().chain(all).flatten() {
-            functions.push_str(&text(&external, module, writing, symbols, &mut tables));
+            functions.push_str(&text(&external, module, options, symbols, &mut tables));
         }
     }
     let head = comment(&about(module, remarks));
@@ -82,11 +82,11 @@ fn function(module: &Module, (of, name): (usize, String)) -> External {
             operands = others;
             Port {
                 name,
-                matrix: Matrix::of(&quantity, &module.spaces, own),
+                matrix: SparseMatrix::of(&quantity, &module.spaces, own),
             }
         })
         .collect();
-    let matrices: Vec<Matrix> = outputs.iter().map(|port| port.matrix.clone()).collect();
+    let matrices: Vec<SparseMatrix> = outputs.iter().map(|port| port.matrix.clone()).collect();
     let mut function = External {
         name,
         inputs: arguments.iter().map(|&of| input(of, module)).collect(),
@@ -95,7 +95,7 @@ fn function(module: &Module, (of, name): (usize, String)) -> External {
         further: Vec::new(),
         seeds: None,
         outputs,
-        groups: Vec::new(),
+        calls: Vec::new(),
     };
     for (k, matrix) in matrices.into_iter().enumerate() {
         function.store(of, (k, k, Store::Entries(matrix)));

@@ -11,12 +11,12 @@ pub use functions::call;
 
 use std::fmt::Write;
 
-use super::Writing;
+use super::COptions;
 use super::comments::comment;
 use super::names::{self, unscoped};
 use crate::formulation::Sines;
 use crate::module::Module;
-use crate::print::documentation::{self, Angles};
+use crate::print::documentation::{self, SineAngles};
 use crate::request::ForC;
 use crate::space::Order;
 
@@ -36,10 +36,10 @@ pub struct Header<'a> {
 pub fn header(module: &Module, header: &Header<'_>) -> String {
     let namespace = namespace(header.prefix);
     let angles = match module.sines {
-        Sines::Own => Angles::own(module.scalar),
-        Sines::Platform => Angles::As("std::sin".to_owned()),
+        Sines::Own => SineAngles::own(module.scalar),
+        Sines::Platform => SineAngles::As("std::sin".to_owned()),
     };
-    let writing = Writing {
+    let options = COptions {
         prefix: "",
         header: "",
         asked: header.asked,
@@ -63,8 +63,8 @@ pub fn header(module: &Module, header: &Header<'_>) -> String {
     );
     text.push_str(&described::constants(module));
     text.push_str(&described::structure(module));
-    text.push_str(&support::text(module, &writing));
-    text.push_str(&functions::text(module, &writing, &angles));
+    text.push_str(&support::text(module, &options));
+    text.push_str(&functions::text(module, &options, &angles));
     let _ = writeln!(text, "{EIGEN}\n}} // namespace {namespace}\n\n#endif");
     text
 }

@@ -11,7 +11,7 @@ use super::names::{self, constant, constants, own};
 use crate::function::Function;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::documentation;
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::space::{ACTION, Quantity, Space, Spaces, Variable};
@@ -154,7 +154,7 @@ pub(super) fn parameters(
 }
 
 /// The same for a function of configurations.
-pub(super) fn of_step(step: Step, module: &Module, prefix: &str) -> String {
+pub(super) fn of_step(step: ConfigurationFunction, module: &Module, prefix: &str) -> String {
     let row = |(name, space): (&str, Space)| declarator(name, &[module.spaces.len(space)]);
     let arguments = step.arguments().iter().copied().map(row);
     let result = row((step.name(), step.result()));

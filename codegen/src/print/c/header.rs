@@ -11,8 +11,8 @@ use super::declarations::{
 use super::names::{ascii, own, prepared_symbols, symbols};
 use super::{review, steps};
 use crate::module::{Module, Prepared};
-use crate::print::documentation::{self, Angles};
-use crate::print::steps::Step;
+use crate::print::documentation::{self, SineAngles};
+use crate::print::steps::ConfigurationFunction;
 use crate::request::Integrator;
 use crate::space::Order;
 
@@ -25,7 +25,7 @@ pub(in crate::print) struct Header<'a> {
     /// The request.
     pub asked: &'a str,
     /// Angles for which the functions are accurate.
-    pub angles: &'a Angles,
+    pub angles: &'a SineAngles,
     /// Requirements for compilation, for functions in C.
     pub needs: Option<&'a str>,
     /// Rule of time steps, if the source has them.
@@ -70,7 +70,7 @@ impl Header<'_> {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{qualifier}void {name}({parameters});\n");
         }
-        for &step in Step::of(module) {
+        for &step in ConfigurationFunction::of(module) {
             let about = documentation::of_step(module, step, Some(self.angles));
             text.push_str(&comment(&about));
             let (name, parameters) = (own(prefix, step.name()), of_step(step, module, prefix));

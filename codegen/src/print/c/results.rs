@@ -2,13 +2,13 @@
 //!
 //! In: a routine and the names of its results. Out: a statement for each result, or a loop for those that are in a row.
 
-use super::body::Writer;
+use super::body::CWriter;
 use super::declarations::lengths;
 use crate::module::Module;
 use crate::schedule::{Routine, Value};
 use crate::space::Quantity;
 
-impl Writer<'_> {
+impl CWriter<'_> {
     /// Stores the results that are not stored yet.
     pub(super) fn store_results(
         &mut self,
@@ -25,7 +25,7 @@ impl Writer<'_> {
             let (row, outer) = lengths.split_last().unwrap_or((&1, &[]));
             let has_order = quantity.entity.halves().is_some();
             // In C++, results may be of types with another index.
-            let is_array = !has_order && !self.writing.templates;
+            let is_array = !has_order && !self.options.templates;
             let mut k = 0;
             while k < size {
                 let end = size.min((k / row + 1) * row);
@@ -43,7 +43,7 @@ impl Writer<'_> {
                 if !routine.stored.contains(&(first + k)) {
                     let value = self.stored(&values[k]);
                     let k = if has_order {
-                        self.writing.order.place(k)
+                        self.options.order.place(k)
                     } else {
                         k
                     };
@@ -65,8 +65,8 @@ impl Writer<'_> {
             count,
         } = copied;
         let from = match from {
-            Source::Work => format!("{}[{first} + {stride} * {index}]", self.work),
-            Source::Column(table, column) => {
+            SourceArray::Work => format!("{}[{first} + {stride} * {index}]", self.work),
+            SourceArray::Column(table, column) => {
                 format!("{table}[{first} + {stride} * {index}][{column}]")
             }
         };
@@ -84,14 +84,14 @@ const COPIED: usize = 8;
 /// Values that a loop copies, at equal distances in the work array or in one column of a loop's table. Neighbours in
 /// the array are none: compilers would call `memcpy`, which firmware may lack.
 struct InARow {
-    from: Source,
+    from: SourceArray,
     first: usize,
     stride: usize,
     count: usize,
 }
 
 /// Array that values in a row are read from.
-enum Source {
+enum SourceArray {
     Work,
     Column(String, usize),
 }
@@ -100,13 +100,13 @@ impl InARow {
     /// The longest stretch from the first value on, if a loop is shorter.
     fn of(values: &[Value]) -> Option<Self> {
         let from = match values.first()? {
-            Value::Work(_) => Source::Work,
-            Value::Entry(table, _, column) => Source::Column(table.clone(), *column),
+            Value::Work(_) => SourceArray::Work,
+            Value::Entry(table, _, column) => SourceArray::Column(table.clone(), *column),
             _ => return None,
         };
         let place = |value: &Value| match (value, &from) {
-            (Value::Work(place), Source::Work) => Some(*place),
-            (Value::Entry(of, row, column), Source::Column(table, own)) => {
+            (Value::Work(place), SourceArray::Work) => Some(*place),
+            (Value::Entry(of, row, column), SourceArray::Column(table, own)) => {
                 (of == table && column == own).then_some(*row)
             }
             _ => None,
@@ -118,7 +118,7 @@ impl InARow {
         let count = places
             .take_while(|(k, place)| *place == first + k * stride)
             .count();
-        let is_apart = stride > 1 || matches!(from, Source::Column(..));
+        let is_apart = stride > 1 || matches!(from, SourceArray::Column(..));
         (count >= COPIED && is_apart).then_some(Self {
             from,
             first,

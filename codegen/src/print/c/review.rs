@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use super::Writing;
+use super::COptions;
 use super::comments::{comment, harmless};
 use super::declarations::{argument_lengths, lengths, number, results};
 use super::literals::{literal, string};
@@ -132,10 +132,10 @@ pub(super) fn declaration(text: &mut String, module: &Module, prefix: &str) {
 }
 
 /// Text after all functions: the self-test, and the origins of numbers.
-pub(super) fn appendix(module: &Module, writing: &Writing<'_>) -> String {
+pub(super) fn appendix(module: &Module, options: &COptions<'_>) -> String {
     let mut text = String::new();
     if let (true, Some(review)) = (is_tested(module), &module.review) {
-        let test = Test::of(module, writing.prefix);
+        let test = Test::of(module, options.prefix);
         let words = [
             ("@compare@", &*test.compare),
             ("@self_test@", &test.own),

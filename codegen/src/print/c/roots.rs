@@ -3,7 +3,7 @@
 //! In: the scalar type and options. Out: a private function with the steps of that in Rust for `core` alone, whose
 //! results have the same bits as the processor's instruction.
 
-use super::Writing;
+use super::COptions;
 use super::declarations::number;
 use crate::real::Real;
 
@@ -11,8 +11,8 @@ use crate::real::Real;
 pub(super) const SQRT: &str = "sqrt";
 
 /// The function.
-pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
-    let (name, number) = (writing.own(SQRT), number(real));
+pub(super) fn function(real: Real, options: &COptions<'_>) -> String {
+    let (name, number) = (options.own(SQRT), number(real));
     let is_single = real == Real::F32;
     let (width, places, bias) = if is_single {
         (32, 23, 127)

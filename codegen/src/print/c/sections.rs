@@ -5,7 +5,7 @@
 use std::fmt::Write;
 use std::mem;
 
-use super::body::Writer;
+use super::body::CWriter;
 use super::declarations::number;
 use crate::print::walk::walk;
 use crate::schedule::{Cells, Routine};
@@ -26,7 +26,7 @@ pub(super) fn no_inline_macro(name: &str) -> String {
     )
 }
 
-impl Writer<'_> {
+impl CWriter<'_> {
     /// Definitions of the functions, which `own` names; the calls are appended to the text of the writer.
     pub(super) fn sections(
         &mut self,
@@ -36,7 +36,7 @@ impl Writer<'_> {
         let Some(work) = &routine.work else {
             return String::new();
         };
-        let (number, no_inline) = (number(self.real), self.writing.no_inline());
+        let (number, no_inline) = (number(self.real), self.options.no_inline());
         self.line(&format!("{number} {}[{}];", work.name, work.len));
         for (place, value) in &work.initial {
             let value = self.read(value);

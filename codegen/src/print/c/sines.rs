@@ -3,18 +3,18 @@
 //! In: the scalar type and options. Out: a private function from the [`statements`] that all languages share, with the
 //! last step by bits.
 
-use super::Writing;
-use super::body::Writer;
+use super::COptions;
+use super::body::CWriter;
 use super::declarations::number;
 use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, range, statements};
 use crate::print::walk::walk;
 use crate::real::Real;
 
 /// The function and the struct that it returns.
-pub(super) fn function(real: Real, writing: &Writing<'_>) -> String {
-    let mut writer = Writer::new(real, writing);
+pub(super) fn function(real: Real, options: &COptions<'_>) -> String {
+    let mut writer = CWriter::new(real, options);
     walk(&mut writer, &statements(real));
-    let [turn, sin_cos] = ["turn", "sin_cos"].map(|name| writing.own(name));
+    let [turn, sin_cos] = ["turn", "sin_cos"].map(|name| options.own(name));
     let number = number(real);
     let (width, top) = match real {
         Real::F32 => (32, "0x80000000u"),

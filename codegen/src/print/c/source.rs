@@ -4,8 +4,8 @@
 
 use std::fmt::Write;
 
-use super::Writing;
-use super::body::{self, Body, body, once};
+use super::COptions;
+use super::body::{self, FunctionBody, body, once};
 use super::comments::comment;
 use super::declarations::{self, of_prepare, parameters};
 use super::header::guard;
@@ -13,42 +13,42 @@ use super::names::{prepared_symbols, symbols};
 use super::{acados, casadi, review, roots, sections, sines, steps};
 use crate::formulation::Sines;
 use crate::module::Module;
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::print::{Fields, documentation};
 use crate::real::Real;
 use crate::schedule::{Names, Program};
 
 /// Text of the file with everything.
-pub(super) fn source(module: &Module, writing: &Writing<'_>) -> String {
-    let symbols = symbols(module, writing.prefix);
-    let functions = functions(module, writing, &symbols);
+pub(super) fn source(module: &Module, options: &COptions<'_>) -> String {
+    let symbols = symbols(module, options.prefix);
+    let functions = functions(module, options, &symbols);
     let counts = functions.iter().flat_map(|function| &function.counts);
-    let mut text = opening(module, writing, counts.cloned(), Needs::of(&functions));
+    let mut text = opening(module, options, counts.cloned(), Needs::of(&functions));
     for function in functions {
         text.push_str(&function.text);
     }
-    text + &rest(module, writing, &symbols)
+    text + &rest(module, options, &symbols)
 }
 
 /// Names and texts of a file for each function; the first, with the name of the header, has the rest.
-pub(super) fn sources(module: &Module, writing: &Writing<'_>) -> Vec<(String, String)> {
-    let symbols = symbols(module, writing.prefix);
-    let functions = functions(module, writing, &symbols);
+pub(super) fn sources(module: &Module, options: &COptions<'_>) -> Vec<(String, String)> {
+    let symbols = symbols(module, options.prefix);
+    let functions = functions(module, options, &symbols);
     let (own, together): (Vec<_>, Vec<_>) = functions
         .into_iter()
         .partition(|function| function.is_asked);
-    let mut text = opening(module, writing, [], Needs::of(&together));
+    let mut text = opening(module, options, [], Needs::of(&together));
     for function in together {
         text.push_str(&function.text);
     }
-    text.push_str(&rest(module, writing, &symbols));
-    let stem = writing.header.strip_suffix(".h").unwrap_or(writing.header);
+    text.push_str(&rest(module, options, &symbols));
+    let stem = options.header.strip_suffix(".h").unwrap_or(options.header);
     let mut names = Names::default();
     names.take(stem);
     let mut files = vec![(format!("{stem}.c"), text)];
     for function in own {
         let name = names.alone(&file_name(&function.name));
-        let text = opening(module, writing, function.counts, function.needs) + &function.text;
+        let text = opening(module, options, function.counts, function.needs) + &function.text;
         files.push((format!("{name}.c"), text));
     }
     files
@@ -57,16 +57,16 @@ pub(super) fn sources(module: &Module, writing: &Writing<'_>) -> Vec<(String, St
 /// Comment, includes, macros and the private functions that functions need.
 fn opening(
     module: &Module,
-    writing: &Writing<'_>,
+    options: &COptions<'_>,
     counts: impl IntoIterator<Item = String>,
     needs: Needs,
 ) -> String {
-    let mut head = documentation::head(module, writing.asked);
-    head.push(writing.needs());
+    let mut head = documentation::head(module, options.asked);
+    head.push(options.needs());
     head.extend(counts);
     let mut text = comment(&head);
     text.push('\n');
-    let (guard, header) = (guard(writing.prefix), writing.header);
+    let (guard, header) = (guard(options.prefix), options.header);
     // Writing to a string cannot fail.
     let _ = writeln!(text, "#ifndef {guard}\n#include \"{header}\"\n#endif");
     let own_sines = module.sines == Sines::Own && needs.angles;
@@ -78,36 +78,36 @@ fn opening(
         text.push_str("#include <stdint.h>\n");
     }
     text.push_str(&arithmetic(module.scalar));
-    if writing.fused {
-        text.push_str(&product_and_sum(&writing.mul_add(), module.scalar));
+    if options.fused {
+        text.push_str(&product_and_sum(&options.mul_add(), module.scalar));
     }
     if own_sines {
         text.push('\n');
-        text.push_str(&sines::function(module.scalar, writing));
+        text.push_str(&sines::function(module.scalar, options));
     }
     if needs.roots {
         text.push('\n');
-        text.push_str(&roots::function(module.scalar, writing));
+        text.push_str(&roots::function(module.scalar, options));
     }
     if needs.sections {
-        text.push_str(&sections::no_inline_macro(&writing.no_inline()));
+        text.push_str(&sections::no_inline_macro(&options.no_inline()));
     }
     text
 }
 
 /// Parts after the functions: time steps, interfaces of solvers, and the material for the reviewer.
-fn rest(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> String {
+fn rest(module: &Module, options: &COptions<'_>, symbols: &[String]) -> String {
     let mut text = String::new();
-    if let Some(rule) = writing.for_c.steps {
-        text.push_str(&steps::definitions(module, writing.prefix, rule));
+    if let Some(rule) = options.for_c.steps {
+        text.push_str(&steps::definitions(module, options.prefix, rule));
     }
-    if writing.for_c.acados {
-        text.push_str(&acados::interface(module, writing.prefix));
+    if options.for_c.acados {
+        text.push_str(&acados::interface(module, options.prefix));
     }
-    if writing.for_c.casadi {
-        text.push_str(&casadi::interface(module, writing, symbols));
+    if options.for_c.casadi {
+        text.push_str(&casadi::interface(module, options, symbols));
     }
-    text + &review::appendix(module, writing)
+    text + &review::appendix(module, options)
 }
 
 /// Private functions and macros that a definition needs.
@@ -122,7 +122,7 @@ struct Needs {
 }
 
 impl Needs {
-    fn of(functions: &[Definition]) -> Self {
+    fn of(functions: &[FunctionText]) -> Self {
         let all = functions.iter().map(|function| function.needs);
         all.fold(Self::default(), |all, own| Self {
             angles: all.angles || own.angles,
@@ -141,7 +141,7 @@ impl Needs {
 }
 
 /// Definition of a function.
-struct Definition {
+struct FunctionText {
     name: String,
     /// True for functions of the request, which may have files of their own.
     is_asked: bool,
@@ -151,8 +151,8 @@ struct Definition {
     counts: Vec<String>,
 }
 
-impl Definition {
-    fn of(name: String, parameters: &str, body: &Body, needs: Needs) -> Self {
+impl FunctionText {
+    fn of(name: String, parameters: &str, body: &FunctionBody, needs: Needs) -> Self {
         let (sections, body) = (&body.sections, &body.text);
         let head = format!("HOMOGEN_FN HOMOGEN_CLONES void {name}({parameters})");
         Self {
@@ -168,8 +168,8 @@ impl Definition {
     }
 }
 
-fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Vec<Definition> {
-    let prefix = writing.prefix;
+fn functions(module: &Module, options: &COptions<'_>, symbols: &[String]) -> Vec<FunctionText> {
+    let prefix = options.prefix;
     let prepared = prepared_symbols(module, prefix);
     let mut names = Names::default();
     for name in symbols.iter().chain(&prepared) {
@@ -180,41 +180,41 @@ fn functions(module: &Module, writing: &Writing<'_>, symbols: &[String]) -> Vec<
         let parameters = parameters(module, generated, (prefix, "robot"));
         let fields = Fields::Own(&module.parameters);
         let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
-        let body = body(module, (generated, fields), writing, &mut own);
+        let body = body(module, (generated, fields), options, &mut own);
         let needs = Needs::of_program(&generated.program);
-        functions.push(Definition {
+        functions.push(FunctionText {
             counts: documentation::operation_count(generated, name),
-            ..Definition::of(name.clone(), &parameters, &body, needs)
+            ..FunctionText::of(name.clone(), &parameters, &body, needs)
         });
     }
-    for &step in Step::of(module) {
+    for &step in ConfigurationFunction::of(module) {
         let parameters = declarations::of_step(step, module, prefix);
-        let body = body::of_step(step, module, writing);
+        let body = body::of_step(step, module, options);
         let needs = Needs {
             angles: step.turns(module),
             roots: true,
             sections: false,
         };
-        functions.push(Definition {
+        functions.push(FunctionText {
             is_asked: false,
-            ..Definition::of(writing.own(step.name()), &parameters, &body, needs)
+            ..FunctionText::of(options.own(step.name()), &parameters, &body, needs)
         });
     }
     let Some(all) = &module.prepared else {
         return functions;
     };
-    let prepare = writing.own("prepare");
+    let prepare = options.own("prepare");
     let mut own = |section: &str| names.alone(&format!("{prepare}_{section}"));
-    let once = once(module, all, writing, &mut own);
+    let once = once(module, all, options, &mut own);
     let needs = Needs::of_program(&all.once);
-    functions.push(Definition::of(prepare, &of_prepare(prefix), &once, needs));
+    functions.push(FunctionText::of(prepare, &of_prepare(prefix), &once, needs));
     for (generated, name) in all.functions.iter().zip(prepared) {
         let parameters = parameters(module, generated, (prefix, "prepared"));
         let fields = Fields::Computed(&all.names);
         let mut own = |section: &str| names.alone(&format!("{name}_{section}"));
-        let body = body(module, (generated, fields), writing, &mut own);
+        let body = body(module, (generated, fields), options, &mut own);
         let needs = Needs::of_program(&generated.program);
-        functions.push(Definition::of(name, &parameters, &body, needs));
+        functions.push(FunctionText::of(name, &parameters, &body, needs));
     }
     functions
 }

@@ -78,7 +78,7 @@ fn unbounded_type(error_bounds: &ErrorBounds) -> &'static str {
 }
 
 /// Joints with similar bounds.
-struct Group {
+struct JointGroup {
     /// Indices in the order of q; `None` for bounds of a frame.
     joints: Vec<Option<usize>>,
     /// Largest bound of each unit.
@@ -98,12 +98,12 @@ fn joints(error_bounds: &ErrorBounds) -> Vec<Option<&str>> {
 }
 
 /// At most [`GROUPS`] groups whose numbers are within a factor of each other: two, doubled until there are few enough.
-fn groups(error_bounds: &ErrorBounds) -> Vec<Group> {
-    let all: Vec<Group> = (joints(error_bounds).into_iter().enumerate())
+fn groups(error_bounds: &ErrorBounds) -> Vec<JointGroup> {
+    let all: Vec<JointGroup> = (joints(error_bounds).into_iter().enumerate())
         .map(|(k, joint)| {
             let own = error_bounds.bounds.iter();
             let own = own.filter(|bound| bound.joint.as_deref() == joint);
-            Group {
+            JointGroup {
                 joints: vec![joint.map(|_| k)],
                 worst: own.cloned().collect(),
             }
@@ -120,19 +120,19 @@ fn groups(error_bounds: &ErrorBounds) -> Vec<Group> {
 }
 
 /// Groups whose numbers are within a factor of each other, the largest bound first.
-fn within(all: &[Group], factor: f64) -> Vec<Group> {
-    let mut rest: Vec<&Group> = all.iter().collect();
-    let size = |group: &Group| numbers(&group.worst).fold(0.0, f64::max);
+fn within(all: &[JointGroup], factor: f64) -> Vec<JointGroup> {
+    let mut rest: Vec<&JointGroup> = all.iter().collect();
+    let size = |group: &JointGroup| numbers(&group.worst).fold(0.0, f64::max);
     // The sort is stable: equal bounds keep their order.
     rest.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let mut groups: Vec<Group> = Vec::new();
+    let mut groups: Vec<JointGroup> = Vec::new();
     for group in rest {
-        let close = |other: &&mut Group| {
-            let units = |group: &Group| -> Vec<&str> {
+        let close = |other: &&mut JointGroup| {
+            let units = |group: &JointGroup| -> Vec<&str> {
                 group.worst.iter().map(|bound| bound.unit).collect()
             };
             let pairs = numbers(&group.worst).zip(numbers(&other.worst));
-            let framed = |group: &Group| group.joints.contains(&None);
+            let framed = |group: &JointGroup| group.joints.contains(&None);
             framed(group) == framed(other)
                 && units(group) == units(other)
                 && pairs
@@ -148,7 +148,7 @@ fn within(all: &[Group], factor: f64) -> Vec<Group> {
                     most.single = larger(most.single, bound.single);
                 }
             }
-            None => groups.push(Group {
+            None => groups.push(JointGroup {
                 joints: group.joints.clone(),
                 worst: group.worst.clone(),
             }),

@@ -9,11 +9,11 @@
 use std::fmt::Write;
 
 use super::body::local;
-use super::function::{Function, Pointer, ROBOT};
+use super::function::{LlvmFunction, Pointer, ROBOT};
 use super::lanes::Lanes;
 
 /// Definition.
-pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
+pub(super) fn batch(function: &LlvmFunction<'_>, widths: &[Lanes]) -> String {
     let mut lines = Lines::default();
     for lanes in widths {
         lines.blocks(function, *lanes);
@@ -34,7 +34,7 @@ pub(super) fn batch(function: &Function<'_>, widths: &[Lanes]) -> String {
 }
 
 /// Parameters of a function of many states, with those fields if there are any.
-pub(super) fn parameters(function: &Function<'_>, fields: &str) -> String {
+pub(super) fn parameters(function: &LlvmFunction<'_>, fields: &str) -> String {
     let fields = function.has_fields().then(|| fields.to_owned());
     let pointers = function.arguments().into_iter().chain(function.results());
     let strided = pointers.map(|pointer| {
@@ -47,7 +47,7 @@ pub(super) fn parameters(function: &Function<'_>, fields: &str) -> String {
 }
 
 /// Function with the same parameters behind a pointer.
-pub(super) fn arrays(function: &Function<'_>) -> String {
+pub(super) fn arrays(function: &LlvmFunction<'_>) -> String {
     let mut lines = Lines::default();
     let fields = function
         .has_fields()
@@ -80,7 +80,7 @@ pub(super) fn arrays(function: &Function<'_>) -> String {
 }
 
 /// Loop over states, as many at a time as there are lanes.
-fn one_loop(lines: &mut Lines, function: &Function<'_>, lanes: Lanes) {
+fn one_loop(lines: &mut Lines, function: &LlvmFunction<'_>, lanes: Lanes) {
     let count = lanes.count;
     let own = |name: &str| format!("{name}.{count}");
     let [more, some, none] = ["more", "some", "none"].map(own);
@@ -215,7 +215,7 @@ impl Lines {
     }
 
     /// Room for the entries of as many states as there are lanes.
-    pub(super) fn blocks(&mut self, function: &Function<'_>, lanes: Lanes) {
+    pub(super) fn blocks(&mut self, function: &LlvmFunction<'_>, lanes: Lanes) {
         for pointer in function.arguments().into_iter().chain(function.results()) {
             let (block, len) = (pointer.block(lanes), pointer.len);
             let (kind, size) = (lanes.value(), lanes.size());
@@ -224,7 +224,7 @@ impl Lines {
     }
 
     /// Reads the states from `first` on, computes and writes their results.
-    pub(super) fn compute(&mut self, function: &Function<'_>, lanes: Lanes, first: &str) {
+    pub(super) fn compute(&mut self, function: &LlvmFunction<'_>, lanes: Lanes, first: &str) {
         let (arguments, results) = (function.arguments(), function.results());
         for pointer in &arguments {
             self.move_states("read", pointer, lanes, first);

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use super::lanes::Lanes;
 use crate::formulation::Sines;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Cells, Found, Loop, Operation, Value};
+use crate::schedule::{Angle, Cells, Loop, LoopTable, Operation, Value};
 
 /// Name within a function, in quotes if LLVM needs them.
 pub(super) fn local(name: &str) -> String {
@@ -21,7 +21,7 @@ pub(super) fn local(name: &str) -> String {
 }
 
 /// Instructions under construction.
-pub(super) struct Writer {
+pub(super) struct LlvmWriter {
     pub(super) lanes: Lanes,
     fused: bool,
     sines: Sines,
@@ -36,7 +36,7 @@ pub(super) struct Writer {
     pub(super) filled: Option<String>,
 }
 
-impl Writer {
+impl LlvmWriter {
     pub(super) fn new(lanes: Lanes, fused: bool, sines: Sines) -> Self {
         Self {
             lanes,
@@ -195,7 +195,7 @@ enum Signs {
     MinusProduct,
 }
 
-impl Language for Writer {
+impl Language for LlvmWriter {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
         let value = self.lanes.value();
         let operation = operation.clone().map(|of| self.read(&of));
@@ -270,7 +270,7 @@ impl Language for Writer {
         for row in 0..rows.len() {
             self.array(&format!("{table}.{row}"), &kind);
         }
-        if let Some(Found { table, height, .. }) = &each.found {
+        if let Some(LoopTable { table, height, .. }) = &each.found {
             for row in 0..*height {
                 self.array(&format!("{table}.{row}"), &kind);
             }

@@ -6,14 +6,14 @@
 
 use std::fmt::Write;
 
-use super::body::{Writer, local};
+use super::body::{LlvmWriter, local};
 use super::lanes::Lanes;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
 use crate::print::arrays::below;
 use crate::print::c::results;
 use crate::print::large::columns;
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::walk;
 use crate::schedule::{Entries, Names, Readable, Routine, Stored, Work};
 
@@ -21,20 +21,20 @@ use crate::schedule::{Entries, Names, Readable, Routine, Stored, Work};
 pub(super) const ROBOT: &str = "robot";
 
 /// A function for any number of lanes.
-pub(super) struct Function<'l> {
+pub(super) struct LlvmFunction<'l> {
     module: &'l Module,
-    of: Of<'l>,
+    of: ComputedFunction<'l>,
     pub(super) symbol: &'l str,
     fused: bool,
 }
 
 /// Function that it computes.
 #[derive(Clone, Copy)]
-pub(super) enum Of<'l> {
+pub(super) enum ComputedFunction<'l> {
     /// Function of the state.
     State(&'l GeneratedFunction),
     /// Function of configurations.
-    Step(Step),
+    Step(ConfigurationFunction),
 }
 
 /// Parameter that points to numbers.
@@ -47,8 +47,13 @@ pub(super) struct Pointer {
     pub below: Option<[f64; 4]>,
 }
 
-impl<'l> Function<'l> {
-    pub(super) fn new(module: &'l Module, of: Of<'l>, symbol: &'l str, fused: bool) -> Self {
+impl<'l> LlvmFunction<'l> {
+    pub(super) fn new(
+        module: &'l Module,
+        of: ComputedFunction<'l>,
+        symbol: &'l str,
+        fused: bool,
+    ) -> Self {
         Self {
             module,
             of,
@@ -70,10 +75,10 @@ impl<'l> Function<'l> {
             below: None,
         };
         match self.of {
-            Of::State(generated) => (generated.arguments(spaces).iter())
+            ComputedFunction::State(generated) => (generated.arguments(spaces).iter())
                 .map(|argument| pointer(argument.name(), argument.space()))
                 .collect(),
-            Of::Step(step) => (step.arguments().iter())
+            ComputedFunction::Step(step) => (step.arguments().iter())
                 .map(|&(name, space)| pointer(name, space))
                 .collect(),
         }
@@ -81,8 +86,8 @@ impl<'l> Function<'l> {
 
     pub(super) fn results(&self) -> Vec<Pointer> {
         let generated = match self.of {
-            Of::State(generated) => generated,
-            Of::Step(step) => {
+            ComputedFunction::State(generated) => generated,
+            ComputedFunction::Step(step) => {
                 return vec![Pointer {
                     name: step.name().to_owned(),
                     len: self.module.spaces.len(step.result()),
@@ -124,8 +129,8 @@ impl<'l> Function<'l> {
             names.take(&result.name);
         }
         let generated = match self.of {
-            Of::State(generated) => generated,
-            Of::Step(step) => {
+            ComputedFunction::State(generated) => generated,
+            ComputedFunction::Step(step) => {
                 for argument in self.arguments() {
                     names.take(&argument.name);
                 }
@@ -152,9 +157,9 @@ impl<'l> Function<'l> {
 }
 
 /// Definition for these lanes, with those of its sections.
-pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
+pub(super) fn define(function: &LlvmFunction<'_>, lanes: Lanes) -> String {
     let routine = function.routine();
-    let mut writer = Writer::new(lanes, function.fused, function.module.sines);
+    let mut writer = LlvmWriter::new(lanes, function.fused, function.module.sines);
     let results = function.results();
     writer.filled = results.first().map(|result| result.name.clone());
     load(&mut writer, function, &routine);
@@ -194,12 +199,12 @@ pub(super) fn define(function: &Function<'_>, lanes: Lanes) -> String {
 }
 
 /// Loads all arguments and fields that are read, before any result is stored.
-fn load(writer: &mut Writer, function: &Function<'_>, routine: &Routine) {
+fn load(writer: &mut LlvmWriter, function: &LlvmFunction<'_>, routine: &Routine) {
     let (value, size) = (writer.lanes.value(), writer.lanes.size());
     let state = routine.arguments.iter().map(|(_, entries)| entries);
     let (arguments, fields): (Vec<_>, &[Entries]) = match function.of {
-        Of::State(_) => (state.collect(), &routine.fields),
-        Of::Step(_) => (routine.fields.iter().collect(), &[]),
+        ComputedFunction::State(_) => (state.collect(), &routine.fields),
+        ComputedFunction::Step(_) => (routine.fields.iter().collect(), &[]),
     };
     for (argument, entries) in function.arguments().iter().zip(arguments) {
         for (k, name) in entries.iter().enumerate() {
@@ -234,12 +239,12 @@ fn load(writer: &mut Writer, function: &Function<'_>, routine: &Routine) {
     }
 }
 
-fn section(function: &Function<'_>, name: &str, lanes: Lanes) -> String {
+fn section(function: &LlvmFunction<'_>, name: &str, lanes: Lanes) -> String {
     format!("@{}.{name}{}", function.symbol, lanes.suffix())
 }
 
 /// The work array, its initial values, and the calls of the sections.
-fn call(writer: &mut Writer, function: &Function<'_>, work: &Work) {
+fn call(writer: &mut LlvmWriter, function: &LlvmFunction<'_>, work: &Work) {
     let kind = format!("[{} x {}]", work.len, writer.lanes.value());
     writer.array(&work.name, &kind);
     writer.work = Some(work.name.clone());
@@ -255,10 +260,10 @@ fn call(writer: &mut Writer, function: &Function<'_>, work: &Work) {
 }
 
 /// Sections, each a function of the work array alone.
-fn define_sections(function: &Function<'_>, work: &Work, lanes: Lanes) -> String {
+fn define_sections(function: &LlvmFunction<'_>, work: &Work, lanes: Lanes) -> String {
     let mut text = String::new();
     for each in &work.sections {
-        let mut writer = Writer::new(lanes, function.fused, function.module.sines);
+        let mut writer = LlvmWriter::new(lanes, function.fused, function.module.sines);
         writer.work = Some(work.name.clone());
         for (place, name) in &each.loads {
             let address = writer.work_entry(*place);

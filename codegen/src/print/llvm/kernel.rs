@@ -6,14 +6,14 @@
 
 use super::batch::{Lines, parameters};
 use super::body::local;
-use super::function::{Function, ROBOT};
+use super::function::{LlvmFunction, ROBOT};
 use super::lanes::Lanes;
 
 /// Indices of threads within a block, of blocks, and the number of threads of a block.
 const REGISTERS: [&str; 3] = ["tid.x", "ctaid.x", "ntid.x"];
 
 /// Definition.
-pub(super) fn kernel(function: &Function<'_>, lanes: Lanes) -> String {
+pub(super) fn kernel(function: &LlvmFunction<'_>, lanes: Lanes) -> String {
     let (number, size) = (lanes.number(), lanes.size());
     let mut lines = Lines::default();
     lines.blocks(function, lanes);

@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use super::body::{Writer, local};
+use super::body::{LlvmWriter, local};
 use super::lanes::Lanes;
 use crate::formulation::Sines;
 use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, statements};
@@ -12,7 +12,7 @@ use crate::print::walk::walk;
 
 /// Definition. The last step works on bits: in odd quadrants sine and cosine are exchanged, and signs change.
 pub(super) fn define(lanes: Lanes, fused: bool) -> String {
-    let mut writer = Writer::new(lanes, fused, Sines::Own);
+    let mut writer = LlvmWriter::new(lanes, fused, Sines::Own);
     walk(&mut writer, &statements(lanes.real));
     let (value, bits) = (lanes.value(), lanes.bits());
     let top = u64::try_from(8 * lanes.size() - 2).expect("32 or 64 bits");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{States, Steps, Writing, print};
+use super::{LlvmOptions, States, Steps, print};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::rust::tests::{generated, literal, module, step, with_payload};
@@ -14,14 +14,14 @@ fn written(module: &Module, lanes: usize, fused: bool) -> String {
 }
 
 fn of_states(module: &Module, states: States, fused: bool) -> String {
-    let writing = Writing {
+    let options = LlvmOptions {
         prefix: "pendulum_",
         asked: Some("Made by hand."),
         steps: Steps::OfQuaternions,
         states,
         fused,
     };
-    print(module, &writing)
+    print(module, &options)
 }
 
 /// Lines of a function.
@@ -134,14 +134,14 @@ fn all_functions_have_one_signature_behind_a_pointer() {
 #[test]
 fn without_a_head_nothing_is_said_and_configurations_are_by_choice() {
     let module = steps(Real::F64, &[Operation::Neg(literal(1.0))]);
-    let writing = |steps| Writing {
+    let options = |steps| LlvmOptions {
         prefix: "pendulum_",
         asked: None,
         steps,
         states: States::InLanes(1),
         fused: false,
     };
-    let [all, none] = [Steps::All, Steps::None].map(|steps| print(&module, &writing(steps)));
+    let [all, none] = [Steps::All, Steps::None].map(|steps| print(&module, &options(steps)));
     assert!(!all.contains(';') && !none.contains(';'), "{all}");
     assert!(all.contains("@pendulum_integrate_arrays("));
     assert!(!none.contains("@pendulum_integrate"));

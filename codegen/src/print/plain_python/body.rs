@@ -7,14 +7,14 @@ use std::fmt::Write;
 use super::names::{LIBRARY, SIGN};
 use crate::print::review::filled;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Cells, Found, Loop, Operation, Value};
+use crate::schedule::{Angle, Cells, Loop, LoopTable, Operation, Value};
 
 /// Indentation of a level.
 const LEVEL: &str = "    ";
 
 /// Printer of routines.
 #[derive(Default)]
-pub(super) struct Writer {
+pub(super) struct PythonWriter {
     pub(super) text: String,
     /// True if a sign was printed.
     pub(super) has_signs: bool,
@@ -22,7 +22,7 @@ pub(super) struct Writer {
     loops: usize,
 }
 
-impl Writer {
+impl PythonWriter {
     pub(super) fn line(&mut self, statement: &str) {
         let indent = LEVEL.repeat(1 + self.loops);
         for line in statement.lines() {
@@ -66,7 +66,7 @@ pub(super) fn list(items: &[String]) -> String {
     filled(("[", " "), items, "]")
 }
 
-impl Language for Writer {
+impl Language for PythonWriter {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
         let value = match operation.clone().map(|value| read(&value)) {
             Operation::Add(a, b) => format!("{a} + {b}"),
@@ -115,7 +115,7 @@ impl Language for Writer {
             let text = nested(&rows.collect::<Vec<_>>());
             self.bind(&each.table, &text);
         }
-        if let Some(Found { table, height, .. }) = &each.found {
+        if let Some(LoopTable { table, height, .. }) = &each.found {
             self.bind(
                 table,
                 &format!("[[None] * {count} for _ in range({height})]"),

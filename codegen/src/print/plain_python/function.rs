@@ -2,12 +2,12 @@
 //!
 //! In: a function of a [`Module`]. Out: its definition. Arguments are read once, by their indices along the first axis.
 
-use super::body::{Writer, list, literal, nested, read};
+use super::body::{PythonWriter, list, literal, nested, read};
 use super::names::{LIBRARY, STANDARD, of_fields, of_function};
 use crate::module::{GeneratedFunction, Module};
 use crate::print::arrays::{self, Array, Order, Signature};
 use crate::print::python::docstring;
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::walk;
 use crate::print::{Fields, documentation};
 use crate::schedule::{Entries, Length, Readable, Routine, Stored};
@@ -60,7 +60,7 @@ pub(super) fn of_state(
     if signatures.iter().any(|signature| signature.has_order) {
         lines.push(format!("Order of six numbers: {}.", halves(order)));
     }
-    let mut writer = Writer::default();
+    let mut writer = PythonWriter::default();
     load_numbers(&mut writer, &fields, &routine.fields);
     for (field, entries) in fields.iter().zip(&routine.fields) {
         if entries.len() > 1 {
@@ -94,12 +94,12 @@ pub(super) fn of_state(
 }
 
 /// A function of configurations.
-pub(super) fn of_step(module: &Module, step: Step) -> Printed {
+pub(super) fn of_step(module: &Module, step: ConfigurationFunction) -> Printed {
     let mut names = of_function();
     let arguments = step.arguments().iter().map(|(name, _)| *name);
     arguments.clone().for_each(|argument| names.take(argument));
     let routine = step.routine(module, names);
-    let mut writer = Writer::default();
+    let mut writer = PythonWriter::default();
     for (argument, entries) in arguments.clone().zip(&routine.fields) {
         load(&mut writer, argument, entries);
     }
@@ -133,7 +133,7 @@ fn results(signatures: &[Signature]) -> Vec<Array> {
 fn definition(
     (name, parameters): (&str, &str),
     about: &[String],
-    mut writer: Writer,
+    mut writer: PythonWriter,
     (routine, results): (&Routine, &[Array]),
 ) -> Printed {
     walk(&mut writer, &routine.statements);
@@ -150,7 +150,7 @@ fn definition(
         several => format!("return {}", tuple(several)),
     });
     let about = docstring(about, "    ");
-    let Writer {
+    let PythonWriter {
         text, has_signs, ..
     } = writer;
     Printed {
@@ -234,7 +234,7 @@ fn parameter_list<'a>(arguments: impl Iterator<Item = &'a str>, fields: &[String
 }
 
 /// Binds fields of one number whose name in the function is not that of the parameter, all at once.
-fn load_numbers(writer: &mut Writer, parameters: &[String], fields: &[Entries]) {
+fn load_numbers(writer: &mut PythonWriter, parameters: &[String], fields: &[Entries]) {
     let numbers = parameters.iter().zip(fields);
     let other = numbers.filter_map(|(parameter, entries)| match &**entries {
         [Some(name)] if name != parameter => Some((&**name, &**parameter)),
@@ -247,7 +247,7 @@ fn load_numbers(writer: &mut Writer, parameters: &[String], fields: &[Entries]) 
 }
 
 /// Binds the entries of a vector that are read.
-fn load(writer: &mut Writer, vector: &str, entries: &[Option<String>]) {
+fn load(writer: &mut PythonWriter, vector: &str, entries: &[Option<String>]) {
     let read = entries.iter().enumerate();
     let read = read.filter_map(|(k, name)| Some((k, name.as_deref()?)));
     let (places, names): (Vec<usize>, Vec<&str>) = read.unzip();

@@ -1,6 +1,6 @@
 //! Text of hand-made modules, as users of the command see it.
 
-use super::{Writing, print};
+use super::{PythonOptions, print};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::arrays::Order;
@@ -11,7 +11,7 @@ use crate::schedule::{Operand, Operation, Program};
 fn written(module: &Module) -> String {
     let asked = "Made by hand.";
     let order = Order::LinearFirst;
-    print(module, &Writing { asked, order })
+    print(module, &PythonOptions { asked, order })
 }
 
 /// Lines of a function from its documentation's end.

@@ -11,7 +11,7 @@ use crate::module::{GeneratedFunction, Module};
 use crate::print::documentation;
 use crate::print::rust::Item;
 use crate::print::rust::names::{self as rust, ident, of_methods, type_name};
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::real::Real;
 use crate::request::Parameter;
 use crate::space::{ACTION, Entity, Outcome, Quantity, Space, Spaces, Variable};
@@ -77,9 +77,9 @@ impl<'m> Class<'m> {
         let of_methods = of_methods(module);
         let methods = module.functions.iter().zip(&of_methods);
         // The neutral configuration is an attribute.
-        let steps = Step::of(module)
+        let steps = ConfigurationFunction::of(module)
             .iter()
-            .filter(|step| **step != Step::Neutral);
+            .filter(|step| **step != ConfigurationFunction::Neutral);
         let steps = steps.map(|&step| Method::of_step(step, &module.spaces));
         let methods: Vec<_> = methods
             .map(|(generated, name)| {
@@ -193,7 +193,7 @@ impl Method {
     }
 
     /// Method of a function of configurations.
-    fn of_step(step: Step, spaces: &Spaces) -> Self {
+    fn of_step(step: ConfigurationFunction, spaces: &Spaces) -> Self {
         let last = |space| vec![spaces.len(space)];
         let result = Returned {
             name: ident(step.name()),

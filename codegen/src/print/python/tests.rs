@@ -2,7 +2,7 @@
 
 use quote::format_ident;
 
-use super::{Package, Writing, print};
+use super::{Package, PackageOptions, print};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::rust::Item;
@@ -10,9 +10,9 @@ use crate::print::rust::tests::{generated, literal, module, revolute, with_paylo
 use crate::real::Real;
 use crate::schedule::Program;
 
-const WRITING: Writing<'_> = Writing {
+const WRITING: PackageOptions<'_> = PackageOptions {
     module: "arm_py",
-    options: "f64",
+    asked: "f64",
 };
 
 fn written(module: &Module) -> Package {

@@ -9,7 +9,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
 use super::arguments::{pattern, unpack};
-use super::dialect::{Dialect, States};
+use super::dialect::{Dialect, StateCount};
 use super::early::Filling;
 use super::library::Library;
 use super::literals::Numerals;
@@ -18,7 +18,7 @@ use super::names::ident;
 use crate::module::Module;
 use crate::print::Fields;
 #[cfg(feature = "files")]
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
@@ -28,7 +28,7 @@ use crate::schedule::{
 use crate::space::{Spaces, Variable};
 
 /// Function body.
-pub(super) struct Body {
+pub(super) struct FunctionBody {
     /// Statements before the result.
     pub statements: TokenStream,
     /// Results.
@@ -70,7 +70,7 @@ pub(super) fn body(
     (arguments, returns): (&[Variable], Returns),
     (fields, spaces): (Fields<'_>, &Spaces),
     dialect: &Dialect,
-) -> Body {
+) -> FunctionBody {
     let mut names = dialect.names.clone();
     for &argument in arguments {
         names.take(&dialect.argument(argument).to_string());
@@ -84,8 +84,8 @@ pub(super) fn body(
         arguments,
         spaces,
         limbs: match dialect.states {
-            States::One => &spaces.limbs,
-            States::Several => &[],
+            StateCount::One => &spaces.limbs,
+            StateCount::Several => &[],
         },
         fields: &fields.entries(),
     };
@@ -103,7 +103,7 @@ pub(super) fn body(
     let loads = routine.fields.iter().zip(parameters);
     let loads = loads.filter(|(entries, _)| entries.iter().any(Option::is_some));
     let loads: Vec<_> = loads.collect();
-    let mut writer = Writer {
+    let mut writer = RustWriter {
         dialect,
         numerals,
         fused,
@@ -164,7 +164,7 @@ pub(super) fn body(
     };
     statements.extend(writer.statements(after));
     statements.extend(routine.work.as_ref().map(|work| writer.calls(work)));
-    Body {
+    FunctionBody {
         statements,
         results,
         meanings: routine.meanings,
@@ -175,7 +175,7 @@ pub(super) fn body(
 /// Statements of a function of configurations, and the entries of its result.
 #[cfg(feature = "files")]
 pub(super) fn of_step(
-    step: Step,
+    step: ConfigurationFunction,
     module: &Module,
     dialect: &Dialect,
 ) -> (TokenStream, Vec<TokenStream>) {
@@ -195,7 +195,7 @@ pub(super) fn of_step(
         let entries = entries.iter().map(Option::as_ref).map(pattern);
         statements.extend(quote! { let [#(#entries),*] = *#argument; });
     }
-    let mut writer = Writer {
+    let mut writer = RustWriter {
         dialect,
         numerals,
         fused: None,
@@ -248,7 +248,7 @@ fn returned(routine: &mut Routine) -> Option<Operation<Value>> {
 }
 
 /// Printer of routines.
-pub(super) struct Writer<'d> {
+pub(super) struct RustWriter<'d> {
     pub(super) dialect: &'d Dialect,
     pub(super) numerals: Numerals,
     fused: Option<Ident>,
@@ -263,7 +263,7 @@ pub(super) struct Writer<'d> {
     outer: Vec<TokenStream>,
 }
 
-impl Writer<'_> {
+impl RustWriter<'_> {
     pub(super) fn statements(&mut self, statements: &[Statement]) -> TokenStream {
         let before = mem::take(&mut self.text);
         walk(self, statements);
@@ -341,7 +341,7 @@ impl Writer<'_> {
     }
 }
 
-impl Language for Writer<'_> {
+impl Language for RustWriter<'_> {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
         let (name, value) = (ident(name), self.spelled(operation));
         self.text.extend(quote! { let #name = #value; });

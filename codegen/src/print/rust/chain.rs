@@ -6,7 +6,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::body::{Body, Returns, body};
+use super::body::{FunctionBody, Returns, body};
 use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
@@ -30,7 +30,7 @@ pub(super) fn chain(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
         return TokenStream::new();
     };
     let data = &module.data;
-    let Body {
+    let FunctionBody {
         statements,
         results,
         ..

@@ -6,7 +6,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, Returns, body};
+use super::body::{FunctionBody, Returns, body};
 use super::chain::index;
 use super::comments::doc;
 use super::dialect::Dialect;
@@ -33,7 +33,7 @@ pub(super) fn closed_loops(module: &Module, item: &Item, dialect: &Dialect) -> T
     if data.loops.loops.is_empty() {
         return TokenStream::new();
     }
-    let Body {
+    let FunctionBody {
         statements,
         results,
         ..

@@ -14,7 +14,7 @@ use super::roots::{self, SQRT};
 use super::sines;
 use crate::formulation::Sines;
 use crate::module::Module;
-use crate::print::documentation::Angles;
+use crate::print::documentation::SineAngles;
 use crate::print::steps::{has_angles, has_roots};
 use crate::real::Real;
 use crate::schedule::{LONGEST_SCOPE, Names};
@@ -64,12 +64,12 @@ pub(super) struct Dialect {
     /// Names of equations that are compiled for several kinds of processor.
     pub equations: Option<Equations>,
     /// States that a number holds.
-    pub states: States,
+    pub states: StateCount,
 }
 
 /// States that a number holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum States {
+pub(super) enum StateCount {
     /// One, or any number that a generic type holds.
     One,
     /// Several, in a pack or a vector.
@@ -108,8 +108,8 @@ impl Dialect {
             fields: made.then_some(real),
             equations: None,
             states: match library {
-                Library::Lanes(_) => States::Several,
-                Library::Runtime(_) | Library::Core(_) => States::One,
+                Library::Lanes(_) => StateCount::Several,
+                Library::Runtime(_) | Library::Core(_) => StateCount::One,
             },
         }
     }
@@ -153,7 +153,7 @@ impl Dialect {
     }
 
     /// Angles for which functions are accurate; `None` with the runtime, which documents them.
-    pub fn angles(&self) -> Option<Angles> {
+    pub fn angles(&self) -> Option<SineAngles> {
         match &self.library {
             Library::Runtime(_) | Library::Lanes(_) => None,
             Library::Core(core_functions) => Some(core_functions.angles(self.real)),
@@ -199,7 +199,7 @@ impl Dialect {
     /// Dialect of the same equations on packs of several states.
     pub fn of_packs(&self) -> Self {
         Self {
-            states: States::Several,
+            states: StateCount::Several,
             ..self.clone()
         }
     }

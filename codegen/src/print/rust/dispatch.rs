@@ -20,7 +20,7 @@ use crate::print::Fields;
 use crate::schedule::OperationCount;
 
 /// Argument of equations.
-pub(super) struct Argument {
+pub(super) struct EquationArgument {
     /// Its name in the equations.
     pub name: TokenStream,
     /// Its value where they are called.
@@ -52,7 +52,7 @@ pub(super) fn computation(
     let arguments = arguments.map(|argument| {
         let name = inside.argument(argument).into_token_stream();
         let of = type_of(argument, &lengths, &inside);
-        Argument {
+        EquationArgument {
             value: name.clone(),
             name,
             of: quote! { &#of },
@@ -105,10 +105,10 @@ fn gains(count: &OperationCount) -> bool {
 }
 
 /// The robot as an argument of equations.
-pub(super) fn robot(item: &Item, inside: &Dialect) -> Argument {
+pub(super) fn robot(item: &Item, inside: &Dialect) -> EquationArgument {
     let (_, own, _) = item.generics.split_for_impl();
     let robot = &item.ident;
-    Argument {
+    EquationArgument {
         name: inside.this(),
         value: quote! { self },
         of: quote! { &#robot #own },
@@ -135,7 +135,7 @@ pub(super) fn with_number(generics: &Generics, dialect: &Dialect) -> Generics {
 ///
 /// `read` is a number of the work, `self.0[0]`, if it is compiled in a function of its own where numbers are registers.
 pub(super) fn dispatched(
-    (arguments, generics): (&[Argument], &Generics),
+    (arguments, generics): (&[EquationArgument], &Generics),
     (result, read): (Option<&TokenStream>, Option<&TokenStream>),
     equations: &TokenStream,
     dialect: &Dialect,

@@ -17,7 +17,7 @@ use super::names::{ident, of_methods};
 use super::results::type_of;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::c;
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 
 /// The functions, one for each method, if the library has a prefix for them.
 pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
@@ -35,7 +35,7 @@ pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> Toke
             function(module, item, generated, &method, &symbol, dialect)
         })
         .chain(
-            Step::of(module)
+            ConfigurationFunction::of(module)
                 .iter()
                 .map(|&step| of_step(step, module, prefix, item, dialect)),
         )
@@ -44,7 +44,7 @@ pub(super) fn functions(module: &Module, item: &Item, dialect: &Dialect) -> Toke
 
 /// The function of a method of configurations.
 fn of_step(
-    step: Step,
+    step: ConfigurationFunction,
     module: &Module,
     prefix: &str,
     item: &Item,

@@ -7,7 +7,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::body::{Body, Returns, body};
+use super::body::{FunctionBody, Returns, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
@@ -49,7 +49,7 @@ fn method(
         return TokenStream::new();
     };
     let arguments = generated.arguments(&module.spaces);
-    let Body {
+    let FunctionBody {
         statements,
         results,
         ..

@@ -5,7 +5,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::print::documentation::Angles;
+use crate::print::documentation::SineAngles;
 use crate::real::Real;
 
 /// Library that generated code may use.
@@ -46,10 +46,10 @@ impl Default for Library {
 
 impl CoreFunctions {
     /// Angles for which its sines and cosines are accurate.
-    pub(super) fn angles(&self, real: Real) -> Angles {
+    pub(super) fn angles(&self, real: Real) -> SineAngles {
         match &self.sin_cos {
-            None => Angles::own(real),
-            Some(path) => Angles::As(spelled(path)),
+            None => SineAngles::own(real),
+            Some(path) => SineAngles::As(spelled(path)),
         }
     }
 }

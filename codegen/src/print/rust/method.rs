@@ -7,7 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::arguments::{no_actions, type_of};
-use super::body::{Body, Results, Returns, body};
+use super::body::{FunctionBody, Results, Returns, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
@@ -47,7 +47,7 @@ pub(super) fn explained(
         (_, Some(columns)) => Returns::Matrix(columns),
         (_, None) => Returns::Arrays,
     };
-    let Body {
+    let FunctionBody {
         statements,
         results,
         meanings,

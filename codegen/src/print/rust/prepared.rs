@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 use syn::{Generics, parse_quote};
 
-use super::body::{Body, Returns, VALUES, body};
+use super::body::{FunctionBody, Returns, VALUES, body};
 use super::comments::doc;
 use super::declaration;
 use super::dialect::Dialect;
@@ -34,7 +34,7 @@ pub(super) fn prepared(
     };
     let own = of(item, dialect);
     let inside = dialect.of_equations(module.reproducible);
-    let Body {
+    let FunctionBody {
         statements,
         results,
         ..

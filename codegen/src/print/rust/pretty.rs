@@ -1,6 +1,6 @@
 //! Formatting of tokens.
 //!
-//! In: a [`TokenStream`] of items. Out: a [`Source`] whose `Display` is formatted Rust.
+//! In: a [`TokenStream`] of items. Out: a [`FormattedSource`] whose `Display` is formatted Rust.
 
 use std::fmt;
 
@@ -11,13 +11,13 @@ use crate::print::ascii::spelt;
 
 /// Formatted source text, with line comments at its head.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub struct FormattedSource {
     header: String,
     text: String,
     appendix: String,
 }
 
-impl Source {
+impl FormattedSource {
     /// Formats items under a header of whole lines, which may be empty.
     #[must_use]
     pub fn new(header: impl Into<String>, items: &TokenStream) -> Self {
@@ -69,7 +69,7 @@ impl Source {
     }
 }
 
-impl fmt::Display for Source {
+impl fmt::Display for FormattedSource {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.header.is_empty() {
             writeln!(out, "{}", self.header)?;

@@ -7,14 +7,14 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Generics, parse_quote};
 
-use super::body::Writer;
-use super::dispatch::{Argument, dispatched};
+use super::body::RustWriter;
+use super::dispatch::{EquationArgument, dispatched};
 use super::lengths::{array, literal};
 use super::literals::Numerals;
 use super::names::ident;
 use crate::schedule::{Cells, LONGEST_SCOPE, SectionBody, Value, Work};
 
-impl Writer<'_> {
+impl RustWriter<'_> {
     /// The functions; `constant` and `mul_add` are statements that bind the functions for literals and fused products.
     pub(super) fn sections(
         &mut self,
@@ -44,7 +44,7 @@ impl Writer<'_> {
             let mul_add = is_fused.then_some(mul_add);
             let statements = self.statements(statements);
             let equations = quote! { #constant #mul_add #loads #statements };
-            let argument = Argument {
+            let argument = EquationArgument {
                 name: quote! { #name },
                 value: quote! { #name },
                 of: quote! { &mut #kind },

@@ -20,11 +20,11 @@ use super::names::ident;
 use crate::joint::Manifold;
 use crate::module::{DataMotion, Module};
 use crate::print::documentation;
-use crate::print::steps::{Step, joints, neutral};
+use crate::print::steps::{ConfigurationFunction, joints, neutral};
 
 /// The methods, if the robot needs them.
 pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStream {
-    let methods = Step::of(module).iter().map(|&step| {
+    let methods = ConfigurationFunction::of(module).iter().map(|&step| {
         let about = doc(&documentation::of_step(
             module,
             step,
@@ -43,7 +43,7 @@ pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
         let (statements, entries) = computation(step, module, dialect);
         match &dialect.library {
             // The class has an attribute for it.
-            Library::Lanes(_) if step == Step::Neutral => TokenStream::new(),
+            Library::Lanes(_) if step == ConfigurationFunction::Neutral => TokenStream::new(),
             Library::Lanes(_) => quote! {
                 #about #[inline(always)] #head -> (#result,) { #statements ([#(#entries),*],) }
             },
@@ -56,9 +56,13 @@ pub(super) fn steps(module: &Module, item: &Item, dialect: &Dialect) -> TokenStr
 }
 
 /// Statements, and the entries of the result.
-fn computation(step: Step, module: &Module, dialect: &Dialect) -> (TokenStream, Vec<TokenStream>) {
+fn computation(
+    step: ConfigurationFunction,
+    module: &Module,
+    dialect: &Dialect,
+) -> (TokenStream, Vec<TokenStream>) {
     match &dialect.library {
-        Library::Runtime(runtime) => Steps {
+        Library::Runtime(runtime) => StepMethods {
             module,
             runtime,
             dialect,
@@ -72,14 +76,14 @@ fn computation(step: Step, module: &Module, dialect: &Dialect) -> (TokenStream, 
 }
 
 /// Methods that call functions of single joints.
-struct Steps<'l> {
+struct StepMethods<'l> {
     module: &'l Module,
     runtime: &'l TokenStream,
     dialect: &'l Dialect,
 }
 
-impl Steps<'_> {
-    fn body(&self, step: Step) -> (TokenStream, Vec<TokenStream>) {
+impl StepMethods<'_> {
+    fn body(&self, step: ConfigurationFunction) -> (TokenStream, Vec<TokenStream>) {
         let arguments = step.arguments().iter().map(|&(argument, space)| {
             let entries = self.names(argument, 0..self.module.spaces.len(space));
             (self.dialect.local(argument), entries)
@@ -87,9 +91,11 @@ impl Steps<'_> {
         let (arguments, entries): (Vec<_>, Vec<_>) = arguments.unzip();
         let mut statements = quote! { #(let [#(#entries),*] = *#arguments;)* };
         let results = match (step, &*entries) {
-            (Step::Integrate, [q, v]) => self.integrate(&mut statements, q, v),
-            (Step::Difference, [start, end]) => self.difference(&mut statements, start, end),
-            (Step::Normalize, [q]) => self.normalize(&mut statements, q),
+            (ConfigurationFunction::Integrate, [q, v]) => self.integrate(&mut statements, q, v),
+            (ConfigurationFunction::Difference, [start, end]) => {
+                self.difference(&mut statements, start, end)
+            }
+            (ConfigurationFunction::Normalize, [q]) => self.normalize(&mut statements, q),
             _ => self.neutral(),
         };
         (statements, results)

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
-use super::{Declaration, Item, Library, Source, print, stub};
+use super::{Declaration, FormattedSource, Item, Library, print, stub};
 use crate::accuracy::{Accuracy, Bound, ErrorBounds};
 use crate::description::Name;
 use crate::expression::{Block, Component, Input, LabelledBodies, Numeral};
@@ -192,7 +192,7 @@ fn with_runtime(module: &Module) -> String {
 }
 
 fn pretty(tokens: &TokenStream) -> String {
-    Source::new("", tokens).to_string()
+    FormattedSource::new("", tokens).to_string()
 }
 
 /// The module with the mass of the second rod as a field.

@@ -4,7 +4,7 @@
 //! In: up to three steps. Out: the matrix A of y = A x, where x are labelled values or values that are not linear
 //! combinations with literals, and the rounding errors on the way from x to y.
 
-use super::kind::{Follows, Of, is_sum};
+use super::kind::{Follows, Monomial, is_sum};
 use super::known::Known;
 use crate::schedule::{Operand, Operation};
 
@@ -18,7 +18,7 @@ const MOST: usize = 24;
 #[derive(Clone, Debug)]
 pub struct Column {
     /// Value that it multiplies.
-    pub of: Of,
+    pub of: Monomial,
     /// Entries.
     pub entries: [f64; ROWS],
 }
@@ -41,7 +41,7 @@ impl Combination {
         for (row, &step) in steps.iter().enumerate() {
             let mut entries = [0.0; ROWS];
             entries[row] = 1.0;
-            found.add(Of::Whole(Operand::Step(step)), entries);
+            found.add(Monomial::Whole(Operand::Step(step)), entries);
         }
         let mut followed = 0;
         // The latest step first, so that all its readers have been substituted before it.
@@ -59,7 +59,7 @@ impl Combination {
     fn youngest(&self, known: &Known<'_>, asked: &[u32]) -> Option<(usize, u32)> {
         let mut youngest: Option<(usize, u32)> = None;
         for (at, column) in self.columns.iter().enumerate() {
-            if let Of::Whole(Operand::Step(k)) = column.of {
+            if let Monomial::Whole(Operand::Step(k)) = column.of {
                 let follows = match known.steps[k as usize].follows {
                     Follows::Always => true,
                     Follows::First => asked.contains(&k),
@@ -91,7 +91,10 @@ impl Combination {
         // For a separate product, its rounding is that of the step.
         let mut lost = if is_sum(operation) { rounding } else { 0.0 };
         for (factor, operand) in rest {
-            self.add(Of::Whole(operand), entries.map(|entry| factor * entry));
+            self.add(
+                Monomial::Whole(operand),
+                entries.map(|entry| factor * entry),
+            );
         }
         if let Some((sign, a, b)) = product {
             let number = match (a, b) {
@@ -102,10 +105,13 @@ impl Combination {
                 let x_reach = known.value(x).reach();
                 let factor = known.value(Operand::Literal(number));
                 lost += factor.error * x_reach + rounded(known, factor.reach() * x_reach);
-                self.add(Of::Whole(x), entries.map(|entry| sign * number * entry));
+                self.add(
+                    Monomial::Whole(x),
+                    entries.map(|entry| sign * number * entry),
+                );
             } else {
                 lost += rounded(known, known.product([a, b]).reach());
-                self.add(Of::Product(a, b), entries.map(|entry| sign * entry));
+                self.add(Monomial::Product(a, b), entries.map(|entry| sign * entry));
             }
         }
         for (sum, entry) in self.lost.iter_mut().zip(entries) {
@@ -113,7 +119,7 @@ impl Combination {
         }
     }
 
-    fn add(&mut self, of: Of, entries: [f64; ROWS]) {
+    fn add(&mut self, of: Monomial, entries: [f64; ROWS]) {
         match self.columns.iter_mut().find(|column| column.of == of) {
             Some(column) => {
                 for (sum, entry) in column.entries.iter_mut().zip(entries) {

@@ -3,14 +3,14 @@
 //! In: a step and its label. Out: which values are bounded together as one vector, and which steps are replaced by
 //! their operands.
 
-use super::rotation::{Place, PlaneRotation};
+use super::rotation::{PlaneRotation, SineOrCosine};
 use super::value::Value;
 use crate::expression::{Component, Label, Quantity};
 use crate::schedule::{Operand, Operation, Step};
 
 /// Form of a step, as far as rotations are concerned.
 #[derive(Clone, Copy, Debug)]
-pub enum Form {
+pub enum StepForm {
     /// Entry of a vector that is rotated by an angle.
     ByRotation(PlaneRotation),
     /// a ± b.
@@ -23,7 +23,7 @@ pub enum Form {
 
 /// A value that is not a linear combination with literals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Of {
+pub enum Monomial {
     /// Operand.
     Whole(Operand),
     /// Product within a fused operation, or of a step of its own.
@@ -32,7 +32,7 @@ pub enum Of {
 
 /// Vector that a column belongs to, according to labels and factors. A wrong guess makes bounds larger, not wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum ColumnKind {
     /// Entries of one labelled vector; for an inertia, first moments and mass.
     Entries(Quantity),
     /// Second moments of one row.
@@ -65,19 +65,24 @@ pub enum Follows {
 
 impl Follows {
     /// Condition for a step.
-    pub const fn of(step: &Step, form: &Form) -> Self {
+    pub const fn of(step: &Step, form: &StepForm) -> Self {
         let combines = is_sum(step.operation) || matches!(step.operation, Operation::Mul(..));
         match (combines, form, &step.label) {
-            (false, ..) | (_, Form::ByRotation(_), _) => Self::Never,
+            (false, ..) | (_, StepForm::ByRotation(_), _) => Self::Never,
             (_, _, Some(_)) => Self::First,
             (_, _, None) => Self::Always,
         }
     }
 }
 
-impl Kind {
+impl ColumnKind {
     /// Kind of an operand.
-    pub fn of(operand: Operand, label: Option<Label>, form: &Form, place: Option<Place>) -> Self {
+    pub fn of(
+        operand: Operand,
+        label: Option<Label>,
+        form: &StepForm,
+        place: Option<SineOrCosine>,
+    ) -> Self {
         if let Some(Label {
             quantity,
             component,
@@ -92,8 +97,8 @@ impl Kind {
             };
         }
         match (place, form) {
-            (Some(Place { angle, .. }), _)
-            | (None, &Form::ByRotation(PlaneRotation { angle, .. })) => Self::ByRotation(angle),
+            (Some(SineOrCosine { angle, .. }), _)
+            | (None, &StepForm::ByRotation(PlaneRotation { angle, .. })) => Self::ByRotation(angle),
             _ => Self::Alone(operand),
         }
     }

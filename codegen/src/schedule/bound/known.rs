@@ -2,10 +2,10 @@
 //!
 //! In: conditions, and the first steps of a program. Out: range and error of each operand that a later step may read.
 
-use super::kind::{Follows, Form, Kind, Of};
-use super::quaternion::{Entry, Polynomials, beyond};
+use super::kind::{ColumnKind, Follows, Monomial, StepForm};
+use super::quaternion::{Polynomials, RotationEntry, beyond};
 use super::reason::Reason;
-use super::rotation::{Place, PlaneRotations};
+use super::rotation::{PlaneRotations, SineOrCosine};
 use super::value::Value;
 use crate::expression::Input;
 use crate::real::Real;
@@ -38,14 +38,14 @@ pub struct Known<'p> {
 #[derive(Clone, Copy)]
 pub struct Computed {
     pub value: Value,
-    pub form: Form,
+    pub form: StepForm,
     pub reason: Option<Reason>,
     /// Rotation whose sine or cosine it is.
-    pub place: Option<Place>,
+    pub place: Option<SineOrCosine>,
     pub follows: Follows,
-    pub kind: Kind,
+    pub kind: ColumnKind,
     /// Entry of the rotation matrix of a quaternion that it is.
-    pub entry: Option<Entry>,
+    pub entry: Option<RotationEntry>,
 }
 
 impl Known<'_> {
@@ -108,17 +108,17 @@ impl Known<'_> {
     }
 
     /// Rotation whose sine or cosine an operand is.
-    pub fn place(&self, operand: Operand) -> Option<Place> {
+    pub fn place(&self, operand: Operand) -> Option<SineOrCosine> {
         match operand {
-            Operand::Sin(angle) => Some(Place { angle, sine: true }),
-            Operand::Cos(angle) => Some(Place { angle, sine: false }),
+            Operand::Sin(angle) => Some(SineOrCosine { angle, sine: true }),
+            Operand::Cos(angle) => Some(SineOrCosine { angle, sine: false }),
             Operand::Step(k) => self.steps[k as usize].place,
             Operand::Literal(_) | Operand::Input(_) => None,
         }
     }
 
     /// Entry of a rotation matrix that an operand is.
-    pub fn entry(&self, operand: Operand) -> Option<Entry> {
+    pub fn entry(&self, operand: Operand) -> Option<RotationEntry> {
         match operand {
             Operand::Step(k) => self.steps[k as usize].entry,
             _ => None,
@@ -126,13 +126,15 @@ impl Known<'_> {
     }
 
     /// Kind of a column.
-    pub fn kind_of(&self, column: Of) -> Kind {
+    pub fn kind_of(&self, column: Monomial) -> ColumnKind {
         match column {
-            Of::Product(_, b @ Operand::Input(_)) => Kind::Times(b),
-            Of::Product(a, _) => Kind::Times(a),
-            Of::Whole(Operand::Step(k)) => self.steps[k as usize].kind,
-            Of::Whole(Operand::Sin(angle) | Operand::Cos(angle)) => Kind::ByRotation(angle),
-            Of::Whole(operand) => Kind::Alone(operand),
+            Monomial::Product(_, b @ Operand::Input(_)) => ColumnKind::Times(b),
+            Monomial::Product(a, _) => ColumnKind::Times(a),
+            Monomial::Whole(Operand::Step(k)) => self.steps[k as usize].kind,
+            Monomial::Whole(Operand::Sin(angle) | Operand::Cos(angle)) => {
+                ColumnKind::ByRotation(angle)
+            }
+            Monomial::Whole(operand) => ColumnKind::Alone(operand),
         }
     }
 }

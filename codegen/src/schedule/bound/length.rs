@@ -7,11 +7,11 @@
 use std::f64::consts::SQRT_2;
 
 use super::combination::{Column, Combination, ROWS};
-use super::group::{self, Group};
-use super::kind::{Form, Kind, Of};
+use super::group::{self, ColumnGroup};
+use super::kind::{ColumnKind, Monomial, StepForm};
 use super::known::Known;
 use super::norm::{both, norm, root};
-use super::quaternion::{Entry, stretch};
+use super::quaternion::{RotationEntry, stretch};
 use super::value::Value;
 use crate::index::{Index, spread};
 use crate::real::Real;
@@ -152,15 +152,15 @@ impl Lengths {
         }
         let steps = &set[..count];
         let entries = steps.iter().map(|&k| known.steps[k as usize].entry);
-        if let Some(entries) = entries.collect::<Option<Vec<Entry>>>()
-            && Entry::are_in_line(&entries)
+        if let Some(entries) = entries.collect::<Option<Vec<RotationEntry>>>()
+            && RotationEntry::are_in_line(&entries)
         {
             length.size = length.size.min(stretch(known.scalar()));
         }
         let twice = steps.windows(2).any(|pair| pair[0] == pair[1]);
         if !twice && self.all.len() < MOST * known.steps.len() {
             let turned =
-                |step: &u32| matches!(known.steps[*step as usize].form, Form::ByRotation(_));
+                |step: &u32| matches!(known.steps[*step as usize].form, StepForm::ByRotation(_));
             let turned = steps.iter().any(turned);
             if count > 1 && (turned || first) {
                 length = length.least(self.unfolded(known, steps, depth - 1));
@@ -196,26 +196,28 @@ impl Lengths {
     fn of_columns(
         &mut self,
         known: &Known<'_>,
-        mut groups: Vec<Group>,
+        mut groups: Vec<ColumnGroup>,
         columns: &[Column],
         depth: usize,
     ) -> Length {
         group::by_kind(known, columns, &mut groups);
         let mut length = self.of_groups(known, &groups, depth);
         // The third entry of a vector that is rotated about an axis has a label of its own.
-        let rotated = |group: &Group| matches!(group.kind, Kind::Rotated(_));
-        let whole = |group: &Group| matches!(group.members[..], [Of::Whole(_)]) && !rotated(group);
-        let turned = |group: &Group| {
+        let rotated = |group: &ColumnGroup| matches!(group.kind, ColumnKind::Rotated(_));
+        let whole = |group: &ColumnGroup| {
+            matches!(group.members[..], [Monomial::Whole(_)]) && !rotated(group)
+        };
+        let turned = |group: &ColumnGroup| {
             matches!(
                 (group.kind, &group.members[..]),
-                (Kind::ByRotation(_), [_, _])
+                (ColumnKind::ByRotation(_), [_, _])
             )
         };
         if let Some(at) = groups.iter().position(turned) {
             for third in 0..groups.len() {
                 if whole(&groups[third]) {
                     let mut others = groups.clone();
-                    let Group {
+                    let ColumnGroup {
                         members, matrix, ..
                     } = groups[third].clone();
                     others[at].take(members[0], matrix[0]);
@@ -228,17 +230,17 @@ impl Lengths {
     }
 
     /// Length of the sum of groups, bounded as a whole or row by row.
-    fn of_groups(&mut self, known: &Known<'_>, groups: &[Group], depth: usize) -> Length {
+    fn of_groups(&mut self, known: &Known<'_>, groups: &[ColumnGroup], depth: usize) -> Length {
         let mut whole = Length::default();
         let mut rows = [Length::default(); ROWS];
-        for Group {
+        for ColumnGroup {
             kind,
             members,
             matrix,
         } in groups
         {
             let mut length = self.of_group(known, members, depth);
-            if let &Kind::Rotated(error) = kind {
+            if let &ColumnKind::Rotated(error) = kind {
                 let by = Length {
                     size: stretch(known.scalar()),
                     error,
@@ -258,12 +260,12 @@ impl Lengths {
     }
 
     /// Length of some values; products are bounded by their common factor.
-    fn of_group(&mut self, known: &Known<'_>, members: &[Of], depth: usize) -> Length {
-        let [Of::Product(a, b), ..] = *members else {
+    fn of_group(&mut self, known: &Known<'_>, members: &[Monomial], depth: usize) -> Length {
+        let [Monomial::Product(a, b), ..] = *members else {
             let operands: Vec<Operand> = (members.iter())
                 .filter_map(|of| match *of {
-                    Of::Whole(operand) => Some(operand),
-                    Of::Product(..) => None,
+                    Monomial::Whole(operand) => Some(operand),
+                    Monomial::Product(..) => None,
                 })
                 .collect();
             return self.follow(known, &operands, true, depth);
@@ -271,8 +273,8 @@ impl Lengths {
         let shared = if matches!(b, Operand::Input(_)) { b } else { a };
         let others: Vec<Operand> = (members.iter())
             .filter_map(|of| match *of {
-                Of::Product(a, b) => Some(if b == shared { a } else { b }),
-                Of::Whole(_) => None,
+                Monomial::Product(a, b) => Some(if b == shared { a } else { b }),
+                Monomial::Whole(_) => None,
             })
             .collect();
         let factor = Length::from(known.value(shared));
@@ -282,7 +284,7 @@ impl Lengths {
             error: factor.across(others),
         };
         match *members {
-            [Of::Product(a, b)] => together.least(known.product([a, b]).into()),
+            [Monomial::Product(a, b)] => together.least(known.product([a, b]).into()),
             _ => together,
         }
     }
@@ -305,17 +307,17 @@ impl Lengths {
             }
         };
         match youngest.form {
-            Form::Plain => Length::UNKNOWN,
-            Form::More(a, added) => without(a, added.into()),
-            Form::Sum(a, b) => {
+            StepForm::Plain => Length::UNKNOWN,
+            StepForm::More(a, added) => without(a, added.into()),
+            StepForm::Sum(a, b) => {
                 let [of_a, of_b] = [a, b].map(|operand| known.value(operand).into());
                 without(a, of_b).least(without(b, of_a))
             }
-            Form::ByRotation(rotation) => {
+            StepForm::ByRotation(rotation) => {
                 let second = rest.iter().position(|entry| match entry {
                     Operand::Step(k) => matches!(
                         known.steps[*k as usize].form,
-                        Form::ByRotation(other) if rotation.completes(&other)
+                        StepForm::ByRotation(other) if rotation.completes(&other)
                     ),
                     _ => false,
                 });

@@ -18,7 +18,7 @@ type Polynomial = [[f64; 5]; 5];
 
 /// An entry of the rotation matrix of a quaternion, or its negative.
 #[derive(Clone, Copy)]
-pub struct Entry {
+pub struct RotationEntry {
     /// The first entry of the quaternion.
     pub quaternion: Input,
     /// Row and column.
@@ -73,7 +73,7 @@ impl Polynomials {
         operation: Operation,
         quaternions: &[Input],
         scalar: Real,
-    ) -> Option<([f64; 2], Option<Entry>)> {
+    ) -> Option<([f64; 2], Option<RotationEntry>)> {
         let (first, polynomial) = quaternions.iter().find_map(|&first| {
             let of = |operand| self.polynomial(operand, first);
             let polynomial = match operation {
@@ -88,7 +88,7 @@ impl Polynomials {
             Some((first, polynomial?))
         })?;
         self.0.insert(step, (first, polynomial));
-        let entry = Entry::of(first, &polynomial);
+        let entry = RotationEntry::of(first, &polynomial);
         Some((range(&polynomial, longest(scalar)), entry))
     }
 
@@ -108,7 +108,7 @@ impl Polynomials {
     }
 }
 
-impl Entry {
+impl RotationEntry {
     /// The entry of R that a polynomial equals, up to its sign.
     fn of(quaternion: Input, polynomial: &Polynomial) -> Option<Self> {
         (0..18).find_map(|k| {

@@ -10,7 +10,7 @@ use crate::schedule::Operand;
 
 /// Sine or cosine of a rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct SineOrCosine {
     /// Index of the rotation: angles of the program first, then computed ones.
     pub angle: u32,
     /// True for the sine; for computed rotations the choice is arbitrary.
@@ -31,7 +31,7 @@ pub struct PlaneRotation {
 impl PlaneRotation {
     /// The sum of two products as an entry of a rotated vector.
     pub fn of(
-        place: impl Fn(Operand) -> Option<Place>,
+        place: impl Fn(Operand) -> Option<SineOrCosine>,
         first: [Operand; 2],
         first_minus: bool,
         second: [Operand; 2],
@@ -127,7 +127,7 @@ impl PlaneRotations {
 
     /// The sine or cosine that a step with two constant factors is: of the sum of the angle and a constant, if the
     /// factors are a cosine and a sine.
-    pub fn place(&mut self, step: u32, rotation: &PlaneRotation) -> Option<Place> {
+    pub fn place(&mut self, step: u32, rotation: &PlaneRotation) -> Option<SineOrCosine> {
         /// Larger than the deviation of a sum of squares from 1 by rounded literals.
         const NEARLY: f64 = 1e-9;
         let [c, s] = rotation.numbers()?;
@@ -145,7 +145,7 @@ impl PlaneRotations {
         if let Some(at) = lacking {
             self.found[at].steps[0] = Some(step);
             let angle = angle(at);
-            return Some(Place { angle, sine: true });
+            return Some(SineOrCosine { angle, sine: true });
         }
         self.found.push(Shifted {
             angle: rotation.angle,
@@ -153,6 +153,6 @@ impl PlaneRotations {
             steps: [None, Some(step)],
         });
         let angle = angle(self.found.len() - 1);
-        Some(Place { angle, sine: false })
+        Some(SineOrCosine { angle, sine: false })
     }
 }

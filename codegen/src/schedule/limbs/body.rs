@@ -11,7 +11,7 @@ use crate::schedule::{Operand, Operation, Program};
 
 /// Operand in a loop.
 #[derive(Clone, Copy, Debug)]
-pub enum Read {
+pub enum LoopOperand {
     /// Value from before the loop.
     Outside(Operand),
     /// Result of an earlier row in the same lane.
@@ -19,10 +19,10 @@ pub enum Read {
 }
 
 /// For each lane: the step that a row computes, if it is one, and its operation.
-pub type Row = Vec<(Option<u32>, Operation<Read>)>;
+pub type Row = Vec<(Option<u32>, Operation<LoopOperand>)>;
 
 /// Iteration of a loop.
-pub struct Body<'g> {
+pub struct Iteration<'g> {
     groups: &'g Groups,
     /// Row of each group that the loop computes.
     own: HashMap<usize, usize>,
@@ -32,7 +32,7 @@ pub struct Body<'g> {
     pub rows: Vec<Row>,
 }
 
-impl<'g> Body<'g> {
+impl<'g> Iteration<'g> {
     /// Iteration that computes nothing yet.
     pub fn new(groups: &'g Groups) -> Self {
         Self {
@@ -67,16 +67,18 @@ impl<'g> Body<'g> {
         self.rows.push(steps.zip(row).collect());
     }
 
-    fn read(&self, operand: Operand) -> Read {
+    fn read(&self, operand: Operand) -> LoopOperand {
         let own = match self.groups.like(operand) {
             Like::Group(group) => self.own.get(&group),
             Like::Same(_) | Like::Literal | Like::Other => None,
         };
-        own.map_or(Read::Outside(operand), |&row| Read::Inside(row))
+        own.map_or(LoopOperand::Outside(operand), |&row| {
+            LoopOperand::Inside(row)
+        })
     }
 
     /// The operations of a group in the form of that of its first lane.
-    fn row(&mut self, operations: &[Operation]) -> Vec<Operation<Read>> {
+    fn row(&mut self, operations: &[Operation]) -> Vec<Operation<LoopOperand>> {
         let all: Vec<Signed> = (operations.iter()).map(Signed::of).collect();
         let like = |signed: &Signed| self.groups.like(signed.operands[0]);
         let first = like(&all[0]);
@@ -110,7 +112,7 @@ impl<'g> Body<'g> {
             };
             self.with_signs(&column, minus)
         });
-        let columns: Vec<Vec<Read>> = columns.collect();
+        let columns: Vec<Vec<LoopOperand>> = columns.collect();
         let lanes = (0..all.len()).map(|lane| {
             let mut reads = columns.iter().map(|column| column[lane]);
             operations[0].map(|_| reads.next().expect("an operand for each place"))
@@ -119,7 +121,7 @@ impl<'g> Body<'g> {
     }
 
     /// A value in each lane, negated where its sign is minus.
-    fn with_signs(&mut self, values: &[Operand], minus: Vec<bool>) -> Vec<Read> {
+    fn with_signs(&mut self, values: &[Operand], minus: Vec<bool>) -> Vec<LoopOperand> {
         if !minus.contains(&true) {
             return values.iter().map(|&value| self.read(value)).collect();
         }
@@ -127,14 +129,19 @@ impl<'g> Body<'g> {
         let signs = values.iter().zip(&minus);
         let Some(shared) = shared else {
             let turned = signs.map(|(&value, &minus)| match value {
-                Operand::Literal(literal) if minus => Read::Outside(Operand::Literal(-literal)),
-                value => Read::Outside(value),
+                Operand::Literal(literal) if minus => {
+                    LoopOperand::Outside(Operand::Literal(-literal))
+                }
+                value => LoopOperand::Outside(value),
             });
             return turned.collect();
         };
         let product = signs.map(|(&value, &minus)| {
             let sign = Operand::Literal(if minus { -1.0 } else { 1.0 });
-            (None, Operation::Mul(Read::Outside(sign), self.read(value)))
+            (
+                None,
+                Operation::Mul(LoopOperand::Outside(sign), self.read(value)),
+            )
         });
         let row: Row = product.collect();
         let key = shared.into_iter().zip(minus).collect();
@@ -142,7 +149,7 @@ impl<'g> Body<'g> {
             self.rows.push(row);
             self.rows.len() - 1
         });
-        vec![Read::Inside(row); values.len()]
+        vec![LoopOperand::Inside(row); values.len()]
     }
 }
 

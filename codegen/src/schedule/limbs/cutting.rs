@@ -6,7 +6,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::body::{Body, Read, Row};
+use super::body::{Iteration, LoopOperand, Row};
 use super::groups::Groups;
 use super::loops::Loops;
 use crate::schedule::sections::Shared;
@@ -73,7 +73,7 @@ impl<'p> Cutting<'p> {
 
     /// Length of the first part of these groups, the first of which has the index `start` in its loop.
     fn end(&self, members: &[usize], start: usize, longest: usize) -> usize {
-        let mut body = Body::new(self.groups);
+        let mut body = Iteration::new(self.groups);
         let mut loads = HashSet::new();
         // Number of values by last reader, and of those that are still read.
         let (mut ending, mut alive) = (HashMap::new(), 0);
@@ -109,12 +109,12 @@ impl<'p> Cutting<'p> {
 /// bits.
 fn loaded(row: &Row) -> Vec<Vec<Result<Shared, u64>>> {
     let lanes = row.iter().map(|(_, operation)| operation.operands());
-    let lanes: Vec<Vec<Read>> = lanes.collect();
+    let lanes: Vec<Vec<LoopOperand>> = lanes.collect();
     let columns = (0..lanes[0].len()).filter_map(|k| {
         let values = lanes.iter().map(|operands| match operands[k] {
-            Read::Outside(Operand::Literal(value)) => Some(Err(value.to_bits())),
-            Read::Outside(operand) => Shared::of(operand).map(Ok),
-            Read::Inside(_) => None,
+            LoopOperand::Outside(Operand::Literal(value)) => Some(Err(value.to_bits())),
+            LoopOperand::Outside(operand) => Shared::of(operand).map(Ok),
+            LoopOperand::Inside(_) => None,
         });
         let values: Vec<_> = values.collect::<Option<_>>()?;
         let is_same = values.iter().all(|value| *value == values[0]);

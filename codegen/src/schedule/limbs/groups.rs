@@ -60,7 +60,7 @@ impl Like {
 
 /// Properties that the steps of one group share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Key {
+struct GroupKey {
     /// Index of the set of limbs.
     set: usize,
     /// Kind of operation.
@@ -69,7 +69,7 @@ struct Key {
     like: [Option<Like>; 3],
 }
 
-impl Key {
+impl GroupKey {
     /// The properties of steps that read another value in each lane.
     fn loose(self) -> Self {
         let like = self.like.map(|like| like.map(Like::loose));
@@ -80,7 +80,7 @@ impl Key {
 /// Step that may be in a group.
 #[derive(Clone, Copy, Debug)]
 struct Candidate {
-    key: Key,
+    key: GroupKey,
     /// Magnitudes of its literals.
     literals: [u64; 3],
     lane: usize,
@@ -222,7 +222,7 @@ impl Groups {
     }
 
     /// Key of an operation, and its lane; `None` if it is in no lane or in several.
-    fn key(&self, operation: &Operation) -> Option<(Key, usize)> {
+    fn key(&self, operation: &Operation) -> Option<(GroupKey, usize)> {
         let operands = operation.operands();
         let mut place = None;
         let mut like = [None; 3];
@@ -243,7 +243,7 @@ impl Groups {
         };
         like[..commuting].sort();
         let (set, lane) = place?;
-        Some((Key { set, kind, like }, lane))
+        Some((GroupKey { set, kind, like }, lane))
     }
 }
 

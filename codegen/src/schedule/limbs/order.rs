@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::body::{Body, Read};
+use super::body::{Iteration, LoopOperand};
 use super::cutting::Cutting;
 use super::groups::Groups;
 use super::loops::{Loops, Unit};
@@ -102,7 +102,7 @@ impl Order<'_> {
 
     /// All iterations of a loop over limbs.
     fn iterations(&mut self, groups: &[usize]) {
-        let rows = Body::of(self.program, self.groups, groups).rows;
+        let rows = Iteration::of(self.program, self.groups, groups).rows;
         let (start, lanes) = (self.steps.len(), rows[0].len());
         let all = start..start + rows.len();
         self.iterations.push((Over::Limbs, all, lanes));
@@ -111,8 +111,8 @@ impl Order<'_> {
             for row in &rows {
                 let (step, operation) = &row[lane];
                 let operation = operation.map(|read| match read {
-                    Read::Outside(operand) => self.outside(operand),
-                    Read::Inside(row) => Operand::Step(number(first + row)),
+                    LoopOperand::Outside(operand) => self.outside(operand),
+                    LoopOperand::Inside(row) => Operand::Step(number(first + row)),
                 });
                 let label = step.and_then(|step| {
                     self.places[step as usize] = Some(number(self.steps.len()));

@@ -1,6 +1,6 @@
 //! Separated programs compute the same as whole ones.
 
-use super::{Parts, part};
+use super::{SeparatedPrograms, part};
 use crate::expression::{Block, Component, Input, LabelledBodies, Numeral};
 use crate::schedule::{Operand, Operation, Program, Step, run};
 use crate::space::Variable;
@@ -62,7 +62,7 @@ fn second() -> Program {
     )
 }
 
-fn parts() -> Parts {
+fn parts() -> SeparatedPrograms {
     let fields = [
         vec!["mass".to_owned()],
         ["x", "y", "z"].map(str::to_owned).to_vec(),
@@ -72,7 +72,7 @@ fn parts() -> Parts {
 
 #[test]
 fn results_keep_their_bits() {
-    let Parts { once, each, .. } = parts();
+    let SeparatedPrograms { once, each, .. } = parts();
     for (q, mass, turn) in [
         (0.3, 1.7, -0.4),
         (1e9, -2.5, 3.0),
@@ -99,7 +99,7 @@ fn results_keep_their_bits() {
 
 #[test]
 fn shared_work_is_computed_once() {
-    let Parts { once, names, each } = parts();
+    let SeparatedPrograms { once, names, each } = parts();
     // 2 t, m², m² s(2 t), m² + m.
     assert_eq!(once.steps.len(), 4);
     assert_eq!(once.angles.len(), 2);
@@ -123,7 +123,7 @@ fn nothing_moves_without_fields() {
         &[Q],
         &[Operand::Step(0)],
     );
-    let Parts { once, names, each } = part(&[&bare], &[]);
+    let SeparatedPrograms { once, names, each } = part(&[&bare], &[]);
     assert!(once.steps.is_empty() && names.is_empty());
     assert_eq!(each[0].steps.len(), 1);
     assert_eq!(each[0].angles, [Q]);

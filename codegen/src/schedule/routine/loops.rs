@@ -23,7 +23,7 @@ pub struct Loop {
     /// Its rows, with a value for each iteration.
     pub rows: Vec<Vec<Value>>,
     /// Table that iterations write; none in a section.
-    pub found: Option<Found>,
+    pub found: Option<LoopTable>,
     /// Name of the loop's index, from 0.
     pub column: String,
     /// Names of the values that an iteration reads several times, and the row of each.
@@ -36,7 +36,7 @@ pub struct Loop {
 
 /// Table that the iterations of a loop write.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct LoopTable {
     /// Its name.
     pub table: String,
     /// Number of its rows.
@@ -110,7 +110,7 @@ impl Naming<'_> {
         self.leave(repeat, &found);
         let before = repeat.loads.first().and_then(|row| row.first());
         let before = before.map(|&operand| self.value(operand));
-        let of_stores = |before| Found {
+        let of_stores = |before| LoopTable {
             table: found,
             height: stores.len(),
             before,

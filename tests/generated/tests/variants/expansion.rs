@@ -10,7 +10,7 @@ use homogen_codegen::description::{Description, Name, read_file};
 use homogen_codegen::error::Errors;
 use homogen_codegen::expand::expand;
 use homogen_codegen::formulation::{Formulation, Forward, Parameters, Products, Sines};
-use homogen_codegen::print::rust::{self, Item, Library, Source};
+use homogen_codegen::print::rust::{self, FormattedSource, Item, Library};
 use homogen_codegen::request::Request;
 use homogen_codegen::schedule::OperationCount;
 use homogen_codegen::space::FrameId;
@@ -101,7 +101,7 @@ fn a_pendulum_with_a_field() {
             bob: f64,
         }
     };
-    let text = Source::new("", &front_end::derive(tokens, None)).to_string();
+    let text = FormattedSource::new("", &front_end::derive(tokens, None)).to_string();
     assert!(text.lines().count() <= READABLE, "{text}");
     insta::assert_snapshot!(text);
 }
@@ -235,7 +235,7 @@ fn front_ends(words: &str, formulation: Formulation) -> String {
     let names = functions.map(|function| format_ident!("{}", function.name()));
     let inline: proc_macro2::TokenStream = INLINE.parse().expect("tokens");
     let words: proc_macro2::TokenStream = words.parse().expect("tokens");
-    let source = |tokens| Source::new("", &tokens).to_string();
+    let source = |tokens| FormattedSource::new("", &tokens).to_string();
 
     let derived = source(front_end::derive(
         quote! {

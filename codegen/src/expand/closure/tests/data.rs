@@ -6,7 +6,7 @@ use crate::expand::{expand, understand};
 use crate::function::Function;
 use crate::module::Module;
 use crate::print::c;
-use crate::print::rust::{Item, Library, Source, print};
+use crate::print::rust::{FormattedSource, Item, Library, print};
 use crate::request::{ForC, Request};
 use crate::space::Order;
 
@@ -37,7 +37,7 @@ fn data_of_another_loop_is_refused() {
 #[test]
 fn a_robot_with_loops_has_a_mechanism() {
     let (item, library) = (Item::named_after("four bar"), Library::default());
-    let text = Source::new("", &print(&module(), &item, &library)).to_string();
+    let text = FormattedSource::new("", &print(&module(), &item, &library)).to_string();
     assert!(
         text.contains("pub const fn closed_loops() -> ::homogen::ClosedLoopRobot<3, 0, 2, 3, 3> {"),
         "{text}"
@@ -51,13 +51,13 @@ fn a_robot_with_loops_has_a_mechanism() {
     }
     let mut open = module();
     open.data.loops.loops.clear();
-    let text = Source::new("", &print(&open, &item, &library)).to_string();
+    let text = FormattedSource::new("", &print(&open, &item, &library)).to_string();
     assert!(!text.contains("closed_loops"), "{text}");
 }
 
 #[test]
 fn headers_of_c_count_residuals() {
-    let writing = c::Writing {
+    let writing = c::COptions {
         prefix: "bars_",
         header: "bars.h",
         asked: "",
@@ -66,7 +66,7 @@ fn headers_of_c_count_residuals() {
         templates: false,
         order: Order::AngularFirst,
     };
-    let c::Source { header, .. } = c::print(&module(), &writing);
+    let c::SourceFile { header, .. } = c::print(&module(), &writing);
     for part in [
         "/* Entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
         "    BARS_C_PIN_Y, /* `pin.y` */\n    BARS_NC\n};\n",

@@ -4,7 +4,7 @@ use super::{FOUR_BAR, PIN, chain, described};
 use crate::expand::{expand, understand};
 use crate::function::Function;
 use crate::module::Module;
-use crate::print::rust::{Item, Library, Source, methods};
+use crate::print::rust::{FormattedSource, Item, Library, methods};
 use crate::request::Request;
 
 #[test]
@@ -38,7 +38,7 @@ fn functions_that_ignore_loops_document_it() {
             functions: vec![generated.clone()],
             ..module.clone()
         };
-        let text = Source::new("", &methods(&alone, &item, &library)).to_string();
+        let text = FormattedSource::new("", &methods(&alone, &item, &library)).to_string();
         let [function] = &*generated.functions else {
             panic!("one at a time");
         };

@@ -5,11 +5,11 @@
 
 use std::fmt::Write;
 
-use super::external::{External, Group, Store};
-use super::matrix::Matrix;
+use super::external::{External, FunctionCall, Store};
+use super::matrix::SparseMatrix;
 use super::tables::Tables;
 use crate::module::Module;
-use crate::print::c::Writing;
+use crate::print::c::COptions;
 use crate::print::c::declarations::{argument_lengths, lengths, results};
 use crate::print::c::names::{own, unscoped};
 use crate::request::Parameter;
@@ -20,12 +20,12 @@ use crate::space::Variable;
 pub(super) fn body(
     external: &External,
     module: &Module,
-    writing: &Writing<'_>,
+    options: &COptions<'_>,
     symbols: &[String],
     tables: &mut Tables,
 ) -> String {
     let mut names = unscoped();
-    let own_names = ["robot", "prepared"].map(|name| own(writing.prefix, name));
+    let own_names = ["robot", "prepared"].map(|name| own(options.prefix, name));
     let reserved = symbols
         .iter()
         .map(String::as_str)
@@ -33,10 +33,10 @@ pub(super) fn body(
     for name in reserved.chain(own_names.iter().map(String::as_str)) {
         names.take(name);
     }
-    if external.groups.is_empty() {
+    if external.calls.is_empty() {
         return "    (void)arg;\n    (void)res;\n".to_owned();
     }
-    let mut body = Body {
+    let mut body = CallWriter {
         external,
         module,
         symbols,
@@ -48,14 +48,14 @@ pub(super) fn body(
     };
     body.inputs(&own_names[0]);
     body.seeds();
-    for group in &external.groups {
-        body.group(group);
+    for call in &external.calls {
+        body.call(call);
     }
     body.text
 }
 
 /// Printer of a body.
-struct Body<'b> {
+struct CallWriter<'b> {
     external: &'b External,
     module: &'b Module,
     symbols: &'b [String],
@@ -68,7 +68,7 @@ struct Body<'b> {
     robot: String,
 }
 
-impl Body<'_> {
+impl CallWriter<'_> {
     fn line(&mut self, depth: usize, line: &str) {
         // Writing to a string cannot fail.
         let _ = writeln!(self.text, "{}{line}", "    ".repeat(depth));
@@ -77,10 +77,10 @@ impl Body<'_> {
     /// Reads the arguments that are passed on, and the fields.
     fn inputs(&mut self, structure: &str) {
         let External {
-            arguments, groups, ..
+            arguments, calls, ..
         } = self.external;
-        let called = groups.iter().flat_map(|group| {
-            let generated = &self.module.functions[group.function];
+        let called = calls.iter().flat_map(|call| {
+            let generated = &self.module.functions[call.function];
             generated.arguments(&self.module.spaces)
         });
         let called: Vec<Variable> = called.collect();
@@ -157,22 +157,22 @@ impl Body<'_> {
     }
 
     /// Calls a function if one of its results is wanted.
-    fn group(&mut self, group: &Group) {
-        let stores = &group.stores;
+    fn call(&mut self, call: &FunctionCall) {
+        let stores = &call.stores;
         let wanted = stores.iter().map(|(output, ..)| format!("res[{output}]"));
         let wanted: Vec<String> = wanted.collect();
         self.line(1, &format!("if ({}) {{", wanted.join(" || ")));
-        let generated = &self.module.functions[group.function];
+        let generated = &self.module.functions[call.function];
         let mut scope = self.names.clone();
-        let mut call = Vec::new();
+        let mut passed = Vec::new();
         if !self.robot.is_empty() {
-            call.push(format!("&{}", self.robot));
+            passed.push(format!("&{}", self.robot));
         }
         for variable in generated.arguments(&self.module.spaces) {
             let local = self.local.iter().find(|(of, _)| *of == variable);
             let local = local.map(|(_, name)| name.clone());
             let value = local.unwrap_or_else(|| self.zeros(variable));
-            call.push(match *argument_lengths(variable, &self.module.spaces) {
+            passed.push(match *argument_lengths(variable, &self.module.spaces) {
                 // Before C23 an array of arrays is not taken for one of constants.
                 [_, columns] => format!("(const double(*)[{columns}]){value}"),
                 _ => value,
@@ -188,7 +188,7 @@ impl Body<'_> {
                 0 => format!("&{name}"),
                 depth => format!("&{name}{}", "[0]".repeat(depth)),
             });
-            call.push(if lengths.is_empty() {
+            passed.push(if lengths.is_empty() {
                 format!("&{name}")
             } else {
                 name
@@ -196,7 +196,7 @@ impl Body<'_> {
         }
         self.line(
             2,
-            &format!("{}({});", self.symbols[group.function], call.join(", ")),
+            &format!("{}({});", self.symbols[call.function], passed.join(", ")),
         );
         for (output, result, store) in stores {
             let statement = self.store(*output, &first[*result], store);
@@ -237,7 +237,7 @@ impl Body<'_> {
 }
 
 /// Place of each entry of a vector.
-fn in_place(matrix: &Matrix) -> Vec<String> {
+fn in_place(matrix: &SparseMatrix) -> Vec<String> {
     let entries = matrix.entries.iter();
     let places = entries.map(|(row, column, _)| row + matrix.rows * column);
     places.map(|place| place.to_string()).collect()

@@ -4,18 +4,18 @@
 //! product of the transposed Jacobian with weights, and the Jacobian of that product; or the reason why there are none.
 
 use super::external::{External, Port, Store};
-use super::matrix::Matrix;
+use super::matrix::SparseMatrix;
 use crate::function::{Derivatives, Function};
 use crate::module::{GeneratedFunction, Module};
-use crate::print::steps::Step;
+use crate::print::steps::ConfigurationFunction;
 use crate::space::{Quantity, Variable};
 use crate::wording::{code, list};
 
 /// Block of derivatives.
-struct Block {
+struct DerivativeBlock {
     /// Index of the generated function, and of its result.
     place: (usize, usize),
-    matrix: Matrix,
+    matrix: SparseMatrix,
 }
 
 /// The Jacobian, by arguments and fields.
@@ -39,7 +39,7 @@ pub(super) fn adjoint(module: &Module, of: usize, function: &External) -> Option
     derived.weigh(function);
     let stores: Vec<((usize, usize), Store)> = if let Some(places) = products(module, of) {
         let sizes = function.inputs.iter().map(|by| by.matrix.size());
-        let vectors = sizes.map(|size| Store::Entries(Matrix::full(size, 1)));
+        let vectors = sizes.map(|size| Store::Entries(SparseMatrix::full(size, 1)));
         places.into_iter().zip(vectors).collect()
     } else {
         let out = &function.outputs[0].matrix;
@@ -49,11 +49,11 @@ pub(super) fn adjoint(module: &Module, of: usize, function: &External) -> Option
         matrices.collect()
     };
     for (by, store) in function.inputs.iter().zip(stores) {
-        let matrix = Matrix::full(by.matrix.size(), 1);
+        let matrix = SparseMatrix::full(by.matrix.size(), 1);
         derived.push(format!("adj_{}", by.name), matrix, store);
     }
     if let Some(Port { name, matrix }) = &function.fields {
-        let matrix = Matrix::zero(matrix.rows, matrix.columns);
+        let matrix = SparseMatrix::zero(matrix.rows, matrix.columns);
         derived.external.outputs.push(Port {
             name: format!("adj_{name}"),
             matrix,
@@ -86,7 +86,7 @@ pub(super) fn adjoint_jacobian(
         } else {
             matrix.transposed()
         };
-        Some(Block { place, matrix })
+        Some(DerivativeBlock { place, matrix })
     };
     let needed = derivatives.second.iter().map(|block| block.function);
     let mut has = needed.map(|function| provider(module, derivatives, function).is_some());
@@ -137,12 +137,12 @@ impl Derived {
     fn of(kind: &str, function: &External) -> Self {
         let out = |port: &Port| Port {
             name: format!("out_{}", port.name),
-            matrix: Matrix::zero(port.matrix.rows, port.matrix.columns),
+            matrix: SparseMatrix::zero(port.matrix.rows, port.matrix.columns),
         };
         let mut external = External {
             name: format!("{kind}_{}", function.name),
             outputs: Vec::new(),
-            groups: Vec::new(),
+            calls: Vec::new(),
             ..function.clone()
         };
         external.further.extend(function.outputs.iter().map(out));
@@ -162,21 +162,21 @@ impl Derived {
     }
 
     /// Adds an output with the entries of a result.
-    fn entries(&mut self, name: String, place: (usize, usize), matrix: Matrix) {
+    fn entries(&mut self, name: String, place: (usize, usize), matrix: SparseMatrix) {
         let store = Store::Entries(matrix.clone());
         self.push(name, matrix, (place, store));
     }
 
     /// Adds an output without entries.
     fn zero(&mut self, name: String, rows: &Port, columns: &Port) {
-        let matrix = Matrix::zero(rows.matrix.size(), columns.matrix.size());
+        let matrix = SparseMatrix::zero(rows.matrix.size(), columns.matrix.size());
         self.external.outputs.push(Port { name, matrix });
     }
 
     fn push(
         &mut self,
         name: String,
-        matrix: Matrix,
+        matrix: SparseMatrix,
         ((function, result), store): ((usize, usize), Store),
     ) {
         let output = self.external.outputs.len();
@@ -193,7 +193,7 @@ fn row(module: &Module, of: usize) -> Result<&'static Derivatives, Option<String
         return Err(None);
     };
     let derivatives = function.derivatives().ok_or(None)?;
-    if !Step::of(module).is_empty() {
+    if !ConfigurationFunction::of(module).is_empty() {
         let why =
             "q has coordinates that are not added, and generated derivatives are along velocities";
         return Err(Some(why.to_owned()));
@@ -218,7 +218,7 @@ fn products(module: &Module, of: usize) -> Option<Vec<(usize, usize)>> {
 
 /// The derivatives by each argument. The error is the reason why there are none, if the function has a row of
 /// derivatives.
-fn first(module: &Module, of: usize) -> Result<Vec<Block>, Option<String>> {
+fn first(module: &Module, of: usize) -> Result<Vec<DerivativeBlock>, Option<String>> {
     let derivatives = row(module, of)?;
     let mut missing = Vec::new();
     let mut blocks = Vec::new();
@@ -237,7 +237,7 @@ fn first(module: &Module, of: usize) -> Result<Vec<Block>, Option<String>> {
         } else {
             matrix
         };
-        blocks.push(Block { place, matrix });
+        blocks.push(DerivativeBlock { place, matrix });
     }
     if missing.is_empty() {
         return Ok(blocks);
@@ -279,7 +279,11 @@ fn provider(module: &Module, derivatives: &Derivatives, function: Function) -> O
 }
 
 /// Matrix of a result.
-fn of_result(module: &Module, (function, result): (usize, usize), quantity: &Quantity) -> Matrix {
+fn of_result(
+    module: &Module,
+    (function, result): (usize, usize),
+    quantity: &Quantity,
+) -> SparseMatrix {
     let generated = &module.functions[function];
     let quantities = generated
         .functions
@@ -290,10 +294,10 @@ fn of_result(module: &Module, (function, result): (usize, usize), quantity: &Qua
     let operands = &generated.program.results;
     let end = before + quantity.size(&module.spaces);
     let operands = operands.get(before..end).unwrap_or_default();
-    Matrix::of(quantity, &module.spaces, operands)
+    SparseMatrix::of(quantity, &module.spaces, operands)
 }
 
 /// The matrix without the rows of structural zeros of a result.
-fn in_rows_of(out: &Matrix, matrix: Matrix) -> Matrix {
+fn in_rows_of(out: &SparseMatrix, matrix: SparseMatrix) -> SparseMatrix {
     matrix.rows_where(|row| out.entries.iter().any(|entry| entry.0 == row))
 }

@@ -8,7 +8,7 @@ use super::call::body;
 use super::external::{External, Port};
 use super::tables::Tables;
 use crate::module::Module;
-use crate::print::c::Writing;
+use crate::print::c::COptions;
 use crate::print::c::comments::comment;
 use crate::print::review::filled;
 
@@ -16,12 +16,12 @@ use crate::print::review::filled;
 pub(super) fn text(
     external: &External,
     module: &Module,
-    writing: &Writing<'_>,
+    options: &COptions<'_>,
     symbols: &[String],
     tables: &mut Tables,
 ) -> String {
     let name = &external.name;
-    let body = body(external, module, writing, symbols, tables);
+    let body = body(external, module, options, symbols, tables);
     let inputs: Vec<&Port> = external.all_inputs().collect();
     let outputs: Vec<&Port> = external.outputs.iter().collect();
     let names = |ports: &[&Port]| {

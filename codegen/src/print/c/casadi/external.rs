@@ -1,6 +1,6 @@
 //! A function of `CasADi`: inputs, outputs, and calls of generated functions.
 
-use super::matrix::Matrix;
+use super::matrix::SparseMatrix;
 use crate::module::Module;
 use crate::print::c::declarations::argument_lengths;
 use crate::space::Variable;
@@ -9,7 +9,7 @@ use crate::space::Variable;
 #[derive(Clone, Debug)]
 pub(super) struct Port {
     pub name: String,
-    pub matrix: Matrix,
+    pub matrix: SparseMatrix,
 }
 
 /// A function of `CasADi`.
@@ -25,15 +25,15 @@ pub(super) struct External {
     /// Inputs of derivatives: results of the function, and weights.
     pub further: Vec<Port>,
     /// Index of the input with the weights of the result, and their matrix.
-    pub seeds: Option<(usize, Matrix)>,
+    pub seeds: Option<(usize, SparseMatrix)>,
     pub outputs: Vec<Port>,
     /// Calls of generated functions, and what is stored of their results.
-    pub groups: Vec<Group>,
+    pub calls: Vec<FunctionCall>,
 }
 
 /// Call of a generated function.
 #[derive(Clone, Debug)]
-pub(super) struct Group {
+pub(super) struct FunctionCall {
     /// Index of the generated function.
     pub function: usize,
     /// Index of an output, index of the result that it needs, and what is stored.
@@ -44,16 +44,16 @@ pub(super) struct Group {
 #[derive(Clone, Debug)]
 pub(super) enum Store {
     /// Its entries.
-    Entries(Matrix),
+    Entries(SparseMatrix),
     /// The transposed matrix times the weights.
-    Adjoint(Matrix),
+    Adjoint(SparseMatrix),
 }
 
 /// Input for an argument: a column, or a row for each wrench.
 pub(super) fn input(variable: Variable, module: &Module) -> Port {
     let matrix = match *argument_lengths(variable, &module.spaces) {
-        [rows, columns] => Matrix::full(rows, columns),
-        _ => Matrix::full(module.spaces.len(variable.space()), 1),
+        [rows, columns] => SparseMatrix::full(rows, columns),
+        _ => SparseMatrix::full(module.spaces.len(variable.space()), 1),
     };
     Port {
         name: variable.name().to_owned(),
@@ -68,7 +68,7 @@ impl External {
         let count = fields.map(|field| field.target.entries()).sum::<usize>();
         (count > 0).then(|| Port {
             name: "p".to_owned(),
-            matrix: Matrix::full(count, 1),
+            matrix: SparseMatrix::full(count, 1),
         })
     }
 
@@ -89,13 +89,9 @@ impl External {
         if matches!(&stored.2, Store::Entries(matrix) if matrix.entries.is_empty()) {
             return;
         }
-        match self
-            .groups
-            .iter_mut()
-            .find(|group| group.function == function)
-        {
-            Some(group) => group.stores.push(stored),
-            None => self.groups.push(Group {
+        match self.calls.iter_mut().find(|call| call.function == function) {
+            Some(call) => call.stores.push(stored),
+            None => self.calls.push(FunctionCall {
                 function,
                 stores: vec![stored],
             }),

@@ -10,7 +10,7 @@ use crate::space::{Quantity, Spaces};
 
 /// Source of an entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Source {
+pub(super) enum EntrySource {
     /// A place in the array.
     Place(usize),
     /// The number 1.
@@ -19,16 +19,16 @@ pub(super) enum Source {
 
 /// A sparse matrix. Several matrices of a result stand beside each other, row by row; several poses one below the other.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Matrix {
+pub(super) struct SparseMatrix {
     pub rows: usize,
     pub columns: usize,
     /// Row, column and source of each entry, column by column.
-    pub entries: Vec<(usize, usize, Source)>,
+    pub entries: Vec<(usize, usize, EntrySource)>,
     /// Distances in the array from one row to the next, and from one column to the next.
     pub strides: [usize; 2],
 }
 
-impl Matrix {
+impl SparseMatrix {
     /// Matrix of a result.
     pub fn of(quantity: &Quantity, spaces: &Spaces, operands: &[Operand]) -> Self {
         if let Some(last) = quantity.entity.fourth_row() {
@@ -53,7 +53,7 @@ impl Matrix {
             } else {
                 (row, column)
             };
-            entries.push((at.0, at.1, Source::Place(place)));
+            entries.push((at.0, at.1, EntrySource::Place(place)));
         }
         let (shape, strides) = if is_transposed {
             ([columns, rows], [1, columns])
@@ -70,19 +70,19 @@ impl Matrix {
         for (matrix, operands) in matrices.clone() {
             for (place, operand) in operands.iter().enumerate() {
                 if *operand != Operand::Literal(0.0) {
-                    let place_of_all = Source::Place(12 * matrix + place);
+                    let place_of_all = EntrySource::Place(12 * matrix + place);
                     entries.push((4 * matrix + place / 4, place % 4, place_of_all));
                 }
             }
             let ones = last.iter().enumerate().filter(|(_, entry)| **entry != 0.0);
-            entries.extend(ones.map(|(column, _)| (4 * matrix + 3, column, Source::One)));
+            entries.extend(ones.map(|(column, _)| (4 * matrix + 3, column, EntrySource::One)));
         }
         Self::sorted([4 * matrices.len(), 4], entries, [4, 1])
     }
 
     fn sorted(
         [rows, columns]: [usize; 2],
-        mut entries: Vec<(usize, usize, Source)>,
+        mut entries: Vec<(usize, usize, EntrySource)>,
         strides: [usize; 2],
     ) -> Self {
         entries.sort_by_key(|&(row, column, _)| (column, row));
@@ -96,7 +96,7 @@ impl Matrix {
 
     /// Matrix without zeros whose entries are those of an array, column by column.
     pub fn full(rows: usize, columns: usize) -> Self {
-        let entries = (0..rows * columns).map(|k| (k % rows, k / rows, Source::Place(k)));
+        let entries = (0..rows * columns).map(|k| (k % rows, k / rows, EntrySource::Place(k)));
         Self {
             rows,
             columns,
@@ -149,8 +149,8 @@ impl Matrix {
     /// Places in the array of the entries; -1 for the number 1.
     pub fn places(&self) -> Vec<String> {
         let places = self.entries.iter().map(|(.., source)| match source {
-            Source::Place(place) => place.to_string(),
-            Source::One => "-1".to_owned(),
+            EntrySource::Place(place) => place.to_string(),
+            EntrySource::One => "-1".to_owned(),
         });
         places.collect()
     }
@@ -158,7 +158,7 @@ impl Matrix {
 
 #[cfg(test)]
 mod tests {
-    use super::{Matrix, Source};
+    use super::{EntrySource, SparseMatrix};
     use crate::function::Function;
     use crate::schedule::Operand;
     use crate::space::Spaces;
@@ -168,7 +168,7 @@ mod tests {
         let (_, pose) = Function::ForwardKinematics.result().parts().next().unwrap();
         let operands = [[0.0, 2.0, 2.0, 2.0]; 3].concat();
         let operands: Vec<Operand> = operands.into_iter().map(Operand::Literal).collect();
-        let matrix = Matrix::of(&pose, &Spaces::default(), &operands);
+        let matrix = SparseMatrix::of(&pose, &Spaces::default(), &operands);
         assert_eq!((matrix.rows, matrix.columns), (4, 4));
         let pattern = "4 4 0 0 3 6 10 0 1 2 0 1 2 0 1 2 3";
         assert_eq!(matrix.pattern().join(" "), pattern);
@@ -179,7 +179,7 @@ mod tests {
     fn several_poses_stand_one_below_the_other() {
         let (_, poses) = Function::FramePoses.result().parts().next().unwrap();
         let operands = [Operand::Literal(2.0); 24];
-        let matrix = Matrix::of(&poses, &Spaces::default(), &operands);
+        let matrix = SparseMatrix::of(&poses, &Spaces::default(), &operands);
         assert_eq!((matrix.rows, matrix.columns), (8, 4));
         let column = |wanted: usize| {
             let of = matrix.entries.iter().filter(move |entry| entry.1 == wanted);
@@ -188,9 +188,9 @@ mod tests {
         };
         let translations = [(0, 3), (1, 7), (2, 11), (4, 15), (5, 19), (6, 23)];
         let mut last = translations
-            .map(|(row, place)| (row, Source::Place(place)))
+            .map(|(row, place)| (row, EntrySource::Place(place)))
             .to_vec();
-        last.extend([(3, Source::One), (7, Source::One)]);
+        last.extend([(3, EntrySource::One), (7, EntrySource::One)]);
         last.sort_by_key(|(row, _)| *row);
         assert_eq!(column(3), last);
         assert_eq!(column(0).len(), 6);
@@ -198,12 +198,12 @@ mod tests {
 
     #[test]
     fn full_matrices_have_the_short_pattern() {
-        let full = Matrix::full(2, 3);
+        let full = SparseMatrix::full(2, 3);
         assert_eq!(full.pattern(), ["2", "3", "1"]);
         assert_eq!(full.transposed().places().join(" "), "0 2 4 1 3 5");
-        assert_eq!(Matrix::zero(2, 1).pattern().join(" "), "2 1 0 0");
+        assert_eq!(SparseMatrix::zero(2, 1).pattern().join(" "), "2 1 0 0");
         let lower = full.rows_where(|row| row == 1);
-        assert_eq!(lower.entries[0], (1, 0, Source::Place(1)));
+        assert_eq!(lower.entries[0], (1, 0, EntrySource::Place(1)));
         assert_eq!(lower.pattern().join(" "), "2 3 0 1 2 3 1 1 1");
     }
 }

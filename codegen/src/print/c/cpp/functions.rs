@@ -5,30 +5,30 @@ use std::fmt::Write;
 use crate::formulation::Sines;
 use crate::module::{GeneratedFunction, Module};
 use crate::print::Fields;
-use crate::print::c::Writing;
+use crate::print::c::COptions;
 use crate::print::c::body::{body, of_step};
 use crate::print::c::comments::comment;
 use crate::print::c::declarations::{argument_lengths, lengths, number, results};
 use crate::print::c::names::symbols;
-use crate::print::documentation::{self, Angles};
-use crate::print::steps::{Step, has_angles};
+use crate::print::documentation::{self, SineAngles};
+use crate::print::steps::{ConfigurationFunction, has_angles};
 use crate::space::{Quantity, Variable};
 
 /// All functions.
-pub(super) fn text(module: &Module, writing: &Writing<'_>, angles: &Angles) -> String {
+pub(super) fn text(module: &Module, options: &COptions<'_>, angles: &SineAngles) -> String {
     let mut text = String::new();
-    for (generated, name) in module.functions.iter().zip(symbols(module, writing.prefix)) {
+    for (generated, name) in module.functions.iter().zip(symbols(module, options.prefix)) {
         let about =
-            documentation::of_function(module, generated, Some((angles, writing.order)), None);
+            documentation::of_function(module, generated, Some((angles, options.order)), None);
         let fields = Fields::Own(&module.parameters);
         // Functions are whole, so that no section needs a name.
-        let body = body(module, (generated, fields), writing, &mut str::to_owned);
+        let body = body(module, (generated, fields), options, &mut str::to_owned);
         let results = members(module, generated);
         let arguments = generated.arguments(&module.spaces);
         let arguments = arguments
             .iter()
             .map(|&of| (of.name(), argument_lengths(of, &module.spaces)));
-        let function = Function {
+        let function = CppFunction {
             name: &name,
             arguments: arguments.collect(),
             results,
@@ -37,16 +37,16 @@ pub(super) fn text(module: &Module, writing: &Writing<'_>, angles: &Angles) -> S
         text.push_str(&comment(&about));
         text.push_str(&function.text(module, &body.text));
     }
-    for &step in Step::of(module) {
+    for &step in ConfigurationFunction::of(module) {
         let about = documentation::of_step(module, step, Some(angles));
-        let body = of_step(step, module, writing);
+        let body = of_step(step, module, options);
         let length = |space| vec![module.spaces.len(space)];
         let arguments = step
             .arguments()
             .iter()
             .map(|&(name, space)| (name, length(space)));
         let name = step.name().to_owned();
-        let function = Function {
+        let function = CppFunction {
             name: step.name(),
             arguments: arguments.collect(),
             results: vec![(name.clone(), name, length(step.result()))],
@@ -77,7 +77,7 @@ pub fn call(module: &Module) -> String {
 }
 
 /// A function and the lengths of its arrays.
-struct Function<'f> {
+struct CppFunction<'f> {
     name: &'f str,
     arguments: Vec<(&'f str, Vec<usize>)>,
     /// Name in the body, name of the member, and lengths of each result.
@@ -113,7 +113,7 @@ fn array(number: &str, lengths: &[usize]) -> String {
     })
 }
 
-impl Function<'_> {
+impl CppFunction<'_> {
     /// Name of the struct of several results.
     fn structure_name(&self) -> String {
         format!("{}_results", self.name)

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use crate::formulation::Sines;
 use crate::module::Module;
-use crate::print::c::Writing;
-use crate::print::c::body::Writer;
+use crate::print::c::COptions;
+use crate::print::c::body::CWriter;
 use crate::print::c::declarations::number;
 use crate::print::sines::{ANGLE, COSINE, SHIFTED, SINE, range, statements};
 use crate::print::steps::{has_angles, has_roots};
@@ -13,7 +13,7 @@ use crate::print::walk::walk;
 use crate::real::Real;
 
 /// The namespace `detail`.
-pub(super) fn text(module: &Module, writing: &Writing<'_>) -> String {
+pub(super) fn text(module: &Module, options: &COptions<'_>) -> String {
     let number = number(module.scalar);
     let mut text = format!("namespace detail {{\n\n{LENGTHS}\n");
     // Writing to a string cannot fail.
@@ -37,7 +37,7 @@ using scalar = typename Own<std::decay_t<All>...>::type;
     if has_angles(module) {
         text.push_str(SIN_COS);
         if module.sines == Sines::Own {
-            text.push_str(&own_sines(module.scalar, writing));
+            text.push_str(&own_sines(module.scalar, options));
         }
     }
     if has_roots(module) {
@@ -103,12 +103,12 @@ T root(const T& x)
 ";
 
 /// Sines of built-in numbers.
-fn own_sines(real: Real, writing: &Writing<'_>) -> String {
-    let writing = Writing {
+fn own_sines(real: Real, options: &COptions<'_>) -> String {
+    let options = COptions {
         templates: false,
-        ..*writing
+        ..*options
     };
-    let mut writer = Writer::new(real, &writing);
+    let mut writer = CWriter::new(real, &options);
     walk(&mut writer, &statements(real));
     let statements = writer.text;
     let number = number(real);

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use super::{Cells, Found, Loop};
+use super::{Cells, Loop, LoopTable};
 use crate::expression::{Arithmetic, Input};
 use crate::schedule::limbs::tests::{COMMON, limbs, program as of_limbs};
 use crate::schedule::repeats::tests::{HEAD, LENGTH, program as of_columns};
@@ -74,7 +74,7 @@ impl Written {
         let row = |row: &Vec<Value>| row.iter().map(|of| self.read(of)).collect();
         let table: Vec<Vec<f64>> = each.rows.iter().map(row).collect();
         self.tables.insert(each.table.clone(), table);
-        if let Some(Found { table, height, .. }) = &each.found {
+        if let Some(LoopTable { table, height, .. }) = &each.found {
             let unknown = vec![vec![f64::NAN; each.count]; *height];
             self.tables.insert(table.clone(), unknown);
         }

@@ -10,7 +10,7 @@ use crate::real::{Real, Trigonometry};
 
 /// Number with the sines of generated code.
 #[derive(Clone, Copy, Debug)]
-pub struct Own<T>(T);
+pub struct OwnSines<T>(T);
 
 mod double {
     include!("print/rust/sines/double.rs");
@@ -30,7 +30,7 @@ mod single {
 
 macro_rules! operator {
     ($float:ident: $($name:ident $method:ident)*) => {$(
-        impl $name for Own<$float> {
+        impl $name for OwnSines<$float> {
             type Output = Self;
 
             fn $method(self, other: Self) -> Self {
@@ -44,7 +44,7 @@ macro_rules! arithmetic {
     ($float:ident, $real:ident, $sines:ident) => {
         operator!($float: Add add Sub sub Mul mul Div div);
 
-        impl Neg for Own<$float> {
+        impl Neg for OwnSines<$float> {
             type Output = Self;
 
             fn neg(self) -> Self {
@@ -52,7 +52,7 @@ macro_rules! arithmetic {
             }
         }
 
-        impl Arithmetic for Own<$float> {
+        impl Arithmetic for OwnSines<$float> {
             fn literal(value: f64) -> Self {
                 Self($float::literal(value))
             }
@@ -76,8 +76,8 @@ macro_rules! arithmetic {
             }
         }
 
-        impl From<Own<$float>> for f64 {
-            fn from(number: Own<$float>) -> Self {
+        impl From<OwnSines<$float>> for f64 {
+            fn from(number: OwnSines<$float>) -> Self {
                 number.0.into()
             }
         }

@@ -34,7 +34,7 @@ use crate::error::{Errors, Place};
 use crate::expand;
 use crate::formulation::Formulation;
 use crate::function::Function;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::module::Module;
 use crate::print::rust::CoreFunctions;
 use crate::print::rust::in_every_edition;
@@ -269,30 +269,30 @@ impl Builder {
     /// Viscous friction of a joint, in N m s/rad or N s/m: one number, or one for each of its velocities. All friction
     /// of the description is then modelled, too.
     pub fn damping(self, joint: &str, damping: impl AsRef<[f64]>) -> Self {
-        self.actuator(joint, Part::Damping, damping.as_ref())
+        self.actuator(joint, ActuatorQuantity::Damping, damping.as_ref())
     }
 
     /// Coulomb friction of a joint, in N m or N: multiplied by the sign of the velocity, zero at rest.
     pub fn coulomb_friction(self, joint: &str, friction: impl AsRef<[f64]>) -> Self {
-        self.actuator(joint, Part::Friction, friction.as_ref())
+        self.actuator(joint, ActuatorQuantity::Friction, friction.as_ref())
     }
 
     /// Inertia at a joint in addition to the bodies, in kg m² or kg. All rotors of the description are then modelled,
     /// too.
     pub fn armature(self, joint: &str, armature: impl AsRef<[f64]>) -> Self {
-        self.actuator(joint, Part::Armature, armature.as_ref())
+        self.actuator(joint, ActuatorQuantity::Armature, armature.as_ref())
     }
 
     /// A rotor, by its inertia in kg m² and its turns for one of the joint: the inertia is multiplied by the square of
     /// the ratio.
     pub fn rotor(self, joint: &str, inertia: f64, ratio: f64) -> Self {
-        let with_inertia = self.actuator(joint, Part::Rotor, &[inertia]);
-        with_inertia.actuator(joint, Part::Ratio, &[ratio])
+        let with_inertia = self.actuator(joint, ActuatorQuantity::Rotor, &[inertia]);
+        with_inertia.actuator(joint, ActuatorQuantity::Ratio, &[ratio])
     }
 
-    fn actuator(self, joint: &str, part: Part, numbers: &[f64]) -> Self {
+    fn actuator(self, joint: &str, quantity: ActuatorQuantity, numbers: &[f64]) -> Self {
         let numbers = numbers.iter().copied().map(Number::from).collect();
-        self.with(|asked| asked.actuators.push((joint.into(), part, numbers)))
+        self.with(|asked| asked.actuators.push((joint.into(), quantity, numbers)))
     }
 
     /// Keeps `1.5708` as written instead of taking it for π/2.

@@ -30,7 +30,7 @@ use crate::closure::ResidualKind;
 use crate::description::Description;
 use crate::error::{Diagnostic, Errors, Place};
 use crate::expression::{Expr, Graph, Term};
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::joint::{ActuatorTerms, Manifold, Motion};
 use crate::list::{Id, List, id};
 use crate::matrix::{Inertia, Pose, Vector};
@@ -389,12 +389,16 @@ fn parameters(link: &str) -> impl Iterator<Item = Entry> {
 /// The identified parameters of a joint's armature, damping and friction, in the order of [`ActuatorTerms::entries`].
 fn of_actuator(joint: &Joint) -> impl Iterator<Item = Entry> {
     let translates = matches!(joint.motion, Motion::Prismatic);
-    let parts = [Part::Armature, Part::Damping, Part::Friction];
-    parts
+    let quantities = [
+        ActuatorQuantity::Armature,
+        ActuatorQuantity::Damping,
+        ActuatorQuantity::Friction,
+    ];
+    quantities
         .into_iter()
         .zip([2, 1, 0])
-        .map(move |(part, order)| Entry {
-            name: format!("{}.{}", joint.name, part.word()),
+        .map(move |(quantity, order)| Entry {
+            name: format!("{}.{}", joint.name, quantity.word()),
             kind: Kind::Actuator { order, translates },
             range: None,
         })

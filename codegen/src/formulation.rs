@@ -243,12 +243,12 @@ impl Choice {
 /// State of the reading of a formulation.
 #[derive(Default)]
 #[doc(hidden)]
-pub struct Reader {
+pub struct FormulationReader {
     formulation: Formulation,
     made: Vec<(String, Choice)>,
 }
 
-impl Reader {
+impl FormulationReader {
     /// Reads a word with its value.
     ///
     /// # Errors
@@ -315,11 +315,13 @@ fn values(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Angles, Formulation, Forward, Frame, Parameters, Products, Reader, Sines};
+    use super::{
+        Angles, Formulation, FormulationReader, Forward, Frame, Parameters, Products, Sines,
+    };
 
     /// Formulation of some words, or the message of its rejection.
     fn read(words: &[(&str, Option<&str>)]) -> Result<Formulation, String> {
-        let mut reader = Reader::default();
+        let mut reader = FormulationReader::default();
         for (word, value) in words {
             reader
                 .take(word, *value)

@@ -19,7 +19,7 @@ use crate::module::About;
 use crate::print::rust::{self, Declaration, Library};
 use crate::space::Spaces;
 use crate::{chain, request};
-use kept::{Entry, Expansion};
+use kept::{CacheEntry, Expansion};
 
 pub use kept::Kept;
 
@@ -57,7 +57,7 @@ fn folder() -> PathBuf {
 fn open(
     item: &Item,
     mut errors: Errors,
-    kept: Option<Entry<'_>>,
+    kept: Option<CacheEntry<'_>>,
     declare: fn(&Item) -> Declaration,
 ) -> TokenStream {
     let target = rust::Item {
@@ -77,7 +77,7 @@ fn open(
         }
     } else if let Some(description) = read {
         let kept = kept.map(|entry| entry.of(&description.source));
-        let expansion = match kept.as_ref().and_then(Entry::find) {
+        let expansion = match kept.as_ref().and_then(CacheEntry::find) {
             Some(found) => Ok(found),
             None => expand(description, &item.request).map(|module| {
                 let library = Library::runtime(item.request.runtime.as_ref());

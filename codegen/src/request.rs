@@ -17,7 +17,7 @@ use syn::ext::IdentExt;
 use crate::error::{Diagnostic, Place};
 use crate::formulation::Formulation;
 use crate::function::Function;
-use crate::joint::actuator::{Motor, Part, Parts};
+use crate::joint::actuator::{Actuator, ActuatorQuantity, Motor};
 use crate::name::Name;
 use crate::number::Number;
 use crate::processor::Processor;
@@ -60,7 +60,7 @@ pub struct Request {
     /// Model rotors of the description.
     pub rotors: bool,
     /// Armature, rotors, damping and friction of joints that replace those of the description.
-    pub actuators: Vec<(Name, Part, Vec<Number>)>,
+    pub actuators: Vec<(Name, ActuatorQuantity, Vec<Number>)>,
     /// Acceleration of gravity in the base frame [m/s²]; (0, 0, −9.81) by default.
     pub gravity: Option<[Number; 3]>,
     /// Keep `1.5708` as written instead of taking it for π/2.
@@ -148,53 +148,65 @@ impl Request {
     /// True if damping and friction are modelled. Setting one value also models all those of the description.
     #[must_use]
     pub fn models_friction(&self) -> bool {
-        self.friction || self.sets(Part::resists)
+        self.friction || self.sets(ActuatorQuantity::resists)
     }
 
     /// True if armatures and rotors are modelled, in the same way.
     #[must_use]
     pub fn models_armature(&self) -> bool {
-        self.rotors || self.sets(|part| !part.resists())
+        self.rotors || self.sets(|quantity| !quantity.resists())
     }
 
-    fn sets(&self, is: impl Fn(Part) -> bool) -> bool {
+    fn sets(&self, is: impl Fn(ActuatorQuantity) -> bool) -> bool {
         let mut actuators = self.actuators.iter();
         let mut fields = self.parameters.iter();
-        actuators.any(|(_, part, _)| is(*part))
-            || fields.any(|field| field.target.actuators().is_some_and(|(_, part)| is(part)))
+        actuators.any(|(_, quantity, _)| is(*quantity))
+            || fields.any(|field| {
+                field
+                    .target
+                    .actuators()
+                    .is_some_and(|(_, quantity)| is(quantity))
+            })
     }
 
     /// Models the terms that an inline description has for a joint.
-    pub fn model(&mut self, actuator: &Parts) {
-        for part in Part::ALL {
-            let is_set = !actuator.of(part).is_empty();
-            self.friction |= is_set && part.resists();
-            self.rotors |= is_set && !part.resists();
+    pub fn model(&mut self, actuator: &Actuator) {
+        for quantity in ActuatorQuantity::ALL {
+            let is_set = !actuator.of(quantity).is_empty();
+            self.friction |= is_set && quantity.resists();
+            self.rotors |= is_set && !quantity.resists();
         }
     }
 
-    /// The values of a part for a joint: those of the request, or else those of the description if they are modelled.
+    /// The values of a quantity for a joint: those of the request, or else those of the description if they are
+    /// modelled.
     #[must_use]
-    pub fn actuator<'r>(&'r self, joint: &str, described: &'r Parts, part: Part) -> &'r [Number] {
-        let modelled = if part.resists() {
+    pub fn actuator<'r>(
+        &'r self,
+        joint: &str,
+        described: &'r Actuator,
+        quantity: ActuatorQuantity,
+    ) -> &'r [Number] {
+        let modelled = if quantity.resists() {
             self.models_friction()
         } else {
             self.models_armature()
         };
         let mut actuators = self.actuators.iter();
-        let asked = actuators.find(|(name, of, _)| *of == part && name.text == joint);
+        let asked = actuators.find(|(name, of, _)| *of == quantity && name.text == joint);
         match asked {
             Some((_, _, numbers)) => numbers,
-            None if modelled => described.of(part),
+            None if modelled => described.of(quantity),
             None => &[],
         }
     }
 
     /// The motors of a joint beyond the first; empty if the request replaces them.
     #[must_use]
-    pub fn further_motors<'r>(&self, joint: &str, described: &'r Parts) -> &'r [Motor] {
-        let is_replaced = |(name, part, _): &(Name, Part, Vec<Number>)| {
-            matches!(part, Part::Rotor | Part::Ratio) && name.text == joint
+    pub fn further_motors<'r>(&self, joint: &str, described: &'r Actuator) -> &'r [Motor] {
+        let is_replaced = |(name, quantity, _): &(Name, ActuatorQuantity, Vec<Number>)| {
+            matches!(quantity, ActuatorQuantity::Rotor | ActuatorQuantity::Ratio)
+                && name.text == joint
         };
         if self.models_armature() && !self.actuators.iter().any(is_replaced) {
             described.further()

@@ -25,7 +25,7 @@ use crate::project::{self, Project, stem};
 use crate::result::values;
 use crate::{count, diagnostics, function, shown, skeleton};
 use homogen_codegen::Real;
-use homogen_codegen::arithmetic::Own;
+use homogen_codegen::arithmetic::OwnSines;
 use homogen_codegen::builder::{Builder, Language};
 use homogen_codegen::chain::{self, Chain};
 use homogen_codegen::check::Check;
@@ -251,9 +251,9 @@ impl Open {
                 .unwrap_or(0.0)
         };
         let numbers = match (scalar, self.request.formulation.sines) {
-            (Real::F32, Sines::Own) => computed::<Own<f32>>(generated, number),
+            (Real::F32, Sines::Own) => computed::<OwnSines<f32>>(generated, number),
             (Real::F32, Sines::Platform) => computed::<f32>(generated, number),
-            (_, Sines::Own) => computed::<Own<f64>>(generated, number),
+            (_, Sines::Own) => computed::<OwnSines<f64>>(generated, number),
             (_, Sines::Platform) => computed::<f64>(generated, number),
         };
         let spaces = self.chain.spaces();

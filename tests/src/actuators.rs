@@ -4,7 +4,7 @@
 //! every joint that moves, with a different number for each velocity.
 
 use homogen_codegen::description::{Description, Number};
-use homogen_codegen::joint::actuator::Part;
+use homogen_codegen::joint::actuator::ActuatorQuantity;
 use homogen_codegen::request::Request;
 
 /// The request with actuators.
@@ -25,12 +25,12 @@ pub fn with_actuators(description: &Description, mut request: Request) -> Reques
     let mut settings = Vec::new();
     let mut entry = 0.0;
     for joint in moving {
-        for (part, size) in [
-            (Part::Armature, 0.03),
-            (Part::Rotor, 2e-5),
-            (Part::Ratio, 40.0),
-            (Part::Damping, 0.7),
-            (Part::Friction, 0.3),
+        for (quantity, size) in [
+            (ActuatorQuantity::Armature, 0.03),
+            (ActuatorQuantity::Rotor, 2e-5),
+            (ActuatorQuantity::Ratio, 40.0),
+            (ActuatorQuantity::Damping, 0.7),
+            (ActuatorQuantity::Friction, 0.3),
         ] {
             let numbers = joint.kind.degrees_of_freedom().iter().map(|_| {
                 entry += 1.0;
@@ -38,7 +38,7 @@ pub fn with_actuators(description: &Description, mut request: Request) -> Reques
                 let share: f64 = entry * 0.618_033_988_749_895;
                 number(size * (0.5 + share.fract()))
             });
-            settings.push((joint.name.clone(), part, numbers.collect()));
+            settings.push((joint.name.clone(), quantity, numbers.collect()));
         }
     }
     request.actuators = settings;

@@ -9,7 +9,7 @@ use homogen_codegen::description::{
 };
 use homogen_codegen::error::Place;
 use homogen_codegen::joint::JointKind;
-use homogen_codegen::joint::actuator::Parts;
+use homogen_codegen::joint::actuator::Actuator;
 
 use crate::states::Random;
 
@@ -107,7 +107,7 @@ fn joint(k: usize, parent: Name, limb: &Limb, random: &mut Random) -> Joint {
             velocity: limb.speed,
             effort: f64::INFINITY,
         }),
-        actuator: Parts::default(),
+        actuator: Actuator::default(),
         place: Place::Unknown,
     }
 }

@@ -12,7 +12,7 @@ use homogen_codegen::description::{
 };
 use homogen_codegen::error::{Errors, Place};
 use homogen_codegen::joint::JointKind;
-use homogen_codegen::joint::actuator::Parts;
+use homogen_codegen::joint::actuator::Actuator;
 use homogen_codegen::request::Request;
 
 /// A robot and a request.
@@ -163,7 +163,7 @@ fn lifted(mut description: Description) -> Description {
         mimic: None,
         origin: Vec::new(),
         limits: None,
-        actuator: Parts::default(),
+        actuator: Actuator::default(),
         place: Place::Unknown,
     };
     description.joints.insert(0, lift);
@@ -333,7 +333,7 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
             second_axis: [Number::default(); 3],
             mimic: None,
             limits: None,
-            actuator: Parts::default(),
+            actuator: Actuator::default(),
             place: Place::Unknown,
         });
     }

@@ -9,7 +9,7 @@ use std::thread;
 
 use super::super::options::Scalar;
 use super::states::States;
-use homogen_codegen::arithmetic::Own;
+use homogen_codegen::arithmetic::OwnSines;
 use homogen_codegen::expression::Input;
 use homogen_codegen::formulation::Sines;
 use homogen_codegen::schedule::{Arithmetic, LANES, Lanes, Program, run};
@@ -31,8 +31,8 @@ impl Values<'_> {
             return results;
         }
         match (self.scalar, self.sines) {
-            (Scalar::F32, Sines::Own) => self.on_all_cores::<Own<f32>>(states, &mut results),
-            (Scalar::F64, Sines::Own) => self.on_all_cores::<Own<f64>>(states, &mut results),
+            (Scalar::F32, Sines::Own) => self.on_all_cores::<OwnSines<f32>>(states, &mut results),
+            (Scalar::F64, Sines::Own) => self.on_all_cores::<OwnSines<f64>>(states, &mut results),
             (Scalar::F32, Sines::Platform) => self.on_all_cores::<f32>(states, &mut results),
             (Scalar::F64, Sines::Platform) => self.on_all_cores::<f64>(states, &mut results),
         }

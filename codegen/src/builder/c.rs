@@ -9,7 +9,7 @@ use super::output::only_for_c;
 use crate::error::{Errors, Place};
 use crate::module::Module;
 use crate::print::arrays::Order;
-use crate::print::c::{self, COptions, SourceFile};
+use crate::print::c::{self, COptions, CSource};
 use crate::real::Real;
 use crate::request::ForC;
 
@@ -25,7 +25,7 @@ impl Builder {
     ///
     /// # Errors
     /// All errors of the description and of the request; options that only Rust has.
-    pub fn to_c(&self, header: &str) -> Result<SourceFile, Errors> {
+    pub fn to_c(&self, header: &str) -> Result<CSource, Errors> {
         self.c_module().map(|module| self.c(&module, header))
     }
 
@@ -111,10 +111,10 @@ impl Builder {
     /// The file in C of a module.
     #[doc(hidden)]
     #[must_use]
-    pub fn c(&self, module: &Module, header: &str) -> SourceFile {
-        let SourceFile { header, text } = self.written(module, header, c::print);
+    pub fn c(&self, module: &Module, header: &str) -> CSource {
+        let CSource { header, text } = self.written(module, header, c::print);
         let [header, text] = [header, text].map(|text| self.in_ascii(text));
-        SourceFile { header, text }
+        CSource { header, text }
     }
 
     /// The same with a source for each function, which are compiled side by side: names and texts, the header first, and

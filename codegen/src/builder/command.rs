@@ -8,7 +8,7 @@ use std::num::NonZeroUsize;
 use super::Builder;
 use crate::description::fingerprint::fingerprint;
 use crate::description::{Name, Number};
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::module::Module;
 use crate::print::arrays::Order;
 use crate::request::Parameter;
@@ -159,7 +159,7 @@ impl Command {
         }
     }
 
-    fn actuators(&mut self, actuators: &[(Name, Part, Vec<Number>)]) {
+    fn actuators(&mut self, actuators: &[(Name, ActuatorQuantity, Vec<Number>)]) {
         for (joint, part, values) in actuators {
             let (part, values) = (part.word(), numbers(values));
             self.word(&format!("--{part}={}={values}", joint.text));

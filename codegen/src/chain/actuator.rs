@@ -9,7 +9,7 @@ use super::numbers::LARGEST;
 use super::tree::Tree;
 use crate::description::{Description, Joint, JointId, Modelled, Name, Number};
 use crate::error::{Diagnostic, Errors};
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::request::Request;
 use crate::wording::quoted;
 
@@ -21,17 +21,17 @@ pub fn check(
     joints: &Names<'_, JointId>,
     errors: &mut Errors,
 ) {
-    for (k, (name, part, _)) in request.actuators.iter().enumerate() {
-        check_joint(name, *part, description, tree, joints, errors);
+    for (k, (name, quantity, _)) in request.actuators.iter().enumerate() {
+        check_joint(name, *quantity, description, tree, joints, errors);
         let mut before = request.actuators[..k].iter();
-        if before.any(|(other, of, _)| of == part && other.text == name.text) {
-            let message = format!("the {} occurs twice", called(*part, name));
+        if before.any(|(other, of, _)| of == quantity && other.text == name.text) {
+            let message = format!("the {} occurs twice", called(*quantity, name));
             errors.push(name.place, message);
         }
     }
     for parameter in &request.parameters {
-        if let Some((name, part)) = parameter.target.actuators() {
-            check_joint(name, part, description, tree, joints, errors);
+        if let Some((name, quantity)) = parameter.target.actuators() {
+            check_joint(name, quantity, description, tree, joints, errors);
         }
     }
     for branch in tree.branches.iter().filter(|branch| branch.held.is_none()) {
@@ -42,7 +42,7 @@ pub fn check(
 /// Checks that an actuator belongs to a joint that moves.
 fn check_joint(
     name: &Name,
-    part: Part,
+    quantity: ActuatorQuantity,
     description: &Description,
     tree: &Tree,
     joints: &Names<'_, JointId>,
@@ -51,7 +51,7 @@ fn check_joint(
     let Some(joint) = joints.find(name, errors) else {
         return;
     };
-    let (called, word) = (quoted(&name.text), part.word());
+    let (called, word) = (quoted(&name.text), quantity.word());
     let branch = tree.branches.iter().find(|branch| branch.joint == joint);
     if !description[joint].kind.moves() {
         let message = format!("joint {called} is fixed and has no {word}");
@@ -69,15 +69,15 @@ fn check_joint(
 fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
     let count = joint.kind.degrees_of_freedom().len();
     let name = &joint.name.text;
-    for part in Part::ALL {
-        let numbers = request.actuator(name, &joint.actuator, part);
+    for quantity in ActuatorQuantity::ALL {
+        let numbers = request.actuator(name, &joint.actuator, quantity);
         let further = request.further_motors(name, &joint.actuator).iter();
-        let further = further.filter_map(|motor| match part {
-            Part::Rotor => motor.rotor.as_ref(),
-            Part::Ratio => motor.ratio.as_ref(),
+        let further = further.filter_map(|motor| match quantity {
+            ActuatorQuantity::Rotor => motor.rotor.as_ref(),
+            ActuatorQuantity::Ratio => motor.ratio.as_ref(),
             _ => None,
         });
-        let what = called(part, &joint.name);
+        let what = called(quantity, &joint.name);
         let place = numbers.first().map_or(joint.place, |number| number.place);
         if numbers.len() > 1 && numbers.len() != count {
             let given = numbers.len();
@@ -90,7 +90,7 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
         for Number { value, place, .. } in numbers.iter().chain(further) {
             if !value.is_finite() {
                 errors.push(*place, format!("the {what} is not a number"));
-            } else if *value < 0.0 && part != Part::Ratio {
+            } else if *value < 0.0 && quantity != ActuatorQuantity::Ratio {
                 errors.push(*place, format!("the {what} is negative: {value}"));
             } else if value.abs() > LARGEST {
                 errors.push(*place, format!("the {what} is too large"));
@@ -98,18 +98,20 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
         }
     }
     check_motors(joint, request, errors);
-    let first = |part| {
+    let first = |quantity| {
         request
-            .actuator(&joint.name.text, &joint.actuator, part)
+            .actuator(&joint.name.text, &joint.actuator, quantity)
             .first()
     };
     // Many files have a gear ratio without a rotor, which has no effect.
     let mut asked = request.actuators.iter();
-    let asked = asked.find(|(name, part, _)| *part == Part::Ratio && name.text == joint.name.text);
-    if let (Some((name, ..)), None) = (asked, first(Part::Rotor)) {
+    let asked = asked.find(|(name, quantity, _)| {
+        *quantity == ActuatorQuantity::Ratio && name.text == joint.name.text
+    });
+    if let (Some((name, ..)), None) = (asked, first(ActuatorQuantity::Rotor)) {
         errors.push_with_hint(
             name.place,
-            format!("the {} has no rotor", called(Part::Ratio, name)),
+            format!("the {} has no rotor", called(ActuatorQuantity::Ratio, name)),
             "set rotor as well, or only armature, which includes the ratio",
         );
     }
@@ -117,29 +119,34 @@ fn check_numbers(joint: &Joint, request: &Request, errors: &mut Errors) {
 
 /// Checks that the request replaces all motors of a joint with several: rotor and ratio together.
 fn check_motors(joint: &Joint, request: &Request, errors: &mut Errors) {
-    let asked = |of: Part| {
+    let asked = |of: ActuatorQuantity| {
         let mut actuators = request.actuators.iter();
-        actuators.find(|(name, part, _)| *part == of && name.text == joint.name.text)
+        actuators.find(|(name, quantity, _)| *quantity == of && name.text == joint.name.text)
     };
     let several = !joint.actuator.further().is_empty();
-    let alone = match (asked(Part::Rotor), asked(Part::Ratio)) {
-        (Some((name, part, _)), None) | (None, Some((name, part, _))) if several => (name, *part),
+    let alone = match (
+        asked(ActuatorQuantity::Rotor),
+        asked(ActuatorQuantity::Ratio),
+    ) {
+        (Some((name, quantity, _)), None) | (None, Some((name, quantity, _))) if several => {
+            (name, *quantity)
+        }
         _ => return,
     };
-    let (name, part) = alone;
+    let (name, quantity) = alone;
     let count = 1 + joint.actuator.further().len();
     errors.push_with_hint(
         name.place,
         format!(
             "the {} is for one motor, but the file has {count}",
-            called(part, name)
+            called(quantity, name)
         ),
         "set rotor and ratio together, which replace all motors; or armature, which is added",
     );
 }
 
-fn called(part: Part, joint: &Name) -> String {
-    format!("{} of joint {}", part.word(), quoted(&joint.text))
+fn called(quantity: ActuatorQuantity, joint: &Name) -> String {
+    format!("{} of joint {}", quantity.word(), quoted(&joint.text))
 }
 
 /// Warnings about data that are described and not modelled, or requested and not described.
@@ -151,7 +158,7 @@ pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Ve
     let has_rotor = |name: &str| {
         joint(name).is_some_and(|joint| {
             !request
-                .actuator(name, &joint.actuator, Part::Rotor)
+                .actuator(name, &joint.actuator, ActuatorQuantity::Rotor)
                 .is_empty()
         })
     };
@@ -163,22 +170,35 @@ pub fn warnings(description: &Description, request: &Request, tree: &Tree) -> Ve
     let mut warnings = description.unmodelled.warnings(&modelled);
     let moving = tree.branches.iter().filter(|branch| branch.held.is_none());
     let moving: Vec<&Joint> = moving.map(|branch| &description[branch.joint]).collect();
-    let none = |is: fn(Part) -> bool| {
+    let none = |is: fn(ActuatorQuantity) -> bool| {
         let has_any = |joint: &&Joint| {
-            let mut parts = Part::ALL.into_iter().filter(|part| is(*part));
-            parts.any(|part| {
+            let mut quantities = ActuatorQuantity::ALL
+                .into_iter()
+                .filter(|quantity| is(*quantity));
+            quantities.any(|quantity| {
                 !request
-                    .actuator(&joint.name.text, &joint.actuator, part)
+                    .actuator(&joint.name.text, &joint.actuator, quantity)
                     .is_empty()
             })
         };
         let mut fields = request.parameters.iter();
-        let field = fields.any(|field| field.target.actuators().is_some_and(|(_, part)| is(part)));
+        let field = fields.any(|field| {
+            field
+                .target
+                .actuators()
+                .is_some_and(|(_, quantity)| is(quantity))
+        });
         !field && !moving.iter().any(has_any)
     };
     let asked = [
-        (request.friction && none(Part::resists), "friction"),
-        (request.rotors && none(|part| !part.resists()), "armature"),
+        (
+            request.friction && none(ActuatorQuantity::resists),
+            "friction",
+        ),
+        (
+            request.rotors && none(|quantity| !quantity.resists()),
+            "armature",
+        ),
     ];
     for (_, what) in asked.into_iter().filter(|(missing, _)| *missing) {
         warnings.push(Diagnostic {

@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use crate::description::{Description, Joint, Link, Name};
 use crate::joint::JointKind;
-use crate::joint::actuator::Parts;
+use crate::joint::actuator::Actuator;
 use crate::number::Number;
 use crate::request::Request;
 
@@ -53,7 +53,7 @@ pub(super) fn freed(
         second_axis: [Number::default(); 3],
         limits: None,
         mimic: None,
-        actuator: Parts::default(),
+        actuator: Actuator::default(),
         place,
     });
     let request = Request {

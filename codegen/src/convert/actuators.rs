@@ -3,11 +3,11 @@
 use super::elementary::Elementary;
 use crate::description::Number;
 use crate::expression::Double;
-use crate::joint::actuator::{Motor, Part};
+use crate::joint::actuator::{ActuatorQuantity, Motor};
 use crate::wording::quoted;
 
 /// The numbers of a quantity: those of one velocity, or all of a part with several.
-pub(super) fn numbers<'d>(part: &Elementary<'d>, quantity: Part) -> &'d [Number] {
+pub(super) fn numbers<'d>(part: &Elementary<'d>, quantity: ActuatorQuantity) -> &'d [Number] {
     if part.is_advance() {
         return &[];
     }
@@ -22,7 +22,10 @@ pub(super) fn numbers<'d>(part: &Elementary<'d>, quantity: Part) -> &'d [Number]
 ///
 /// # Errors
 /// Several numbers that differ.
-pub(super) fn number(part: &Elementary<'_>, quantity: Part) -> Result<Option<Number>, ()> {
+pub(super) fn number(
+    part: &Elementary<'_>,
+    quantity: ActuatorQuantity,
+) -> Result<Option<Number>, ()> {
     let all = numbers(part, quantity);
     let Some((first, others)) = all.split_first() else {
         return Ok(None);
@@ -39,13 +42,13 @@ pub(super) fn number(part: &Elementary<'_>, quantity: Part) -> Result<Option<Num
 ///
 /// # Errors
 /// A quantity whose numbers differ between the velocities of the part.
-pub(super) fn motors(part: &Elementary<'_>) -> Result<Vec<Motor>, Part> {
+pub(super) fn motors(part: &Elementary<'_>) -> Result<Vec<Motor>, ActuatorQuantity> {
     let of = |quantity| number(part, quantity).map_err(|()| quantity);
     let first = Motor {
-        rotor: of(Part::Rotor)?,
-        ratio: of(Part::Ratio)?,
+        rotor: of(ActuatorQuantity::Rotor)?,
+        ratio: of(ActuatorQuantity::Ratio)?,
     };
-    let armature = of(Part::Armature)?.map(|armature| Motor {
+    let armature = of(ActuatorQuantity::Armature)?.map(|armature| Motor {
         rotor: Some(armature),
         ratio: None,
     });
@@ -69,7 +72,7 @@ pub(super) fn reflected(motors: &[Motor]) -> Option<Double> {
 }
 
 /// The message of numbers that differ between the velocities of a part.
-pub(super) fn differ(part: &Elementary<'_>, quantity: Part) -> String {
+pub(super) fn differ(part: &Elementary<'_>, quantity: ActuatorQuantity) -> String {
     let (name, word) = (quoted(&part.name), quantity.word());
     format!("joint {name} has another {word} for each velocity, and the format has one for all")
 }

@@ -14,7 +14,7 @@ use crate::description::fresh::FreshNames;
 use crate::description::{Description, Inertial, Joint, Loop, Step};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::joint::Manifold;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::wording::{list, quoted};
 
 /// State of the writer.
@@ -48,7 +48,11 @@ pub(super) fn write(description: &Description) -> Result<Converted, Errors> {
         spherical: Vec::new(),
     };
     let has_motors = |joint: &Joint| {
-        let quantities = [Part::Armature, Part::Rotor, Part::Ratio];
+        let quantities = [
+            ActuatorQuantity::Armature,
+            ActuatorQuantity::Rotor,
+            ActuatorQuantity::Ratio,
+        ];
         let mut quantities = quantities.into_iter();
         quantities.any(|quantity| !joint.actuator.of(quantity).is_empty())
     };
@@ -161,7 +165,7 @@ impl<'d> Urdf<'d> {
             self.markup.empty("axis", &[("xyz", texts(&part.axis))]);
         }
         self.limit(part);
-        let resisting = [Part::Damping, Part::Friction];
+        let resisting = [ActuatorQuantity::Damping, ActuatorQuantity::Friction];
         let resisting = resisting.map(|quantity| (quantity, actuators::numbers(part, quantity)));
         let resisting = resisting
             .into_iter()

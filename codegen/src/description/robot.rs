@@ -10,7 +10,7 @@ use super::unmodelled::Unmodelled;
 use crate::closure::Closure;
 use crate::error::{Diagnostic, Errors, Place};
 use crate::joint::JointKind;
-use crate::joint::actuator::Parts;
+use crate::joint::actuator::Actuator;
 use crate::list::{Id, id};
 use crate::name::Name;
 use crate::number::Number;
@@ -163,7 +163,7 @@ pub struct Joint {
     /// The mimicked joint, if this one has no coordinate of its own.
     pub mimic: Option<Mimic>,
     /// Armature, rotors, damping and friction; modelled only on request.
-    pub actuator: Parts,
+    pub actuator: Actuator,
     /// Its place in the text.
     pub place: Place,
 }
@@ -184,7 +184,7 @@ impl Joint {
             second_axis: [zero; 3],
             limits: None,
             mimic: None,
-            actuator: Parts::default(),
+            actuator: Actuator::default(),
             place,
         }
     }

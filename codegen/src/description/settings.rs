@@ -90,12 +90,12 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
         SettingForm::Actuator(_, Some(alone)) if !has_value(input) && !input.peek(token::Paren) => {
             *alone(request) = true;
         }
-        SettingForm::Actuator(part, _) => {
+        SettingForm::Actuator(quantity, _) => {
             let joints = tokens::list(&list()?, |input| {
                 let name = tokens::name(input)?;
                 tokens::separator(input, &key)?;
                 let subject = format!("the {key} of joint {}", quoted(&name.text));
-                Ok((name, part, tokens::one_or_more(input, &subject)?))
+                Ok((name, quantity, tokens::one_or_more(input, &subject)?))
             })?;
             request.actuators.extend(joints);
         }
@@ -310,7 +310,7 @@ fn add(word: &Ident, item: &mut Vec<Function>, errors: &mut Errors) {
 
 /// Words of a formulation, some with a value; each unknown or contradictory one is an error.
 fn formulation(input: ParseStream, errors: &mut Errors) -> Parsed<Formulation> {
-    let mut reader = formulation::Reader::default();
+    let mut reader = formulation::FormulationReader::default();
     tokens::list(input, |input| {
         let word = tokens::word(input)?;
         let value = if has_value(input) {

@@ -4,7 +4,7 @@ use super::inline::{body, closure as loops, composite, joint as joints, table};
 use super::{attributes, denavit_hartenberg, settings};
 use crate::formulation;
 use crate::function::Function;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::{closure, joint};
@@ -45,7 +45,7 @@ pub enum GrammarPlace {
 /// The words of each place.
 #[must_use]
 pub fn words() -> Vec<(GrammarPlace, Vec<&'static str>)> {
-    let actuators = Part::ALL.map(Part::word);
+    let actuators = ActuatorQuantity::ALL.map(ActuatorQuantity::word);
     let joint = joints::KEYS.into_iter().chain(actuators).collect();
     let kinds = joint::ALL.map(|kind| kind.word).into_iter();
     vec![

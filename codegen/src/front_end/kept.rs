@@ -39,7 +39,7 @@ pub(super) struct Expansion {
 }
 
 /// The place of an expansion in the folder.
-pub(super) struct Entry<'k> {
+pub(super) struct CacheEntry<'k> {
     kept: &'k Kept<'k>,
     /// All that the expansion depends on: the engine, the macro, its tokens; then the files of the description.
     depends_on: String,
@@ -47,8 +47,8 @@ pub(super) struct Entry<'k> {
 
 impl Kept<'_> {
     /// The place of an expansion by a macro; `None` for tokens that text does not hold.
-    pub(super) fn entry(&self, of: &str, tokens: &TokenStream) -> Option<Entry<'_>> {
-        is_text(tokens).then(|| Entry {
+    pub(super) fn entry(&self, of: &str, tokens: &TokenStream) -> Option<CacheEntry<'_>> {
+        is_text(tokens).then(|| CacheEntry {
             kept: self,
             depends_on: format!("{}\n{of}\n{tokens}\n", self.engine),
         })
@@ -63,7 +63,7 @@ fn is_text(tokens: &TokenStream) -> bool {
     })
 }
 
-impl Entry<'_> {
+impl CacheEntry<'_> {
     /// The same of a description.
     pub(super) fn of(mut self, source: &Source) -> Self {
         let beside = source.beside.iter().map(|path| path.to_string_lossy());

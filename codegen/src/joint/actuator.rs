@@ -1,15 +1,15 @@
 //! Armature, rotors, damping and friction of joints.
 //!
-//! [`Parts`] holds the described numbers of a joint, [`ActuatorTerms`] the resulting terms of one velocity. Motors are not
-//! modelled beyond their inertia: torques and rates are those of the joint.
+//! [`Actuator`] holds the described numbers of a joint, [`ActuatorTerms`] the resulting terms of one velocity. Motors
+//! are not modelled beyond their inertia: torques and rates are those of the joint.
 
 use crate::expression::Term;
 use crate::number::Number;
 
-/// A described quantity.
+/// A described quantity of an actuator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Part {
+pub enum ActuatorQuantity {
     /// Inertia at the joint in addition to the bodies [kg m², of a translation kg].
     Armature,
     /// Inertia of a rotor about its own axis \[kg m²\]; reflected at the joint, it is multiplied by the square of the
@@ -23,7 +23,7 @@ pub enum Part {
     Friction,
 }
 
-impl Part {
+impl ActuatorQuantity {
     /// All quantities.
     pub const ALL: [Self; 5] = [
         Self::Armature,
@@ -48,7 +48,9 @@ impl Part {
     /// The quantity with a key.
     #[must_use]
     pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|part| part.word() == word)
+        Self::ALL
+            .into_iter()
+            .find(|quantity| quantity.word() == word)
     }
 
     /// True for friction, false for inertias.
@@ -61,8 +63,8 @@ impl Part {
 /// The described numbers of a joint: for each quantity none, one for all of the joint's velocities, or one for each;
 /// and further motors.
 #[derive(Clone, Debug, Default)]
-pub struct Parts {
-    numbers: [Vec<Number>; Part::ALL.len()],
+pub struct Actuator {
+    numbers: [Vec<Number>; ActuatorQuantity::ALL.len()],
     further: Vec<Motor>,
 }
 
@@ -75,11 +77,11 @@ pub struct Motor {
     pub ratio: Option<Number>,
 }
 
-impl Parts {
+impl Actuator {
     /// The numbers of a quantity.
     #[must_use]
-    pub fn of(&self, part: Part) -> &[Number] {
-        &self.numbers[part as usize]
+    pub fn of(&self, quantity: ActuatorQuantity) -> &[Number] {
+        &self.numbers[quantity as usize]
     }
 
     /// Motors beyond the first; their reflected inertias are added.
@@ -90,7 +92,8 @@ impl Parts {
 
     /// Adds a motor: the first with a rotor sets the rotor and the ratio.
     pub fn mount(&mut self, motor: Motor) {
-        let [rotor, ratio] = [Part::Rotor, Part::Ratio].map(|part| self.of(part).first().copied());
+        let [rotor, ratio] = [ActuatorQuantity::Rotor, ActuatorQuantity::Ratio]
+            .map(|quantity| self.of(quantity).first().copied());
         let first = Motor { rotor, ratio };
         let value = |number: Option<Number>| number.map(|number| number.value);
         if rotor.is_some() || (ratio.is_some() && motor.rotor.is_none()) {
@@ -103,15 +106,18 @@ impl Parts {
         if value(motor.ratio) != value(ratio) {
             self.further.extend(ratio.map(|_| first));
         }
-        let parts = [(Part::Rotor, motor.rotor), (Part::Ratio, motor.ratio)];
-        for (part, number) in parts {
-            self.say(part, number.into_iter().collect());
+        let numbers = [
+            (ActuatorQuantity::Rotor, motor.rotor),
+            (ActuatorQuantity::Ratio, motor.ratio),
+        ];
+        for (quantity, number) in numbers {
+            self.say(quantity, number.into_iter().collect());
         }
     }
 
     /// Sets the numbers of a quantity.
-    pub fn say(&mut self, part: Part, numbers: Vec<Number>) {
-        self.numbers[part as usize] = numbers;
+    pub fn say(&mut self, quantity: ActuatorQuantity, numbers: Vec<Number>) {
+        self.numbers[quantity as usize] = numbers;
     }
 }
 
@@ -159,13 +165,13 @@ impl<'g> ActuatorTerms<Term<'g>> {
 
 #[cfg(test)]
 mod tests {
-    use super::Part;
+    use super::ActuatorQuantity;
 
     #[test]
     fn words_are_read_back() {
-        for part in Part::ALL {
-            assert_eq!(Part::from_word(part.word()), Some(part));
+        for quantity in ActuatorQuantity::ALL {
+            assert_eq!(ActuatorQuantity::from_word(quantity.word()), Some(quantity));
         }
-        assert_eq!(Part::from_word("stiction"), None);
+        assert_eq!(ActuatorQuantity::from_word("stiction"), None);
     }
 }

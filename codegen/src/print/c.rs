@@ -37,7 +37,7 @@ pub use steps::check as check_steps;
 
 /// Functions in C99.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SourceFile {
+pub struct CSource {
     /// The header: declarations with units and frames.
     pub header: String,
     /// The source, which includes the header unless it has been included before.
@@ -72,8 +72,8 @@ pub fn prefix(robot: &str) -> String {
 
 /// Functions and their header; [`Real::Generic`] is printed as `double`.
 #[must_use]
-pub fn print(module: &Module, options: &COptions<'_>) -> SourceFile {
-    SourceFile {
+pub fn print(module: &Module, options: &COptions<'_>) -> CSource {
+    CSource {
         header: header(module, options),
         text: source::source(module, options),
     }

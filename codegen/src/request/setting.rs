@@ -6,7 +6,7 @@ pub mod text;
 
 use std::fmt::Write;
 
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::name::Name;
 use crate::number::Number;
 use crate::request::Request;
@@ -33,7 +33,7 @@ pub struct Setting {
 }
 
 /// Access to the field of a request that a setting sets.
-type Of<T> = fn(&mut Request) -> &mut T;
+type FieldAccess<T> = fn(&mut Request) -> &mut T;
 
 /// The field that a setting sets, and the syntax of its values.
 #[derive(Clone, Copy, Debug)]
@@ -45,21 +45,21 @@ pub enum SettingForm {
     /// Packages, each with a folder.
     Packages,
     /// The key alone.
-    Switch(Of<bool>),
+    Switch(FieldAccess<bool>),
     /// A link.
-    Name(Of<Option<Name>>),
+    Name(FieldAccess<Option<Name>>),
     /// Links or joints.
-    Names(Of<Vec<Name>>),
+    Names(FieldAccess<Vec<Name>>),
     /// Joints, each with or without a coordinate.
-    Positions(Of<Vec<(Name, Option<Number>)>>),
+    Positions(FieldAccess<Vec<(Name, Option<Number>)>>),
     /// Joints, each with one number or one for each velocity; or the key alone, if it is a switch as well.
-    Actuator(Part, Option<Of<bool>>),
+    Actuator(ActuatorQuantity, Option<FieldAccess<bool>>),
     /// Links with external wrenches, and their frame.
-    External(Of<Vec<Name>>),
+    External(FieldAccess<Vec<Name>>),
     /// Three numbers, or `none`.
     Gravity,
     /// A positive number, with a noun for messages.
-    Count(Of<Option<usize>>, &'static str),
+    Count(FieldAccess<Option<usize>>, &'static str),
     /// Functions, alone or together.
     Functions,
     /// Words of a formulation.
@@ -139,17 +139,17 @@ pub const SETTINGS: [Setting; 39] = [
         help: "A link with an external wrench: inverse and forward dynamics and their derivatives take one for each, in the link's frame", ..SETTING },
     Setting { key: "external_in_frame_0", form: SettingForm::Switch(|asked| &mut asked.external_in_frame_0), group: ROBOT, needs: Some("external"),
         help: "These wrenches are in frame 0", ..SETTING },
-    Setting { key: "friction", form: SettingForm::Actuator(Part::Friction, Some(|asked| &mut asked.friction)), example: "friction(joint = 0.1)", group: ROBOT, value: "JOINT=f",
+    Setting { key: "friction", form: SettingForm::Actuator(ActuatorQuantity::Friction, Some(|asked| &mut asked.friction)), example: "friction(joint = 0.1)", group: ROBOT, value: "JOINT=f",
         help: "Model the friction of the file, and Coulomb friction of a joint if one is named (N m or N)", ..SETTING },
-    Setting { key: "damping", form: SettingForm::Actuator(Part::Damping, None), example: "damping(joint = 0.1)", group: ROBOT, value: "JOINT=d",
+    Setting { key: "damping", form: SettingForm::Actuator(ActuatorQuantity::Damping, None), example: "damping(joint = 0.1)", group: ROBOT, value: "JOINT=d",
         help: "Viscous friction of a joint (N m s/rad or N s/m), and all friction of the file", ..SETTING },
     Setting { key: "rotors", form: SettingForm::Switch(|asked| &mut asked.rotors), example: "rotors", group: ROBOT,
         help: "Model the rotors of the file, with their gears", ..SETTING },
-    Setting { key: "armature", form: SettingForm::Actuator(Part::Armature, None), example: "armature(joint = 0.1)", group: ROBOT, value: "JOINT=a",
+    Setting { key: "armature", form: SettingForm::Actuator(ActuatorQuantity::Armature, None), example: "armature(joint = 0.1)", group: ROBOT, value: "JOINT=a",
         help: "Armature: inertia at a joint in addition to the bodies (kg m² or kg), and all rotors of the file", ..SETTING },
-    Setting { key: "rotor", form: SettingForm::Actuator(Part::Rotor, None), example: "rotor(joint = 0.1)", group: ROBOT, value: "JOINT=j",
+    Setting { key: "rotor", form: SettingForm::Actuator(ActuatorQuantity::Rotor, None), example: "rotor(joint = 0.1)", group: ROBOT, value: "JOINT=j",
         help: "Inertia of a joint's rotor (kg m²), multiplied by the square of the ratio", ..SETTING },
-    Setting { key: "ratio", form: SettingForm::Actuator(Part::Ratio, None), example: "ratio(joint = 0.1)", group: ROBOT, value: "JOINT=n",
+    Setting { key: "ratio", form: SettingForm::Actuator(ActuatorQuantity::Ratio, None), example: "ratio(joint = 0.1)", group: ROBOT, value: "JOINT=n",
         help: "Turns of a rotor for one of its joint [default: that of the file, or 1]", ..SETTING },
     Setting { key: "exact", form: SettingForm::Switch(|asked| &mut asked.exact), example: "exact", group: ROBOT,
         help: "Keep an angle such as 1.5708 as written instead of taking it as a right angle", ..SETTING },

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::name::Name;
 use crate::wording::quoted;
 
@@ -207,7 +207,7 @@ pub enum TargetOf {
 }
 
 /// A row of the table of targets.
-struct Definition {
+struct TargetRow {
     /// The key in attributes and on command lines.
     key: &'static str,
     of: TargetOf,
@@ -220,19 +220,19 @@ struct Definition {
 
 /// All targets, in the order of the documentation.
 #[rustfmt::skip]
-const ALL: [Definition; 12] = [
-    Definition { key: "mass_of",        of: TargetOf::Item(Target::MassOf),            structure: Structure::Size,      unit: "kg",                 words: "the mass of link" },
-    Definition { key: "com_of",         of: TargetOf::Item(Target::CenterOfMassOf),    structure: Structure::Vector,    unit: "m",                  words: "the centre of mass of link" },
-    Definition { key: "inertia_of",     of: TargetOf::Item(Target::InertiaOf),         structure: Structure::Tensor,    unit: "kg m²",              words: "the inertia of link" },
-    Definition { key: "payload_on",     of: TargetOf::Item(Target::PayloadOn),         structure: Structure::Payload,   unit: "kg",                 words: "a payload on link" },
-    Definition { key: "gravity",        of: TargetOf::Robot(|| Target::Gravity),       structure: Structure::Vector,    unit: "m/s²",               words: "gravity" },
-    Definition { key: "origin_of",      of: TargetOf::Item(Target::OriginOf),          structure: Structure::Vector,    unit: "m",                  words: "the origin of joint" },
-    Definition { key: "placement_of",   of: TargetOf::Item(Target::PlacementOf),       structure: Structure::Placement, unit: "m",                  words: "the placement of joint" },
-    Definition { key: "base_position",  of: TargetOf::Robot(|| Target::BasePosition),  structure: Structure::Vector,    unit: "m",                  words: "the position of the base" },
-    Definition { key: "base_placement", of: TargetOf::Robot(|| Target::BasePlacement), structure: Structure::Placement, unit: "m",                  words: "the placement of the base" },
-    Definition { key: "armature_of",    of: TargetOf::Item(Target::ArmatureOf),        structure: Structure::Size,      unit: "kg m² or kg",        words: "the armature of joint" },
-    Definition { key: "damping_of",     of: TargetOf::Item(Target::DampingOf),         structure: Structure::Size,      unit: "N m s/rad or N s/m", words: "the damping of joint" },
-    Definition { key: "friction_of",    of: TargetOf::Item(Target::FrictionOf),        structure: Structure::Size,      unit: "N m or N",           words: "the friction of joint" },
+const ALL: [TargetRow; 12] = [
+    TargetRow { key: "mass_of",        of: TargetOf::Item(Target::MassOf),            structure: Structure::Size,      unit: "kg",                 words: "the mass of link" },
+    TargetRow { key: "com_of",         of: TargetOf::Item(Target::CenterOfMassOf),    structure: Structure::Vector,    unit: "m",                  words: "the centre of mass of link" },
+    TargetRow { key: "inertia_of",     of: TargetOf::Item(Target::InertiaOf),         structure: Structure::Tensor,    unit: "kg m²",              words: "the inertia of link" },
+    TargetRow { key: "payload_on",     of: TargetOf::Item(Target::PayloadOn),         structure: Structure::Payload,   unit: "kg",                 words: "a payload on link" },
+    TargetRow { key: "gravity",        of: TargetOf::Robot(|| Target::Gravity),       structure: Structure::Vector,    unit: "m/s²",               words: "gravity" },
+    TargetRow { key: "origin_of",      of: TargetOf::Item(Target::OriginOf),          structure: Structure::Vector,    unit: "m",                  words: "the origin of joint" },
+    TargetRow { key: "placement_of",   of: TargetOf::Item(Target::PlacementOf),       structure: Structure::Placement, unit: "m",                  words: "the placement of joint" },
+    TargetRow { key: "base_position",  of: TargetOf::Robot(|| Target::BasePosition),  structure: Structure::Vector,    unit: "m",                  words: "the position of the base" },
+    TargetRow { key: "base_placement", of: TargetOf::Robot(|| Target::BasePlacement), structure: Structure::Placement, unit: "m",                  words: "the placement of the base" },
+    TargetRow { key: "armature_of",    of: TargetOf::Item(Target::ArmatureOf),        structure: Structure::Size,      unit: "kg m² or kg",        words: "the armature of joint" },
+    TargetRow { key: "damping_of",     of: TargetOf::Item(Target::DampingOf),         structure: Structure::Size,      unit: "N m s/rad or N s/m", words: "the damping of joint" },
+    TargetRow { key: "friction_of",    of: TargetOf::Item(Target::FrictionOf),        structure: Structure::Size,      unit: "N m or N",           words: "the friction of joint" },
 ];
 
 impl Target {
@@ -249,8 +249,8 @@ impl Target {
         row.map(|row| row.of)
     }
 
-    fn definition(&self) -> &'static Definition {
-        let is = |row: &&Definition| {
+    fn definition(&self) -> &'static TargetRow {
+        let is = |row: &&TargetRow| {
             let other = match row.of {
                 TargetOf::Item(of) => of(Name::default()),
                 TargetOf::Robot(of) => of(),
@@ -294,13 +294,13 @@ impl Target {
         self.definition().unit
     }
 
-    /// The joint and the part, for a target of armature, damping or friction.
+    /// The joint and the quantity, for a target of armature, damping or friction.
     #[must_use]
-    pub const fn actuators(&self) -> Option<(&Name, Part)> {
+    pub const fn actuators(&self) -> Option<(&Name, ActuatorQuantity)> {
         match self {
-            Self::ArmatureOf(joint) => Some((joint, Part::Armature)),
-            Self::DampingOf(joint) => Some((joint, Part::Damping)),
-            Self::FrictionOf(joint) => Some((joint, Part::Friction)),
+            Self::ArmatureOf(joint) => Some((joint, ActuatorQuantity::Armature)),
+            Self::DampingOf(joint) => Some((joint, ActuatorQuantity::Damping)),
+            Self::FrictionOf(joint) => Some((joint, ActuatorQuantity::Friction)),
             _ => None,
         }
     }

@@ -5,7 +5,7 @@
 
 use homogen_codegen::description::Joint;
 use homogen_codegen::expression::Arithmetic;
-use homogen_codegen::joint::actuator::Part;
+use homogen_codegen::joint::actuator::ActuatorQuantity;
 use homogen_codegen::request::Request;
 
 use super::motion::Motion;
@@ -49,11 +49,11 @@ impl Actuator {
         };
         let screws = motion.screws().into_iter().enumerate();
         screws.map(move |(k, (velocity, _))| {
-            let number = |of: Part| setting(request, joint, of, part + k);
+            let number = |of: ActuatorQuantity| setting(request, joint, of, part + k);
             let or_zero = |number: Option<Big>| number.unwrap_or_else(Big::zero);
-            let ratio = number(Part::Ratio).unwrap_or_else(Big::one);
+            let ratio = number(ActuatorQuantity::Ratio).unwrap_or_else(Big::one);
             // A gear multiplies the rotor's speed and its torque, so its inertia by the square of the ratio.
-            let mut rotor = or_zero(number(Part::Rotor)) * &ratio * &ratio;
+            let mut rotor = or_zero(number(ActuatorQuantity::Rotor)) * &ratio * &ratio;
             for motor in request.further_motors(&joint.name.text, &joint.actuator) {
                 let ratio = motor
                     .ratio
@@ -66,9 +66,9 @@ impl Actuator {
             Self {
                 velocity,
                 factor: factor.clone(),
-                armature: or_zero(number(Part::Armature)) + rotor,
-                damping: or_zero(number(Part::Damping)),
-                friction: or_zero(number(Part::Friction)),
+                armature: or_zero(number(ActuatorQuantity::Armature)) + rotor,
+                damping: or_zero(number(ActuatorQuantity::Damping)),
+                friction: or_zero(number(ActuatorQuantity::Friction)),
             }
         })
     }
@@ -127,18 +127,23 @@ impl Actuator {
     }
 }
 
-/// The number of a part that is modelled, for one of the joint's velocities.
-fn setting(request: &Request, joint: &Joint, part: Part, velocity: usize) -> Option<Big> {
+/// The number of a quantity that is modelled, for one of the joint's velocities.
+fn setting(
+    request: &Request,
+    joint: &Joint,
+    quantity: ActuatorQuantity,
+    velocity: usize,
+) -> Option<Big> {
     let mut settings = request.actuators.iter();
-    let setting = settings.find(|(name, of, _)| *of == part && name.text == joint.name.text);
-    let modelled = if part.resists() {
+    let setting = settings.find(|(name, of, _)| *of == quantity && name.text == joint.name.text);
+    let modelled = if quantity.resists() {
         request.models_friction()
     } else {
         request.models_armature()
     };
     let numbers = match setting {
         Some((_, _, numbers)) => numbers.as_slice(),
-        None if modelled => joint.actuator.of(part),
+        None if modelled => joint.actuator.of(quantity),
         None => &[],
     };
     let number = numbers.get(velocity).or(numbers.first())?;

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use homogen_codegen::description::{self, Description, Number, Step, inline};
 use homogen_codegen::error::Errors;
-use homogen_codegen::joint::actuator::Part;
+use homogen_codegen::joint::actuator::ActuatorQuantity;
 use homogen_codegen::request::{Parameter, Request, Target};
 use quote::format_ident;
 
@@ -111,16 +111,23 @@ fn request(options: &Options) -> Request {
 /// The request with armature, damping and friction of joints and external wrenches on links.
 fn with_loads(robot: &Robot, mut request: Request) -> Request {
     for (id, numbers) in robot.actuators() {
-        let parts = [Part::Armature, Part::Damping, Part::Friction];
-        request
-            .actuators
-            .extend(parts.into_iter().zip(numbers).map(|(part, value)| {
-                let number = Number {
-                    value,
-                    ..Number::default()
-                };
-                (format!("joint{id}").as_str().into(), part, vec![number])
-            }));
+        let quantities = [
+            ActuatorQuantity::Armature,
+            ActuatorQuantity::Damping,
+            ActuatorQuantity::Friction,
+        ];
+        request.actuators.extend(
+            quantities
+                .into_iter()
+                .zip(numbers)
+                .map(|(quantity, value)| {
+                    let number = Number {
+                        value,
+                        ..Number::default()
+                    };
+                    (format!("joint{id}").as_str().into(), quantity, vec![number])
+                }),
+        );
     }
     let acted_on = robot.acted_on();
     request.external = acted_on

@@ -7,7 +7,7 @@ use super::{arm, as_asked, text};
 use crate::builder::{Builder, c};
 use crate::function::Function;
 use crate::print::arrays::Order;
-use crate::print::c::SourceFile;
+use crate::print::c::CSource;
 use crate::processor::Processor;
 use crate::real::Real;
 use crate::request::{Integrator, Target};
@@ -246,7 +246,7 @@ fn time_steps_and_acados_are_for_c_and_coordinates_that_are_added() {
         .generate(dynamics)
         .steps(Integrator::Rk4)
         .acados();
-    let SourceFile { header, text } = builder.to_c("arm.h").expect("no mistakes");
+    let CSource { header, text } = builder.to_c("arm.h").expect("no mistakes");
     assert!(
         text.contains(" --steps rk4 --acados --language c"),
         "{text}"

@@ -7,16 +7,16 @@ use super::TermReader;
 use crate::description::Joint;
 use crate::expression::Term;
 use crate::joint::ActuatorTerms;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::request::Target;
 
 impl<'g> TermReader<'g, '_> {
     /// Armature, damping and friction of the velocity with this index among those of a joint.
     pub(super) fn actuator(&mut self, joint: &Joint, place: usize) -> ActuatorTerms<Term<'g>> {
-        let number = |part: Part| {
+        let number = |quantity: ActuatorQuantity| {
             let numbers = self
                 .request
-                .actuator(&joint.name.text, &joint.actuator, part);
+                .actuator(&joint.name.text, &joint.actuator, quantity);
             let number = match numbers {
                 [all] => Some(all),
                 each => each.get(place),
@@ -24,8 +24,8 @@ impl<'g> TermReader<'g, '_> {
             number.map(|number| self.number(number))
         };
         let or_zero = |term: Option<Term<'g>>| term.unwrap_or_else(|| self.graph.constant(0.0));
-        let ratio = number(Part::Ratio).unwrap_or_else(|| self.graph.constant(1.0));
-        let mut rotor = or_zero(number(Part::Rotor)) * ratio * ratio;
+        let ratio = number(ActuatorQuantity::Ratio).unwrap_or_else(|| self.graph.constant(1.0));
+        let mut rotor = or_zero(number(ActuatorQuantity::Rotor)) * ratio * ratio;
         for motor in self
             .request
             .further_motors(&joint.name.text, &joint.actuator)
@@ -36,22 +36,22 @@ impl<'g> TermReader<'g, '_> {
             rotor = rotor + inertia * ratio * ratio;
         }
         let described = ActuatorTerms {
-            armature: or_zero(number(Part::Armature)) + rotor,
-            damping: or_zero(number(Part::Damping)),
-            friction: or_zero(number(Part::Friction)),
+            armature: or_zero(number(ActuatorQuantity::Armature)) + rotor,
+            damping: or_zero(number(ActuatorQuantity::Damping)),
+            friction: or_zero(number(ActuatorQuantity::Friction)),
         };
-        let mut field = |part: Part, described: Term<'g>| {
+        let mut field = |quantity: ActuatorQuantity, described: Term<'g>| {
             let is = |target: &Target| {
                 let of = target.actuators();
-                of.is_some_and(|(name, of)| of == part && name.text == joint.name.text)
+                of.is_some_and(|(name, of)| of == quantity && name.text == joint.name.text)
             };
             let [term] = self.free(is, [described]);
             term
         };
         ActuatorTerms {
-            armature: field(Part::Armature, described.armature),
-            damping: field(Part::Damping, described.damping),
-            friction: field(Part::Friction, described.friction),
+            armature: field(ActuatorQuantity::Armature, described.armature),
+            damping: field(ActuatorQuantity::Damping, described.damping),
+            friction: field(ActuatorQuantity::Friction, described.friction),
         }
     }
 }

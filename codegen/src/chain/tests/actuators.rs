@@ -5,7 +5,7 @@ use crate::builder::Builder;
 use crate::description::{Number, read_text};
 use crate::expression::Double;
 use crate::function::Function;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::request::Request;
 
 /// Armature, damping and friction of each velocity.
@@ -182,8 +182,8 @@ fn the_inertias_of_several_motors_of_a_joint_add_up() {
             value,
             ..Number::default()
         };
-        let alone = (named("j"), Part::Rotor, vec![number(1.0)]);
-        let ratio = (named("j"), Part::Ratio, vec![number(3.0)]);
+        let alone = (named("j"), ActuatorQuantity::Rotor, vec![number(1.0)]);
+        let ratio = (named("j"), ActuatorQuantity::Ratio, vec![number(3.0)]);
         let mut request = asked();
         request.actuators = vec![alone.clone()];
         let refused = build(&description, &request)

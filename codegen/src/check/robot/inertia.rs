@@ -8,7 +8,7 @@ use super::{Contradiction, RobotReader, Scalar};
 use crate::dense::Matrix;
 use crate::description::{Inertial, Joint, Link, Name, Number};
 use crate::expression::Arithmetic;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::request::Target;
 
 impl RobotReader<'_> {
@@ -50,7 +50,7 @@ impl RobotReader<'_> {
 
     /// Armature, damping and friction of the velocity with this index among those of a joint.
     pub(super) fn actuator(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
-        let number = |part: Part| {
+        let number = |part: ActuatorQuantity| {
             let numbers = self
                 .request
                 .actuator(&joint.name.text, &joint.actuator, part);
@@ -58,8 +58,8 @@ impl RobotReader<'_> {
             number.map(|number| Scalar::written(number.exact()))
         };
         let zero = Scalar::literal(0.0);
-        let ratio = number(Part::Ratio).unwrap_or(Scalar::exact(1.0));
-        let mut rotor = number(Part::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
+        let ratio = number(ActuatorQuantity::Ratio).unwrap_or(Scalar::exact(1.0));
+        let mut rotor = number(ActuatorQuantity::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
         for motor in self
             .request
             .further_motors(&joint.name.text, &joint.actuator)
@@ -72,7 +72,12 @@ impl RobotReader<'_> {
                 .map_or(zero, |rotor| Scalar::written(rotor.exact()));
             rotor = rotor + ratio * ratio * inertia;
         }
-        [Part::Armature, Part::Damping, Part::Friction].map(|part| {
+        [
+            ActuatorQuantity::Armature,
+            ActuatorQuantity::Damping,
+            ActuatorQuantity::Friction,
+        ]
+        .map(|part| {
             let field = self.field(|target| {
                 let of = target.actuators();
                 of.is_some_and(|(name, of)| of == part && name.text == joint.name.text)
@@ -80,7 +85,7 @@ impl RobotReader<'_> {
             let described = number(part).unwrap_or(zero);
             match (field, part) {
                 (Some([field]), _) => field,
-                (None, Part::Armature) => described + rotor,
+                (None, ActuatorQuantity::Armature) => described + rotor,
                 (None, _) => described,
             }
         })

@@ -9,7 +9,7 @@ use crate::description::spatial::{Pose, to_number};
 use crate::description::{JointId, Number};
 use crate::error::Place;
 use crate::joint::Manifold;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::number::computed;
 use crate::wording::quoted;
 
@@ -94,12 +94,13 @@ impl Mjcf<'_> {
         });
         let armature = actuators::reflected(&motors);
         let armature = armature.map(|armature| computed(armature, Place::Unknown));
-        let [damping, friction] = [Part::Damping, Part::Friction].map(|quantity| {
-            actuators::number(part, quantity).unwrap_or_else(|()| {
-                self.differ(part, quantity);
-                None
-            })
-        });
+        let [damping, friction] =
+            [ActuatorQuantity::Damping, ActuatorQuantity::Friction].map(|quantity| {
+                actuators::number(part, quantity).unwrap_or_else(|()| {
+                    self.differ(part, quantity);
+                    None
+                })
+            });
         if part.motion == ElementaryMotion::Manifold(Manifold::Floating)
             && (armature.is_some() || friction.is_some())
         {
@@ -119,7 +120,7 @@ impl Mjcf<'_> {
         }
     }
 
-    fn differ(&mut self, part: &Elementary<'_>, quantity: Part) {
+    fn differ(&mut self, part: &Elementary<'_>, quantity: ActuatorQuantity) {
         let message = actuators::differ(part, quantity);
         self.errors.push(part.of.place, message);
     }

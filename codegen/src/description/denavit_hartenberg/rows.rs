@@ -3,7 +3,7 @@
 use crate::description::{Axis, Inertial, Joint, Limits, Link, Name, Number, Step, number};
 use crate::error::Place;
 use crate::joint::JointKind;
-use crate::joint::actuator::Parts;
+use crate::joint::actuator::Actuator;
 use crate::wording::{known, quoted};
 
 /// Convention of a table.
@@ -79,7 +79,7 @@ pub(in crate::description) fn assemble(
             second_axis: axis,
             limits: row.limits,
             mimic: None,
-            actuator: Parts::default(),
+            actuator: Actuator::default(),
             place: row.joint.place,
         };
         match convention {
@@ -98,7 +98,7 @@ pub(in crate::description) fn assemble(
                     child: link.clone(),
                     origin: behind.to_vec(),
                     limits: None,
-                    actuator: Parts::default(),
+                    actuator: Actuator::default(),
                     ..joint.clone()
                 };
                 links.push(Link {

@@ -12,7 +12,7 @@ use super::joint::{self, InlineJoint, KEYS};
 use crate::description::Name;
 use crate::description::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use crate::error::Errors;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::joint::entry;
 use crate::wording::quoted;
 
@@ -47,7 +47,7 @@ pub(super) fn read(
     }
     body::end(input, &subject)?;
     let (mut from, mut to, mut at) = (None, None, Vec::new());
-    let actuator = Part::ALL.map(Part::word);
+    let actuator = ActuatorQuantity::ALL.map(ActuatorQuantity::word);
     let keys: Vec<&str> = KEYS.into_iter().chain(actuator).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
         match key {

@@ -13,7 +13,7 @@ use crate::description::kind;
 use crate::description::tokens::{self, Parsed, diagnostic, diagnostic_with_hint};
 use crate::description::{Axis, Limits, Mimic, Name, Number, Step, axis, number};
 use crate::error::{Diagnostic, Errors, Place};
-use crate::joint::actuator::{Part, Parts};
+use crate::joint::actuator::{Actuator, ActuatorQuantity};
 use crate::joint::{Definition, JointKind};
 use crate::wording::{known, quoted};
 
@@ -42,7 +42,7 @@ pub(super) struct InlineJoint {
     limits: Option<Limits>,
     mimic: Option<Mimic>,
     /// Armature, rotors, damping and friction.
-    pub(super) actuator: Parts,
+    pub(super) actuator: Actuator,
     /// True if the child link is a massless one between two motions, which has no entry in the text.
     pub(super) is_between: bool,
     /// Warnings.
@@ -90,19 +90,19 @@ pub(super) fn of(
         origin: Vec::new(),
         limits: None,
         mimic: None,
-        actuator: Parts::default(),
+        actuator: Actuator::default(),
         is_between: false,
     };
     let mut limits = InlineLimits::default();
     let mut mimic_keys = MimicKeys::default();
-    let actuator = Part::ALL.map(Part::word);
+    let actuator = ActuatorQuantity::ALL.map(ActuatorQuantity::word);
     let keys: Vec<&str> = keys.iter().copied().chain(actuator).collect();
     tokens::fields(input, &subject, &keys, errors, |key, input| {
-        if let Some(part) = Part::from_word(key) {
+        if let Some(quantity) = ActuatorQuantity::from_word(key) {
             let subject = format!("the {key} of {subject}");
             joint
                 .actuator
-                .say(part, tokens::one_or_more(input, &subject)?);
+                .say(quantity, tokens::one_or_more(input, &subject)?);
             return Ok(());
         }
         match key {

@@ -14,7 +14,7 @@ use crate::description::fingerprint::fingerprint;
 use crate::description::tokens::{self, Parsed};
 use crate::description::{Description, Inertial, Name, Number, Source, Step};
 use crate::error::{Errors, Place};
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 use crate::wording::quoted;
 
 /// Words that an inline description begins with.
@@ -114,13 +114,13 @@ fn in_tokens(text: &str, errors: &mut Errors) -> Option<Description> {
 fn note_actuators(description: &mut Description) {
     for joint in &description.joints {
         let subject = format!("joint {}", quoted(&joint.name.text));
-        let parts = Part::ALL.into_iter();
-        let (resisting, inertias): (Vec<Part>, Vec<Part>) = parts
-            .filter(|&part| !joint.actuator.of(part).is_empty())
-            .partition(|part| part.resists());
+        let quantities = ActuatorQuantity::ALL.into_iter();
+        let (resisting, inertias): (Vec<ActuatorQuantity>, Vec<ActuatorQuantity>) = quantities
+            .filter(|&quantity| !joint.actuator.of(quantity).is_empty())
+            .partition(|quantity| quantity.resists());
         let unmodelled = &mut description.unmodelled;
         if !resisting.is_empty() {
-            let words = resisting.into_iter().map(Part::word).collect();
+            let words = resisting.into_iter().map(ActuatorQuantity::word).collect();
             unmodelled.friction(joint.place, &subject, words);
         }
         if !inertias.is_empty() {
@@ -187,10 +187,10 @@ fn each_place(description: &mut Description, change: &mut impl FnMut(&mut Place)
             numbers([&mut mimic.multiplier, &mut mimic.offset], change);
             change(&mut mimic.place);
         }
-        for part in Part::ALL {
-            let mut terms = joint.actuator.of(part).to_vec();
+        for quantity in ActuatorQuantity::ALL {
+            let mut terms = joint.actuator.of(quantity).to_vec();
             numbers(&mut terms, change);
-            joint.actuator.say(part, terms);
+            joint.actuator.say(quantity, terms);
         }
         change(&mut joint.place);
     }

@@ -15,7 +15,7 @@ use crate::description::{Joint, Limits, Link, Name, Number, Step, axis, number};
 use crate::error::Place;
 use crate::expression::Double;
 use crate::joint::JointKind;
-use crate::joint::actuator::Parts;
+use crate::joint::actuator::Actuator;
 use crate::wording::quoted;
 
 /// A body, as needed to connect it to its parent.
@@ -59,7 +59,7 @@ struct MjcfJoint {
     /// The motion from the described configuration to coordinate 0.
     reference: Option<Step>,
     limits: Option<Limits>,
-    actuator: Parts,
+    actuator: Actuator,
     place: Place,
 }
 

@@ -14,7 +14,7 @@ use crate::description::{Joint, Limits, Link, Name, Number, Step, axis, number};
 use crate::error::Place;
 use crate::expression::Double;
 use crate::joint::JointKind;
-use crate::joint::actuator::{Motor, Part, Parts};
+use crate::joint::actuator::{Actuator, ActuatorQuantity, Motor};
 use crate::wording::{known, quoted};
 
 /// Type of a joint in SDF.
@@ -400,38 +400,38 @@ impl<'a> Sdf<'a> {
         axes: &[Element<'a>],
         kind: JointKind,
         subject: &str,
-    ) -> Parts {
-        let mut parts = Parts::default();
+    ) -> Actuator {
+        let mut actuator = Actuator::default();
         let place = self.place(element);
         let mut words = Vec::new();
-        for part in [Part::Damping, Part::Friction] {
+        for quantity in [ActuatorQuantity::Damping, ActuatorQuantity::Friction] {
             let numbers = axes.iter().map(|axis| {
                 let dynamics = axis.first("dynamics");
-                let number = dynamics.and_then(|of| self.number(of, part.word(), subject));
+                let number = dynamics.and_then(|of| self.number(of, quantity.word(), subject));
                 number.unwrap_or_else(|| number::computed(Double::ZERO, place))
             });
             let numbers: Vec<Number> = numbers.collect();
             if numbers.iter().any(|number| number.value != 0.0) {
-                parts.say(part, numbers);
-                words.push(part.word());
+                actuator.say(quantity, numbers);
+                words.push(quantity.word());
             }
         }
         if !words.is_empty() {
             self.reader.unmodelled.friction(place, subject, words);
         }
         if !kind.moves() {
-            return parts;
+            return actuator;
         }
         let rotor = self.number(element, "drake.rotor_inertia", subject);
         let ratio = self.number(element, "drake.gear_ratio", subject);
         if let Some(rotor) = rotor.filter(|rotor| rotor.value != 0.0) {
-            parts.mount(Motor {
+            actuator.mount(Motor {
                 rotor: Some(rotor),
                 ratio,
             });
             self.reader.unmodelled.armature(place, subject);
         }
-        parts
+        actuator
     }
 }
 

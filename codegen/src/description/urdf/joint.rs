@@ -12,7 +12,7 @@ use crate::description::xml::element::Reader;
 use crate::description::{Joint, Mimic, Name, Number, axis, number};
 use crate::error::Place;
 use crate::joint::JointKind;
-use crate::joint::actuator::{Part, Parts};
+use crate::joint::actuator::{Actuator, ActuatorQuantity};
 use crate::wording::quoted;
 
 /// Reads a joint; `None` without a name, a type or two links.
@@ -212,36 +212,37 @@ fn dynamics<'t>(
     children: &[Node<'_, 't>],
     kind: Option<JointKind>,
     subject: &str,
-) -> Parts {
-    let mut parts = Parts::default();
+) -> Actuator {
+    let mut actuator = Actuator::default();
     let Some(node) = reader.only(children, "dynamics", subject) else {
-        return parts;
+        return actuator;
     };
     if matches!(kind, Some(JointKind::Fixed)) {
-        return parts;
+        return actuator;
     }
     let mut words = Vec::new();
     for attribute in node
         .attributes()
         .filter(|attribute| !is_zero(attribute.value()))
     {
-        let part = Part::from_word(attribute.name()).filter(|part| part.resists());
-        if let Some(part) = part {
+        let quantity =
+            ActuatorQuantity::from_word(attribute.name()).filter(|quantity| quantity.resists());
+        if let Some(quantity) = quantity {
             let place = reader.value_place(&attribute);
             let value = reader.value(&attribute);
             // A joint with several velocities has one number for each.
             let words = value.split_ascii_whitespace();
             let number = |word| number::read(word, place);
             let number = |word| number(word).unwrap_or_else(|_| number::computed(f64::NAN, place));
-            parts.say(part, words.map(number).collect());
+            actuator.say(quantity, words.map(number).collect());
         }
-        words.extend(part.map(Part::word));
+        words.extend(quantity.map(ActuatorQuantity::word));
     }
     if !words.is_empty() {
         let place = reader.place(node);
         reader.unmodelled.friction(place, subject, words);
     }
-    parts
+    actuator
 }
 
 /// The axis; x if the file has none, as URDF defines.

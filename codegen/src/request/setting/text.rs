@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use proc_macro2::TokenStream;
 
 use super::{Setting, SettingForm};
-use crate::formulation::{Formulation, Reader};
+use crate::formulation::{Formulation, FormulationReader};
 use crate::function::Function;
 use crate::name::Name;
 use crate::number::Number;
@@ -24,10 +24,10 @@ impl Setting {
         match self.form {
             SettingForm::Switch(of) => *of(request) = true,
             SettingForm::Actuator(_, Some(alone)) if text.is_empty() => *alone(request) = true,
-            SettingForm::Actuator(part, alone) => {
+            SettingForm::Actuator(quantity, alone) => {
                 let (joint, numbers) = text.rsplit_once('=').ok_or("write JOINT=NUMBER")?;
                 let numbers = numbers.split(',').map(number).collect::<Result<_, _>>()?;
-                request.actuators.push((joint.into(), part, numbers));
+                request.actuators.push((joint.into(), quantity, numbers));
                 if let Some(alone) = alone {
                     *alone(request) = true;
                 }
@@ -202,7 +202,7 @@ pub fn target(text: &str) -> Result<Target, String> {
 
 /// The words of attributes, with dashes.
 fn formulation(text: &str) -> Result<Formulation, String> {
-    let mut reader = Reader::default();
+    let mut reader = FormulationReader::default();
     for item in text.split(',') {
         let (word, value) = match item.split_once('=') {
             Some((word, value)) => (word, Some(value.trim())),

@@ -8,7 +8,7 @@ use crate::description::Limits;
 use crate::description::mjcf::elements::unmodelled::{ALIGNED, CUBIC, OF_WORLD, SPRING};
 use crate::description::mjcf::reading::Mjcf;
 use crate::description::mjcf::values::Attributes;
-use crate::joint::actuator::{Part, Parts};
+use crate::joint::actuator::{Actuator, ActuatorQuantity};
 
 /// A setting that may follow from the presence of a range.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -120,21 +120,24 @@ impl<'a> Mjcf<'a> {
         attributes: &Attributes<'a>,
         form: JointType,
         subject: &str,
-    ) -> Parts {
-        let mut parts = Parts::default();
+    ) -> Actuator {
+        let mut actuator = Actuator::default();
         let mut words = Vec::new();
-        let resisting = [("damping", Part::Damping), ("frictionloss", Part::Friction)];
-        for (name, part) in resisting {
+        let resisting = [
+            ("damping", ActuatorQuantity::Damping),
+            ("frictionloss", ActuatorQuantity::Friction),
+        ];
+        for (name, quantity) in resisting {
             let [first, second, third] = self.entries::<3>(attributes, name, subject);
             // MuJoCo's friction of a free joint acts along the axes of the world; the velocities here are in body axes.
-            let is_of_world = form == JointType::Free && part == Part::Friction;
+            let is_of_world = form == JointType::Free && quantity == ActuatorQuantity::Friction;
             match first.filter(|number| number.value != 0.0) {
                 Some(number) if is_of_world => {
                     self.noted.note(&OF_WORLD, number.place, subject.to_owned());
                 }
                 Some(number) => {
-                    parts.say(part, vec![number]);
-                    words.push(part.word());
+                    actuator.say(quantity, vec![number]);
+                    words.push(quantity.word());
                 }
                 None => {}
             }
@@ -153,7 +156,7 @@ impl<'a> Mjcf<'a> {
             self.noted
                 .note(&OF_WORLD, armature.place, subject.to_owned());
         } else if let Some(armature) = armature {
-            parts.say(Part::Armature, vec![armature]);
+            actuator.say(ActuatorQuantity::Armature, vec![armature]);
             self.reader.unmodelled.armature(place, subject);
         }
         let [first, second, third] = self.entries::<3>(attributes, "stiffness", subject);
@@ -164,6 +167,6 @@ impl<'a> Mjcf<'a> {
         if springs.any(|spring| spring.value != 0.0) {
             self.noted.note(&SPRING, place, subject.to_owned());
         }
-        parts
+        actuator
     }
 }

@@ -3,7 +3,7 @@
 use super::files::read_in;
 use super::{all_near, errors, fine, in_world, inertial, joint, near, pose, values};
 use crate::description::Description;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 
 /// A model whose settings differ from those of the model around it.
 const CHILD: &str = r#"<mujoco model="child">
@@ -94,7 +94,7 @@ fn an_attached_body_keeps_its_settings_and_gets_a_prefix() {
     );
     let mimic = joint(&robot, "L_j3").mimic.as_ref().unwrap();
     assert_eq!(mimic.mimicked.text, "L_j2");
-    near(second.actuator.of(Part::Rotor)[0].value, 0.5);
+    near(second.actuator.of(ActuatorQuantity::Rotor)[0].value, 0.5);
     assert_eq!(robot.loops.len(), 1);
     assert_eq!(robot.loops[0].name.text, "L_held");
     assert_eq!(robot.loops[0].to.text, "world");
@@ -240,7 +240,13 @@ fn constraints_and_actuators_are_copied_with_their_joints() {
     for (mimic, mimicked) in [("k0", "j0"), ("k1", "j1")] {
         let found = joint(&robot, mimic).mimic.as_ref().unwrap();
         assert_eq!(found.mimicked.text, mimicked);
-        assert_eq!(joint(&robot, mimicked).actuator.of(Part::Rotor).len(), 1);
+        assert_eq!(
+            joint(&robot, mimicked)
+                .actuator
+                .of(ActuatorQuantity::Rotor)
+                .len(),
+            1
+        );
     }
 }
 
@@ -251,8 +257,19 @@ fn a_name_that_only_looks_like_that_of_a_copy_is_another_one() {
          <replicate count=\"2\"><body name=\"c\"/></replicate></worldbody>\
          <actuator><motor joint=\"j1\" armature=\"1\"/></actuator></mujoco>",
     );
-    assert_eq!(joint(&robot, "j1").actuator.of(Part::Rotor).len(), 1);
-    assert!(joint(&robot, "j10").actuator.of(Part::Rotor).is_empty());
+    assert_eq!(
+        joint(&robot, "j1")
+            .actuator
+            .of(ActuatorQuantity::Rotor)
+            .len(),
+        1
+    );
+    assert!(
+        joint(&robot, "j10")
+            .actuator
+            .of(ActuatorQuantity::Rotor)
+            .is_empty()
+    );
 }
 
 #[test]
@@ -271,7 +288,10 @@ fn classes_and_meshes_of_an_attached_model_have_names_with_the_prefix() {
     assert_eq!(errors, "");
     let robot = robot.unwrap();
     near(inertial(&robot, "x").mass.value, 1000.0 / 6.0);
-    near(joint(&robot, "k").actuator.of(Part::Damping)[0].value, 3.0);
+    near(
+        joint(&robot, "k").actuator.of(ActuatorQuantity::Damping)[0].value,
+        3.0,
+    );
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Classes of defaults.
 
 use super::{errors, fine, inertial, joint, near};
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 
 /// The damping of the joint of a body with these defaults and attributes.
 fn damping(defaults: &str, body: &str, joint_attributes: &str) -> Option<f64> {
@@ -12,7 +12,7 @@ fn damping(defaults: &str, body: &str, joint_attributes: &str) -> Option<f64> {
     let robot = fine(&text);
     let actuator = &joint(&robot, "j").actuator;
     actuator
-        .of(Part::Damping)
+        .of(ActuatorQuantity::Damping)
         .first()
         .map(|number| number.value)
 }
@@ -54,7 +54,10 @@ fn classes_do_not_apply_to_a_freejoint() {
     };
     let damped = |joint_text: &str| {
         let robot = text(joint_text);
-        !joint(&robot, "j").actuator.of(Part::Damping).is_empty()
+        !joint(&robot, "j")
+            .actuator
+            .of(ActuatorQuantity::Damping)
+            .is_empty()
     };
     assert!(damped("<joint name=\"j\" type=\"free\"/>"));
     assert!(!damped("<freejoint name=\"j\"/>"));

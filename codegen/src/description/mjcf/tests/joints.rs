@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{all_near, errors, fine, in_world, joint, near, pose, values, warnings};
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 
 #[test]
 fn several_joints_of_a_body_are_in_series() {
@@ -142,7 +142,11 @@ fn friction_and_armature_are_kept_and_noted() {
         "<body><joint name=\"j\" damping=\"0.5\" frictionloss=\"0.25\" armature=\"0.125\"/></body>",
     ));
     let actuator = &joint(&robot, "j").actuator;
-    let found = [Part::Damping, Part::Friction, Part::Armature];
+    let found = [
+        ActuatorQuantity::Damping,
+        ActuatorQuantity::Friction,
+        ActuatorQuantity::Armature,
+    ];
     let found = found.map(|part| {
         actuator
             .of(part)
@@ -204,7 +208,8 @@ fn armatures_of_actuators_are_motors() {
          <actuator><motor joint=\"j\" armature=\"1e-4\"/><position joint=\"j\" gear=\"3\" kp=\"7\"/></actuator></mujoco>",
     );
     let actuator = &joint(&robot, "j").actuator;
-    let found = [Part::Rotor, Part::Ratio].map(|part| actuator.of(part)[0].value);
+    let found =
+        [ActuatorQuantity::Rotor, ActuatorQuantity::Ratio].map(|part| actuator.of(part)[0].value);
     assert_eq!(found.map(f64::to_bits), [1e-4_f64, 50.0].map(f64::to_bits));
     assert!(actuator.further().is_empty());
 }

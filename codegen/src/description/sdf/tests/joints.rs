@@ -3,7 +3,7 @@
 use super::{errors, is_at, joint, link, model, with};
 use crate::description::Description;
 use crate::joint::JointKind;
-use crate::joint::actuator::Part;
+use crate::joint::actuator::ActuatorQuantity;
 
 /// Two links, and a joint with these elements.
 fn moving(kind: &str, elements: &str) -> String {
@@ -143,13 +143,13 @@ fn friction_and_rotors_are_kept() {
          <drake:rotor_inertia>1e-4</drake:rotor_inertia><drake:gear_ratio>50</drake:gear_ratio>",
     ));
     let actuator = &joint(&robot, "j").actuator;
-    for (part, value) in [
-        (Part::Damping, 0.5),
-        (Part::Friction, 0.25),
-        (Part::Rotor, 1e-4),
-        (Part::Ratio, 50.0),
+    for (quantity, value) in [
+        (ActuatorQuantity::Damping, 0.5),
+        (ActuatorQuantity::Friction, 0.25),
+        (ActuatorQuantity::Rotor, 1e-4),
+        (ActuatorQuantity::Ratio, 50.0),
     ] {
-        assert_eq!(actuator.of(part)[0].value, value, "{part:?}");
+        assert_eq!(actuator.of(quantity)[0].value, value, "{quantity:?}");
     }
 }
 

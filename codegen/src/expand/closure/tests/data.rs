@@ -66,7 +66,7 @@ fn headers_of_c_count_residuals() {
         templates: false,
         order: Order::AngularFirst,
     };
-    let c::SourceFile { header, .. } = c::print(&module(), &writing);
+    let c::CSource { header, .. } = c::print(&module(), &writing);
     for part in [
         "/* Entries of the residuals of loops. */\nenum {\n    BARS_C_PIN_X, /* `pin.x` */\n",
         "    BARS_C_PIN_Y, /* `pin.y` */\n    BARS_NC\n};\n",

@@ -10,7 +10,7 @@ use homogen_codegen::error::Errors;
 use homogen_codegen::expand::understand;
 use homogen_codegen::formulation::Sines;
 use homogen_codegen::module::Module;
-use homogen_codegen::print::c::SourceFile;
+use homogen_codegen::print::c::CSource;
 use homogen_codegen::request::{Parameter, Request};
 use homogen_codegen::space::{Spaces, Variable};
 use homogen_codegen::{Builder, Function, Processor, Real, Target};
@@ -298,7 +298,7 @@ impl Robot {
     }
 
     /// Its files in C, with `arm.h` for the header.
-    pub fn source(&self, real: Real) -> SourceFile {
+    pub fn source(&self, real: Real) -> CSource {
         self.builder(real).c(self.module(real), "arm.h")
     }
 

@@ -30,8 +30,8 @@ pub use once::{SeparatedPrograms, part};
 pub use operation_count::OperationCount;
 pub use order::{schedule, schedule_unfused};
 pub use routine::{
-    Angle, Cells, Entries, Loop, LoopTable, Meaning, Readable, RotationAngle, Routine, SectionBody,
-    Statement, Stored, Value, Work,
+    Angle, Cells, Entries, LoopTable, Meaning, Readable, RotationAngle, Routine, RoutineLoop,
+    SectionBody, Statement, Stored, Value, Work,
 };
 pub use run::run;
 pub use sections::{Length, Sections};

@@ -34,14 +34,14 @@ pub struct BaseParameters {
     /// In the order of their leading parameters.
     pub groups: Vec<BaseParameter>,
     /// Blocks of links, outermost first.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<LinkBlock>,
     /// Residuals of the columns that were taken for combinations of others, and of those that were not.
     left: Residuals,
 }
 
 /// Links whose columns may depend on each other.
 #[derive(Clone, Debug, Default)]
-pub struct Block {
+pub struct LinkBlock {
     /// The velocities that move them relative to their parent links, and move no other link.
     pub velocities: Vec<VelocityId>,
     /// The leading parameters, in the order in which they were found.
@@ -174,7 +174,7 @@ struct Regrouping<'f> {
 
 impl Regrouping<'_> {
     /// Finds the leading parameters of a block of links, and adds the others to the sums that they depend on.
-    fn block(&mut self, together: &Together) -> Block {
+    fn block(&mut self, together: &Together) -> LinkBlock {
         let Together {
             outer,
             links,
@@ -195,7 +195,7 @@ impl Regrouping<'_> {
             let column = self.energies.of_moment(link, moment, *rows);
             (Links::moment(link, moment), column.chain(no_armature()))
         }));
-        let mut block = Block::default();
+        let mut block = LinkBlock::default();
         // The first joint of each velocity.
         let mut movers: Vec<(VelocityId, BodyId)> = Vec::new();
         for &link in links {
@@ -249,7 +249,7 @@ impl Regrouping<'_> {
     /// Records a parameter that leads a group, or adds its sum to those of the parameters that it depends on.
     fn settle(
         &mut self,
-        block: &mut Block,
+        block: &mut LinkBlock,
         parameter: ParameterId,
         combination: Option<Combination>,
     ) {

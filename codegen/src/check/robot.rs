@@ -23,8 +23,6 @@ use crate::list::{Id, List};
 use crate::request::Request;
 use crate::space::{CoordinateId, FieldId, FrameId, Kind, Space, VelocityId};
 
-type Scalar = Approximate;
-
 /// A disagreement of description and chain.
 #[derive(Debug)]
 pub(super) struct Contradiction(pub(super) String);
@@ -52,7 +50,7 @@ pub(super) fn robot(
     let mut bodies: List<BodyId, DenseBody> = List::new();
     let mut attached: HashMap<&str, BodyId> = HashMap::new();
     if let Some(placement) = reader.base() {
-        let nothing = [[Scalar::literal(0.0); 3]; 2];
+        let nothing = [[Approximate::literal(0.0); 3]; 2];
         attached.insert(
             base,
             bodies.push(held(None, placement, nothing, Double::ZERO)),
@@ -152,8 +150,8 @@ impl Places<'_> {
     fn along(
         &self,
         name: &str,
-        screw: [[Scalar; 3]; 2],
-        (factor, offset): (Scalar, Scalar),
+        screw: [[Approximate; 3]; 2],
+        (factor, offset): (Approximate, Approximate),
     ) -> Result<DenseBody, Contradiction> {
         Ok(DenseBody {
             parent: None,
@@ -168,7 +166,7 @@ impl Places<'_> {
                 screw,
                 velocity: place(self.velocities, name)?,
                 factor,
-                actuator: [Scalar::literal(0.0); 3],
+                actuator: [Approximate::literal(0.0); 3],
             }],
             inertia: Matrix::zero(),
         })
@@ -183,8 +181,8 @@ fn place<I: Id>(places: &HashMap<&str, I>, name: &str) -> Result<I, Contradictio
 /// A body that is held at a coordinate along a screw.
 fn held(
     parent: Option<BodyId>,
-    placement: Matrix<Scalar>,
-    screw: [[Scalar; 3]; 2],
+    placement: Matrix<Approximate>,
+    screw: [[Approximate; 3]; 2],
     at: Double,
 ) -> DenseBody {
     DenseBody {
@@ -202,7 +200,7 @@ enum JointCoordinate<'d> {
     /// Its own coordinates.
     Own,
     /// The coordinate of a joint with this name, times a factor, plus an offset.
-    Mimic(&'d str, Scalar, Scalar),
+    Mimic(&'d str, Approximate, Approximate),
     /// None: it is held at a coordinate.
     Held(Double),
 }

@@ -15,28 +15,26 @@ use crate::joint;
 use crate::list::{self, Id, List, Square};
 use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
 
-type Scalar = Approximate;
-
 /// A robot in a configuration: all matrices of its links, in frame 0.
 pub(super) struct Configuration {
     robot: Robot,
-    poses: List<BodyId, Matrix<Scalar>>,
+    poses: List<BodyId, Matrix<Approximate>>,
     /// For the joint of each link, each L times its factor, with its velocity.
-    screws: List<BodyId, Vec<(VelocityId, Matrix<Scalar>)>>,
+    screws: List<BodyId, Vec<(VelocityId, Matrix<Approximate>)>>,
     /// J of each link.
-    inertias: List<BodyId, Matrix<Scalar>>,
+    inertias: List<BodyId, Matrix<Approximate>>,
 }
 
 /// The motion of the joints: q̇ and q̈.
 pub(super) struct Rates {
-    pub(super) first: List<VelocityId, Scalar>,
-    pub(super) second: List<VelocityId, Scalar>,
+    pub(super) first: List<VelocityId, Approximate>,
+    pub(super) second: List<VelocityId, Approximate>,
 }
 
 impl Configuration {
     pub(super) fn of(robot: Robot, q: &[Double]) -> Self {
-        let q = |k: CoordinateId| Scalar::exact(q[k.index()]);
-        let mut poses: List<BodyId, Matrix<Scalar>> = List::new();
+        let q = |k: CoordinateId| Approximate::exact(q[k.index()]);
+        let mut poses: List<BodyId, Matrix<Approximate>> = List::new();
         let (mut screws, mut inertias) = (List::new(), List::new());
         for body in &robot.bodies {
             let displacement = match body.moved {
@@ -46,7 +44,7 @@ impl Configuration {
                     factor,
                     offset,
                 } => Matrix::displacement(screw, &(factor * q(coordinate) + offset)),
-                Moved::Held(screw, at) => Matrix::displacement(screw, &Scalar::written(at)),
+                Moved::Held(screw, at) => Matrix::displacement(screw, &Approximate::written(at)),
                 Moved::Manifold(manifold, first) => placed(manifold, |entry| q(first.plus(entry))),
             };
             let mut pose = body.placement.times(&displacement);
@@ -74,7 +72,7 @@ impl Configuration {
     }
 
     /// J of each link.
-    pub(super) fn inertias(&self) -> &[Matrix<Scalar>] {
+    pub(super) fn inertias(&self) -> &[Matrix<Approximate>] {
         &self.inertias
     }
 
@@ -122,7 +120,7 @@ impl Configuration {
     }
 
     /// Acceleration of gravity in frame 0.
-    pub(super) const fn gravity(&self) -> [Scalar; 3] {
+    pub(super) const fn gravity(&self) -> [Approximate; 3] {
         self.robot.gravity
     }
 
@@ -132,7 +130,7 @@ impl Configuration {
     }
 
     /// M of a frame.
-    pub(super) fn pose(&self, frame: FrameId) -> Matrix<Scalar> {
+    pub(super) fn pose(&self, frame: FrameId) -> Matrix<Approximate> {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
     }
 
@@ -142,7 +140,7 @@ impl Configuration {
     }
 
     /// The screws of the joints that move a frame, with their indices in q̇.
-    pub(super) fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Scalar>)> {
+    pub(super) fn moving(&self, frame: FrameId) -> Vec<&(VelocityId, Matrix<Approximate>)> {
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
         while let Some(body) = at {
@@ -157,7 +155,7 @@ impl Configuration {
         &self,
         frame: FrameId,
         rates: &Rates,
-    ) -> Vec<(VelocityId, &Matrix<Scalar>, Matrix<Scalar>)> {
+    ) -> Vec<(VelocityId, &Matrix<Approximate>, Matrix<Approximate>)> {
         let motions = self.motions(rates);
         let mut moving = Vec::new();
         let mut at = self.robot.frames[frame];
@@ -172,14 +170,17 @@ impl Configuration {
 
     /// W and H of each link: W + L q̇, and H + L q̈ + (L q̇)² + 2 W L q̇, where L q̇ is the sum over all velocities
     /// of its joint.
-    pub(super) fn motions(&self, rates: &Rates) -> List<BodyId, (Matrix<Scalar>, Matrix<Scalar>)> {
-        let mut motions: List<BodyId, (Matrix<Scalar>, Matrix<Scalar>)> = List::new();
+    pub(super) fn motions(
+        &self,
+        rates: &Rates,
+    ) -> List<BodyId, (Matrix<Approximate>, Matrix<Approximate>)> {
+        let mut motions: List<BodyId, (Matrix<Approximate>, Matrix<Approximate>)> = List::new();
         for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
             let (w, h) = match body.parent {
                 Some(parent) => motions[parent].clone(),
                 None => (Matrix::zero(), Matrix::zero()),
             };
-            let sum = |of: &List<VelocityId, Scalar>| {
+            let sum = |of: &List<VelocityId, Approximate>| {
                 let terms = screws.iter().map(|(k, screw)| screw.scaled(&of[*k]));
                 terms.reduce(|sum, term| sum.plus(&term))
             };
@@ -187,7 +188,7 @@ impl Configuration {
                 motions.push((w, h));
                 continue;
             };
-            let twice = w.times(&own).scaled(&Scalar::exact(2.0));
+            let twice = w.times(&own).scaled(&Approximate::exact(2.0));
             let second = second.plus(&own.times(&own));
             motions.push((w.plus(&own), h.plus(&second).plus(&twice)));
         }
@@ -195,7 +196,11 @@ impl Configuration {
     }
 
     /// W and H of a frame.
-    pub(super) fn motion(&self, frame: FrameId, rates: &Rates) -> (Matrix<Scalar>, Matrix<Scalar>) {
+    pub(super) fn motion(
+        &self,
+        frame: FrameId,
+        rates: &Rates,
+    ) -> (Matrix<Approximate>, Matrix<Approximate>) {
         match self.robot.frames[frame] {
             Some(body) => self.motions(rates)[body].clone(),
             None => (Matrix::zero(), Matrix::zero()),
@@ -205,11 +210,11 @@ impl Configuration {
     /// The torques of all joints for given accelerations of the links: Φ = skew(H J) of all links outboard, along L.
     fn forces(
         &self,
-        acceleration: impl Fn(BodyId) -> Option<Matrix<Scalar>>,
-    ) -> List<VelocityId, Scalar> {
+        acceleration: impl Fn(BodyId) -> Option<Matrix<Approximate>>,
+    ) -> List<VelocityId, Approximate> {
         let mut forces = self.nothing();
         let inertias = self.inertias.numbered();
-        let mut actions: List<BodyId, Option<Matrix<Scalar>>> = inertias
+        let mut actions: List<BodyId, Option<Matrix<Approximate>>> = inertias
             .map(|(k, inertia)| Some(acceleration(k)?.times(inertia).skew()))
             .collect();
         for (k, body) in self.robot.bodies.numbered().rev() {
@@ -230,19 +235,19 @@ impl Configuration {
     }
 
     /// Zero for each velocity.
-    fn nothing(&self) -> List<VelocityId, Scalar> {
-        List::filled(Scalar::exact(0.0), self.robot.velocities)
+    fn nothing(&self) -> List<VelocityId, Approximate> {
+        List::filled(Approximate::exact(0.0), self.robot.velocities)
     }
 
     /// −H_g.
-    fn minus_gravity(&self) -> Matrix<Scalar> {
+    fn minus_gravity(&self) -> Matrix<Approximate> {
         let mut minus_gravity = Matrix::zero();
         minus_gravity.set_column(self.robot.gravity.map(|entry| -entry));
         minus_gravity
     }
 
     /// τ of a motion, against gravity.
-    pub(super) fn torques(&self, rates: &Rates) -> List<VelocityId, Scalar> {
+    pub(super) fn torques(&self, rates: &Rates) -> List<VelocityId, Approximate> {
         let minus_gravity = self.minus_gravity();
         let motions = self.motions(rates);
         let mut forces = self.forces(|k| Some(motions[k].1.plus(&minus_gravity)));
@@ -266,11 +271,11 @@ impl Configuration {
         &self,
         rates: &Rates,
         is_wanted: impl Fn(ParameterId) -> bool,
-    ) -> Columns<Scalar> {
+    ) -> Columns<Approximate> {
         let mut minus_gravity = Matrix::zero();
         minus_gravity.set_column(self.robot.gravity.map(|entry| -entry));
         let motions = self.motions(rates);
-        let mut columns: Columns<Scalar> = List::new();
+        let mut columns: Columns<Approximate> = List::new();
         for &link in &self.robot.links {
             if !(0..MOMENTS).any(|moment| is_wanted(columns.next().plus(moment))) {
                 columns.extend((0..MOMENTS).map(|_| List::new()));
@@ -297,8 +302,8 @@ impl Configuration {
     /// A number for each inertial parameter of the links: a function of a link and of the J that the parameter is at 1.
     pub(super) fn of_each_parameter(
         &self,
-        of: impl Fn(BodyId, &Matrix<Scalar>) -> Scalar,
-    ) -> Vec<Scalar> {
+        of: impl Fn(BodyId, &Matrix<Approximate>) -> Approximate,
+    ) -> Vec<Approximate> {
         let links = self.robot.links.iter();
         let numbers = links.flat_map(|&link| {
             let inertias = unit_inertias(&self.poses[link]);
@@ -316,7 +321,7 @@ impl Configuration {
     }
 
     /// The columns of armature, damping and friction.
-    fn regressor_of_actuators(&self, rates: &Rates) -> Vec<List<VelocityId, Scalar>> {
+    fn regressor_of_actuators(&self, rates: &Rates) -> Vec<List<VelocityId, Approximate>> {
         let mut columns = Vec::new();
         for degree_of_freedom in self.identified() {
             let DegreeOfFreedom {
@@ -333,7 +338,7 @@ impl Configuration {
     }
 
     /// The torques of external wrenches: for each wrench Φ, L ⊗ Φ of all joints inboard of it.
-    pub(super) fn external_torques(&self, actions: &[Double]) -> List<VelocityId, Scalar> {
+    pub(super) fn external_torques(&self, actions: &[Double]) -> List<VelocityId, Approximate> {
         let mut forces = self.nothing();
         for (link, action) in self.external_wrenches(actions) {
             for body in self.inwards(link) {
@@ -349,13 +354,13 @@ impl Configuration {
     fn external_wrenches(
         &self,
         actions: &[Double],
-    ) -> impl Iterator<Item = (BodyId, Matrix<Scalar>)> {
+    ) -> impl Iterator<Item = (BodyId, Matrix<Approximate>)> {
         let (bodies, in_frame_0) = &self.robot.external;
         bodies
             .iter()
             .zip(actions.chunks(6))
             .map(|(&body, entries)| {
-                let entry = |k: usize| Scalar::exact(entries[k]);
+                let entry = |k: usize| Approximate::exact(entries[k]);
                 let [c, f] = [0, 3].map(|first| [entry(first), entry(first + 1), entry(first + 2)]);
                 let action = Matrix::action(c, f);
                 let pose = &self.poses[body];
@@ -376,9 +381,9 @@ impl Configuration {
 
     /// M: column k is the torques if H of a link is the sum of the L that belong to velocity k, of all joints inboard
     /// of it.
-    pub(super) fn mass_matrix(&self) -> Square<VelocityId, Scalar> {
+    pub(super) fn mass_matrix(&self) -> Square<VelocityId, Approximate> {
         let column = |velocity: VelocityId| {
-            let mut accelerations: List<BodyId, Option<Matrix<Scalar>>> = List::new();
+            let mut accelerations: List<BodyId, Option<Matrix<Approximate>>> = List::new();
             for (body, screws) in self.robot.bodies.iter().zip(&self.screws) {
                 let outer = body.parent.and_then(|parent| accelerations[parent].clone());
                 let own = screws.iter().filter(|(of, _)| *of == velocity);
@@ -404,31 +409,31 @@ impl Configuration {
 const MOMENTS: usize = 10;
 
 /// L ⊗ Φ.
-fn along(screw: &Matrix<Scalar>, action: &Matrix<Scalar>) -> Scalar {
+fn along(screw: &Matrix<Approximate>, action: &Matrix<Approximate>) -> Approximate {
     let terms = screw.vectors().into_iter().zip(action.vectors());
     let along = terms.map(|(screw, action)| screw * action);
-    along.fold(Scalar::exact(0.0), |sum, term| sum + term)
+    along.fold(Approximate::exact(0.0), |sum, term| sum + term)
 }
 
 /// J in frame 0 of a link with this pose, M J Mᵗ, with one of m, q_x, q_y, q_z, J_xx, J_xy, J_xz, J_yy, J_yz, J_zz equal
 /// to 1.
-fn unit_inertias(pose: &Matrix<Scalar>) -> impl Iterator<Item = Matrix<Scalar>> {
+fn unit_inertias(pose: &Matrix<Approximate>) -> impl Iterator<Item = Matrix<Approximate>> {
     let first = [(3, 3), (0, 3), (1, 3), (2, 3)];
     let second = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
     first.into_iter().chain(second).map(move |(row, column)| {
         let mut unit = Matrix::zero();
-        unit.0[row][column] = Scalar::exact(1.0);
-        unit.0[column][row] = Scalar::exact(1.0);
+        unit.0[row][column] = Approximate::exact(1.0);
+        unit.0[column][row] = Approximate::exact(1.0);
         pose.times(&unit).times(&pose.transposed())
     })
 }
 
 /// Q of several coordinates: a translation, and a rotation about z or 1 + 2 w v̲ + 2 v̲² of a quaternion v, w.
-fn placed(manifold: joint::Manifold, q: impl Fn(usize) -> Scalar) -> Matrix<Scalar> {
-    let zero = Scalar::exact(0.0);
+fn placed(manifold: joint::Manifold, q: impl Fn(usize) -> Approximate) -> Matrix<Approximate> {
+    let zero = Approximate::exact(0.0);
     let rotated = |first: usize| {
         let axis = Matrix::screw([q(first), q(first + 1), q(first + 2)], [zero; 3]);
-        let twice = axis.scaled(&Scalar::exact(2.0));
+        let twice = axis.scaled(&Approximate::exact(2.0));
         Matrix::identity()
             .plus(&twice.scaled(&q(first + 3)))
             .plus(&twice.times(&axis))

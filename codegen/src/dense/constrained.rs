@@ -12,17 +12,15 @@ use crate::expression::Arithmetic;
 use crate::list::{self, List};
 use crate::space::{Variable, VelocityId};
 
-type Scalar = Approximate;
-
 /// The equations of the loops: each row of J times a matrix, and the products with the rows of J.
 struct Equations {
-    moved: Vec<Vec<Scalar>>,
-    matrix: Vec<Vec<Scalar>>,
+    moved: Vec<Vec<Approximate>>,
+    matrix: Vec<Vec<Approximate>>,
 }
 
 impl Dense {
     /// The residuals of all loops.
-    pub(crate) fn residuals(&self) -> Vec<Scalar> {
+    pub(crate) fn residuals(&self) -> Vec<Approximate> {
         let rows = self.loops().iter().flat_map(|closed| {
             let [a, b] = closed.frames.map(|frame| self.pose(frame));
             let seen = a.inverse().times(&b);
@@ -66,8 +64,8 @@ impl Dense {
     }
 
     /// The derivative of each residual by each velocity, by rows.
-    pub(crate) fn residual_rates(&self) -> Vec<List<VelocityId, Scalar>> {
-        let zero = Scalar::exact(0.0);
+    pub(crate) fn residual_rates(&self) -> Vec<List<VelocityId, Approximate>> {
+        let zero = Approximate::exact(0.0);
         let rows = self.loops().iter().flat_map(|closed| {
             let [a, b] = closed.frames.map(|frame| self.pose(frame));
             let back = a.inverse();
@@ -77,7 +75,7 @@ impl Dense {
                 for (k, screw) in self.moving(frame) {
                     let changed = back
                         .carries(screw)
-                        .scaled(&Scalar::exact(sign))
+                        .scaled(&Approximate::exact(sign))
                         .times(&seen);
                     for (rates, &row) in rates.iter_mut().zip(&closed.rows) {
                         rates[*k] = rates[*k] + change(row, closed.size, &seen, &changed);
@@ -90,7 +88,7 @@ impl Dense {
     }
 
     /// The acceleration of each residual at constant velocities.
-    pub(crate) fn residual_bias(&self) -> Vec<Scalar> {
+    pub(crate) fn residual_bias(&self) -> Vec<Approximate> {
         let rows = self.loops().iter().flat_map(|closed| {
             let [a, b] = closed.frames.map(|frame| self.pose(frame));
             let back = a.inverse();
@@ -99,12 +97,12 @@ impl Dense {
                 .frames
                 .map(|frame| self.motion(frame, MotionOrder::Coasting));
             let [(w_a, h_a), (w_b, h_b)] = &motions;
-            let minus = |one: &Matrix<Scalar>, other: &Matrix<Scalar>| {
-                one.plus(&other.scaled(&Scalar::exact(-1.0)))
+            let minus = |one: &Matrix<Approximate>, other: &Matrix<Approximate>| {
+                one.plus(&other.scaled(&Approximate::exact(-1.0)))
             };
             // H_b = H_a + H + 2 W_a W with the motion of B relative to A.
             let w = minus(w_b, w_a);
-            let twice = w_a.times(&w).scaled(&Scalar::exact(2.0));
+            let twice = w_a.times(&w).scaled(&Approximate::exact(2.0));
             let h = minus(&minus(h_b, h_a), &twice);
             let [first, second] = [w, h].map(|matrix| back.carries(&matrix).times(&seen));
             let rows = closed.rows.iter();
@@ -121,14 +119,14 @@ impl Dense {
     }
 
     /// q̈ followed by λ, where parts below ε of the whole count as zero.
-    pub(crate) fn constrained(&self, zero_pivot: f64) -> Vec<Scalar> {
+    pub(crate) fn constrained(&self, zero_pivot: f64) -> Vec<Approximate> {
         let (rows, bias) = (self.residual_rates(), self.residual_bias());
         let held = self.torques(MotionOrder::Coasting).into_iter();
         let forces = held.zip(self.state.of_velocities(Variable::Tau));
-        let forces: Vec<Scalar> = forces.map(|(held, tau)| tau - held).collect();
+        let forces: Vec<Approximate> = forces.map(|(held, tau)| tau - held).collect();
         let mut accelerations = self.free(&forces);
         let Equations { moved, matrix } = self.by_mass_matrix(&rows);
-        let mut multipliers: Vec<Scalar> = (rows.iter().zip(&bias))
+        let mut multipliers: Vec<Approximate> = (rows.iter().zip(&bias))
             .map(|(row, bias)| -(dot(row, &accelerations) + *bias))
             .collect();
         self.eliminate(matrix, &mut multipliers, zero_pivot);
@@ -141,14 +139,14 @@ impl Dense {
     }
 
     /// q̈ with open loops.
-    fn free(&self, forces: &[Scalar]) -> Vec<Scalar> {
+    fn free(&self, forces: &[Approximate]) -> Vec<Approximate> {
         let matrix = self.mass_matrix().rows().map(Vec::from).collect();
         solve(matrix, forces.to_vec())
     }
 
     /// J M⁻¹ Jᵗ.
-    fn by_mass_matrix(&self, rows: &[List<VelocityId, Scalar>]) -> Equations {
-        let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.free(row)).collect();
+    fn by_mass_matrix(&self, rows: &[List<VelocityId, Approximate>]) -> Equations {
+        let moved: Vec<Vec<Approximate>> = rows.iter().map(|row| self.free(row)).collect();
         let matrix = rows
             .iter()
             .map(|row| moved.iter().map(|moved| dot(row, moved)).collect());
@@ -159,9 +157,9 @@ impl Dense {
     }
 
     /// J Jᵗ of the velocities without an actuator.
-    fn by_passive(&self, rows: &[List<VelocityId, Scalar>]) -> Equations {
-        let moved: Vec<Vec<Scalar>> = rows.iter().map(|row| self.passive(row)).collect();
-        let row = |row: &Vec<Scalar>| moved.iter().map(|other| dot(row, other)).collect();
+    fn by_passive(&self, rows: &[List<VelocityId, Approximate>]) -> Equations {
+        let moved: Vec<Vec<Approximate>> = rows.iter().map(|row| self.passive(row)).collect();
+        let row = |row: &Vec<Approximate>| moved.iter().map(|other| dot(row, other)).collect();
         Equations {
             matrix: moved.iter().map(row).collect(),
             moved,
@@ -169,7 +167,7 @@ impl Dense {
     }
 
     /// The entries of the velocities without an actuator.
-    fn passive(&self, of: &List<VelocityId, Scalar>) -> Vec<Scalar> {
+    fn passive(&self, of: &List<VelocityId, Approximate>) -> Vec<Approximate> {
         let passive = of
             .ids()
             .filter(|k| !self.configuration.actuated().contains(k));
@@ -177,12 +175,13 @@ impl Dense {
     }
 
     /// τ of the actuated velocities for the motion of the state, where λ balances the others: by the normal equations.
-    pub(crate) fn actuated(&self, zero_pivot: f64) -> Vec<Scalar> {
+    pub(crate) fn actuated(&self, zero_pivot: f64) -> Vec<Approximate> {
         let needed = self.torques(MotionOrder::Accelerated);
         let rows = self.residual_rates();
         let Equations { moved, matrix } = self.by_passive(&rows);
         let passive = self.passive(&needed);
-        let mut multipliers: Vec<Scalar> = moved.iter().map(|row| dot(row, &passive)).collect();
+        let mut multipliers: Vec<Approximate> =
+            moved.iter().map(|row| dot(row, &passive)).collect();
         self.eliminate(matrix, &mut multipliers, zero_pivot);
         let torque = |k: VelocityId| {
             let held = rows.iter().zip(&multipliers);
@@ -197,7 +196,7 @@ impl Dense {
                 if is_actuated(k) {
                     torque(k)
                 } else {
-                    Scalar::exact(0.0)
+                    Approximate::exact(0.0)
                 }
             })
             .collect()
@@ -208,7 +207,7 @@ impl Dense {
     pub(crate) fn independence(&self, zero_pivot: f64) -> Vec<f64> {
         let rows = self.residual_rates();
         let Equations { matrix, .. } = self.by_mass_matrix(&rows);
-        let mut nothing = vec![Scalar::exact(0.0); rows.len()];
+        let mut nothing = vec![Approximate::exact(0.0); rows.len()];
         self.eliminate(matrix, &mut nothing, zero_pivot)
     }
 
@@ -245,7 +244,7 @@ impl Dense {
     /// each pivot by a part of the whole.
     pub(crate) fn sensitivity(
         &mut self,
-        solution: impl Fn(&Self, f64) -> Vec<Scalar>,
+        solution: impl Fn(&Self, f64) -> Vec<Approximate>,
         (zero_pivot, rounding): (f64, f64),
     ) -> f64 {
         let mut at = |times: f64, disturbance: f64| {
@@ -276,18 +275,18 @@ impl Dense {
     /// wholes.
     fn eliminate(
         &self,
-        mut matrix: Vec<Vec<Scalar>>,
-        y: &mut [Scalar],
+        mut matrix: Vec<Vec<Approximate>>,
+        y: &mut [Approximate],
         zero_pivot: f64,
     ) -> Vec<f64> {
         let (wholes, order) = (self.wholes(&matrix), self.configuration.elimination());
-        let mut reciprocals = vec![Scalar::exact(0.0); y.len()];
+        let mut reciprocals = vec![Approximate::exact(0.0); y.len()];
         let mut shares = vec![0.0; y.len()];
         for (place, &k) in order.iter().enumerate() {
             let whole = wholes[k];
-            let pivot = matrix[k][k] + whole * Scalar::exact(self.disturbance);
+            let pivot = matrix[k][k] + whole * Approximate::exact(self.disturbance);
             if is_known(whole) {
-                reciprocals[k] = reciprocal(pivot, whole * Scalar::exact(zero_pivot));
+                reciprocals[k] = reciprocal(pivot, whole * Approximate::exact(zero_pivot));
                 shares[k] = pivot.size() / whole.size();
             }
             let later = &order[place + 1..];
@@ -308,7 +307,7 @@ impl Dense {
     }
 
     /// For each row the sum of the diagonal over the rows of its loop with the same unit.
-    fn wholes(&self, matrix: &[Vec<Scalar>]) -> Vec<Scalar> {
+    fn wholes(&self, matrix: &[Vec<Approximate>]) -> Vec<Approximate> {
         let mut wholes = Vec::new();
         for closed in self.loops() {
             let first = wholes.len();
@@ -317,7 +316,7 @@ impl Dense {
                 let rows = closed.rows.iter().enumerate().filter(same);
                 let entries = rows.map(|(k, _)| matrix[first + k][first + k]);
                 let sum = entries.reduce(|sum, entry| sum + entry);
-                wholes.push(sum.unwrap_or(Scalar::exact(0.0)));
+                wholes.push(sum.unwrap_or(Approximate::exact(0.0)));
             }
         }
         wholes
@@ -325,33 +324,33 @@ impl Dense {
 }
 
 /// True if roundings of the description leave a digit.
-fn is_known(whole: Scalar) -> bool {
+fn is_known(whole: Approximate) -> bool {
     whole.size() > whole.error || whole.error.is_infinite()
 }
 
 /// (1 − p⁴)/d, where p = t²/(d² + t²) is the share of t, `small`: 1/d, or 0 if d is negligible relative to t. It
 /// avoids a quotient by d itself, of which the roundings of literals may leave no digit.
-fn reciprocal(d: Scalar, small: Scalar) -> Scalar {
+fn reciprocal(d: Approximate, small: Approximate) -> Approximate {
     let (square, small) = (d * d, small * small);
     let sum = square + small;
     if sum.size() == 0.0 {
-        return Scalar::exact(0.0);
+        return Approximate::exact(0.0);
     }
-    let (one, part) = (Scalar::exact(1.0), small / sum);
+    let (one, part) = (Approximate::exact(1.0), small / sum);
     d / sum * (one + part) * (one + part * part)
 }
 
-fn point(matrix: &Matrix<Scalar>) -> [Scalar; 3] {
+fn point(matrix: &Matrix<Approximate>) -> [Approximate; 3] {
     [0, 1, 2].map(|k| matrix.0[k][3])
 }
 
 /// The change of a residual for a change of the pose of B.
 fn change(
     row: ResidualKind,
-    size: Scalar,
-    seen: &Matrix<Scalar>,
-    changed: &Matrix<Scalar>,
-) -> Scalar {
+    size: Approximate,
+    seen: &Matrix<Approximate>,
+    changed: &Matrix<Approximate>,
+) -> Approximate {
     match row {
         ResidualKind::Along(k) => changed.0[k][3],
         ResidualKind::Product(i, j) => changed.0[i][j],
@@ -360,13 +359,13 @@ fn change(
     }
 }
 
-fn dot(a: &[Scalar], b: &[Scalar]) -> Scalar {
+fn dot(a: &[Approximate], b: &[Approximate]) -> Approximate {
     let products = a.iter().zip(b).map(|(a, b)| *a * *b);
-    products.fold(Scalar::literal(0.0), |sum, product| sum + product)
+    products.fold(Approximate::literal(0.0), |sum, product| sum + product)
 }
 
 /// x of A x = y, where A is positive definite.
-fn solve(mut a: Vec<Vec<Scalar>>, mut y: Vec<Scalar>) -> Vec<Scalar> {
+fn solve(mut a: Vec<Vec<Approximate>>, mut y: Vec<Approximate>) -> Vec<Approximate> {
     let count = y.len();
     for k in 0..count {
         for i in k + 1..count {

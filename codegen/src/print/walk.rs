@@ -2,7 +2,7 @@
 //!
 //! In: the statements of a [`Routine`](crate::schedule::Routine). Out: calls of a [`Language`], in their order.
 
-use crate::schedule::{Angle, Loop, Operation, Statement, Value};
+use crate::schedule::{Angle, Operation, RoutineLoop, Statement, Value};
 
 /// Printer of statements, which collects its text.
 pub(super) trait Language {
@@ -19,10 +19,10 @@ pub(super) trait Language {
     fn store(&mut self, result: usize, value: &Value);
 
     /// Initialises a table and begins the loop over its columns.
-    fn begin_loop(&mut self, each: &Loop);
+    fn begin_loop(&mut self, each: &RoutineLoop);
 
     /// Ends the loop.
-    fn end_loop(&mut self, each: &Loop);
+    fn end_loop(&mut self, each: &RoutineLoop);
 
     /// Begins a scope. The default is for languages in which a function is one scope.
     fn begin_scope(&mut self) {}

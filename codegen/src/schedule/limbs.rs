@@ -7,10 +7,10 @@
 //!
 //! An operation that has another sign in a mirrored limb gets an operand that is multiplied by 1 or −1.
 
-mod body;
 mod cutting;
 mod fusing;
 mod groups;
+mod iteration;
 mod loops;
 mod order;
 #[cfg(test)]

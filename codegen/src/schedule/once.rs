@@ -71,7 +71,7 @@ struct Once {
 }
 
 /// New places of the steps and angles of one program: in the program of fields or in the rest.
-struct Moved {
+struct NewPlaces {
     steps: Vec<NewPlace>,
     angles: Vec<NewPlace>,
 }
@@ -82,7 +82,7 @@ enum NewPlace {
     Left(u32),
 }
 
-impl Moved {
+impl NewPlaces {
     /// Operand in the program of fields; `None` if it depends on anything else.
     fn once(&self, operand: Operand) -> Option<Operand> {
         let place = |places: &[NewPlace], k: u32| match places[k as usize] {
@@ -117,7 +117,7 @@ impl Moved {
 impl Once {
     /// Moves the steps that depend on fields alone, and returns the rest.
     fn take(&mut self, program: &Program) -> Program {
-        let mut moved = Moved {
+        let mut moved = NewPlaces {
             steps: Vec::with_capacity(program.steps.len()),
             angles: Vec::with_capacity(program.angles.len()),
         };
@@ -146,7 +146,7 @@ impl Once {
         left
     }
 
-    fn steps_of(&mut self, steps: &[Step], moved: &mut Moved, left: &mut Program) {
+    fn steps_of(&mut self, steps: &[Step], moved: &mut NewPlaces, left: &mut Program) {
         for step in steps {
             let operands = step.operation.operands().into_iter();
             let of_fields: Option<Vec<Operand>> =

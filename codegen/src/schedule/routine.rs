@@ -11,7 +11,7 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-pub use self::loops::{Cells, Loop, LoopTable};
+pub use self::loops::{Cells, LoopTable, RoutineLoop};
 pub use self::meaning::{Meaning, RotationAngle};
 pub use self::section::{SectionBody, Work};
 use super::blocks::{Block, ScopeEntry, nested};
@@ -81,7 +81,7 @@ pub enum Statement {
     /// Stores a value as the result with an index.
     StoreResult(usize, Value),
     /// Loop.
-    Loop(Loop),
+    Loop(RoutineLoop),
 }
 
 /// Time at which results are stored.

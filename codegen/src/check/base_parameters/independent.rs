@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use super::balance::units;
-use crate::chain::base_parameters::{BaseParameters, Block};
+use crate::chain::base_parameters::{BaseParameters, LinkBlock};
 use crate::dense::{Approximate, Columns};
 use crate::expression::Double;
 use crate::list::List;
@@ -33,7 +33,7 @@ pub(super) type Rows = Vec<Vec<SizedEntry>>;
 type SizedEntry = (Double, f64);
 
 /// The rows at one state.
-pub(super) fn own_rows(block: &Block, at: &Seen) -> impl Iterator<Item = Vec<SizedEntry>> {
+pub(super) fn own_rows(block: &LinkBlock, at: &Seen) -> impl Iterator<Item = Vec<SizedEntry>> {
     block.velocities.iter().map(|&row| {
         let leading = block.leading.iter();
         let entry = |&of: &ParameterId| (at.regressor[of][row].value, at.sizes[of][row]);

@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use super::matrices::{of_length_1, with_z};
-use super::{Contradiction, RobotReader, Scalar, held};
+use super::{Approximate, Contradiction, RobotReader, held};
 use crate::chain::Chain;
 use crate::dense::{BodyId, Closed, DenseBody};
 use crate::expression::{Arithmetic, Double};
@@ -42,7 +42,7 @@ impl RobotReader<'_> {
                     placement = placement.times(&with_z(axis));
                     axes.push(axis);
                 }
-                let nothing = [[Scalar::literal(0.0); 3]; 2];
+                let nothing = [[Approximate::literal(0.0); 3]; 2];
                 let link = attached.get(link.text.as_str()).copied();
                 frames.push(Some(bodies.push(held(
                     link,
@@ -52,9 +52,9 @@ impl RobotReader<'_> {
                 ))));
             }
             let size = match (described.closure.length(), &*axes) {
-                (Some(length), _) => Scalar::written(length.exact()),
+                (Some(length), _) => Approximate::written(length.exact()),
                 (None, [[ax, ay, az], [bx, by, bz]]) => *ax * *bx + *ay * *by + *az * *bz,
-                (None, _) => Scalar::literal(0.0),
+                (None, _) => Approximate::literal(0.0),
             };
             loops.push(Closed {
                 frames: [first, first.plus(1)],

@@ -4,7 +4,7 @@
 //! frame; armature, damping and friction of a velocity.
 
 use super::matrices::loaded;
-use super::{Contradiction, RobotReader, Scalar};
+use super::{Approximate, Contradiction, RobotReader};
 use crate::dense::Matrix;
 use crate::description::{Inertial, Joint, Link, Name, Number};
 use crate::expression::Arithmetic;
@@ -12,7 +12,7 @@ use crate::joint::actuator::ActuatorQuantity;
 use crate::request::Target;
 
 impl RobotReader<'_> {
-    pub(super) fn inertia(&self, link: &Link) -> Result<Matrix<Scalar>, Contradiction> {
+    pub(super) fn inertia(&self, link: &Link) -> Result<Matrix<Approximate>, Contradiction> {
         let is = |name: &Name| name.text == link.name.text;
         let mass = self.field(|target| matches!(target, Target::MassOf(of) if is(of)));
         let center = self.field(|target| matches!(target, Target::CenterOfMassOf(of) if is(of)));
@@ -23,13 +23,15 @@ impl RobotReader<'_> {
             place: link.name.place,
         };
         let inertial = link.inertial.as_ref().unwrap_or(&nothing);
-        let [mass] = mass.unwrap_or([Scalar::written(inertial.mass.exact())]);
+        let [mass] = mass.unwrap_or([Approximate::written(inertial.mass.exact())]);
         let tensor = self.field(|target| matches!(target, Target::InertiaOf(of) if is(of)));
-        let described = inertial.inertia.map(|entry| Scalar::written(entry.exact()));
+        let described = inertial
+            .inertia
+            .map(|entry| Approximate::written(entry.exact()));
         let [xx, xy, xz, yy, yz, zz] = tensor.unwrap_or(described);
         // ½ Tr(I) − I, and the mass.
-        let half = (xx + yy + zz) * Scalar::exact(0.5);
-        let none = Scalar::exact(0.0);
+        let half = (xx + yy + zz) * Approximate::exact(0.5);
+        let none = Approximate::exact(0.0);
         let central = Matrix([
             [half - xx, -xy, -xz, none],
             [-xy, half - yy, -yz, none],
@@ -49,27 +51,27 @@ impl RobotReader<'_> {
     }
 
     /// Armature, damping and friction of the velocity with this index among those of a joint.
-    pub(super) fn actuator(&self, joint: &Joint, place: usize) -> [Scalar; 3] {
+    pub(super) fn actuator(&self, joint: &Joint, place: usize) -> [Approximate; 3] {
         let number = |part: ActuatorQuantity| {
             let numbers = self
                 .request
                 .actuator(&joint.name.text, &joint.actuator, part);
             let number = numbers.get(if numbers.len() == 1 { 0 } else { place });
-            number.map(|number| Scalar::written(number.exact()))
+            number.map(|number| Approximate::written(number.exact()))
         };
-        let zero = Scalar::literal(0.0);
-        let ratio = number(ActuatorQuantity::Ratio).unwrap_or(Scalar::exact(1.0));
+        let zero = Approximate::literal(0.0);
+        let ratio = number(ActuatorQuantity::Ratio).unwrap_or(Approximate::exact(1.0));
         let mut rotor = number(ActuatorQuantity::Rotor).map_or(zero, |rotor| ratio * ratio * rotor);
         for motor in self
             .request
             .further_motors(&joint.name.text, &joint.actuator)
         {
-            let ratio = motor
-                .ratio
-                .map_or(Scalar::exact(1.0), |ratio| Scalar::written(ratio.exact()));
+            let ratio = motor.ratio.map_or(Approximate::exact(1.0), |ratio| {
+                Approximate::written(ratio.exact())
+            });
             let inertia = motor
                 .rotor
-                .map_or(zero, |rotor| Scalar::written(rotor.exact()));
+                .map_or(zero, |rotor| Approximate::written(rotor.exact()));
             rotor = rotor + ratio * ratio * inertia;
         }
         [

@@ -4,7 +4,7 @@
 //! the link.
 
 use super::matrices::across;
-use super::{Contradiction, JointCoordinate, Places, RobotReader, Scalar, held, place};
+use super::{Approximate, Contradiction, JointCoordinate, Places, RobotReader, held, place};
 use crate::dense::{BodyId, DegreeOfFreedom, DenseBody, Matrix, Moved};
 use crate::description::Joint;
 use crate::expression::{Arithmetic, Double};
@@ -17,18 +17,18 @@ impl RobotReader<'_> {
         &self,
         joint: &Joint,
         motion: JointCoordinate<'_>,
-        (mut parent, mut placement): (Option<BodyId>, Matrix<Scalar>),
+        (mut parent, mut placement): (Option<BodyId>, Matrix<Approximate>),
         places: &Places<'_>,
         bodies: &mut List<BodyId, DenseBody>,
     ) -> Result<BodyId, Contradiction> {
         if !joint.kind.moves() {
-            let nothing = [[Scalar::literal(0.0); 3]; 2];
+            let nothing = [[Approximate::literal(0.0); 3]; 2];
             return Ok(bodies.push(held(parent, placement, nothing, Double::ZERO)));
         }
         let velocities = joint.kind.velocities(&joint.name.text);
         for (k, (own, degree_of_freedom)) in velocities.enumerate() {
             let screw = self.screw(joint, degree_of_freedom)?;
-            let one = (Scalar::exact(1.0), Scalar::exact(0.0));
+            let one = (Approximate::exact(1.0), Approximate::exact(0.0));
             let body = bodies.push(match motion {
                 JointCoordinate::Held(at) => held(parent, placement, screw, at),
                 JointCoordinate::Own => DenseBody {
@@ -56,7 +56,7 @@ impl RobotReader<'_> {
         &self,
         joint: &Joint,
         manifold: Manifold,
-        (parent, mut placement): (Option<BodyId>, Matrix<Scalar>),
+        (parent, mut placement): (Option<BodyId>, Matrix<Approximate>),
         places: &Places<'_>,
         bodies: &mut List<BodyId, DenseBody>,
     ) -> Result<BodyId, Contradiction> {
@@ -74,7 +74,7 @@ impl RobotReader<'_> {
             degrees_of_freedom.push(DegreeOfFreedom {
                 screw: self.screw(joint, degree_of_freedom)?,
                 velocity: place(places.velocities, &own)?,
-                factor: Scalar::exact(1.0),
+                factor: Approximate::exact(1.0),
                 actuator: self.actuator(joint, k),
             });
         }
@@ -87,7 +87,7 @@ impl RobotReader<'_> {
         });
         Ok(match rotation {
             Some(rotation) => {
-                let nothing = [[Scalar::literal(0.0); 3]; 2];
+                let nothing = [[Approximate::literal(0.0); 3]; 2];
                 bodies.push(held(Some(body), rotation.inverse(), nothing, Double::ZERO))
             }
             None => body,
@@ -98,14 +98,14 @@ impl RobotReader<'_> {
         &self,
         joint: &Joint,
         degree_of_freedom: joint::DegreeOfFreedom,
-    ) -> Result<[[Scalar; 3]; 2], Contradiction> {
-        let nothing = [Scalar::literal(0.0); 3];
+    ) -> Result<[[Approximate; 3]; 2], Contradiction> {
+        let nothing = [Approximate::literal(0.0); 3];
         let axis = match degree_of_freedom.along {
             Along::Axis => self.direction(joint, &joint.axis)?,
             Along::Second => self.direction(joint, &joint.second_axis)?,
             Along::Frame(k) => {
                 let mut axis = nothing;
-                axis[k] = Scalar::literal(1.0);
+                axis[k] = Approximate::literal(1.0);
                 axis
             }
         };
@@ -113,7 +113,7 @@ impl RobotReader<'_> {
             Movement::Rotation => [axis, nothing],
             Movement::Translation => [nothing, axis],
             Movement::Helix => {
-                let pitch = Scalar::written(joint.kind.pitch().unwrap_or_default().exact());
+                let pitch = Approximate::written(joint.kind.pitch().unwrap_or_default().exact());
                 [axis, axis.map(|entry| entry * pitch)]
             }
         })

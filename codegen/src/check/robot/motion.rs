@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use super::{JointCoordinate, RobotReader, Scalar};
+use super::{Approximate, JointCoordinate, RobotReader};
 use crate::description::{Joint, LinkId, Mimic, Number};
 use crate::expression::Double;
 use crate::list::List;
@@ -70,14 +70,14 @@ impl<'d> RobotReader<'d> {
                 JointCoordinate::Held(Double::ZERO)
             };
         }
-        let (mut factor, mut offset) = (Scalar::exact(1.0), Scalar::exact(0.0));
+        let (mut factor, mut offset) = (Approximate::exact(1.0), Approximate::exact(0.0));
         // The coordinate of a held joint, in 106 bits.
         let [mut value, mut along] = [0.0, 1.0].map(Double::from);
         let mut at = joint;
         while let Some((mimic, mimicked)) = self.mimicked(at) {
             let (times, plus) = (mimic.multiplier.exact(), mimic.offset.exact());
-            offset = offset + factor * Scalar::written(plus);
-            factor = factor * Scalar::written(times);
+            offset = offset + factor * Approximate::written(plus);
+            factor = factor * Approximate::written(times);
             value = value + along * plus;
             along = along * times;
             at = mimicked;

@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::matrices::{by_products, by_quaternion, of_length_1, placed};
-use super::{Contradiction, RobotReader, Scalar};
+use super::{Approximate, Contradiction, RobotReader};
 use crate::dense::Matrix;
 use crate::description::{Axis, Joint, Number, Step};
 use crate::expression::Arithmetic;
@@ -19,32 +19,32 @@ impl RobotReader<'_> {
     pub(super) fn field<const N: usize>(
         &self,
         is: impl Fn(&Target) -> bool,
-    ) -> Option<[Scalar; N]> {
+    ) -> Option<[Approximate; N]> {
         let mut parameters = self.request.parameters.iter();
         let field = parameters.position(|parameter| is(&parameter.target))?;
         Some(std::array::from_fn(|k| {
-            Scalar::exact(self.fields[FieldId::new(field)][k])
+            Approximate::exact(self.fields[FieldId::new(field)][k])
         }))
     }
 
     /// The pose of the base, if a field sets it.
-    pub(super) fn base(&self) -> Option<Matrix<Scalar>> {
+    pub(super) fn base(&self) -> Option<Matrix<Approximate>> {
         let position = self.field(|target| matches!(target, Target::BasePosition));
         let placement = self.field(|target| matches!(target, Target::BasePlacement));
         position.map(Matrix::translation).or(placement.map(placed))
     }
 
-    pub(super) fn gravity(&self) -> [Scalar; 3] {
+    pub(super) fn gravity(&self) -> [Approximate; 3] {
         let field = self.field(|target| matches!(target, Target::Gravity));
         let described = self
             .request
             .gravity
-            .map(|gravity| gravity.map(|entry| Scalar::written(entry.exact())));
-        let described = described.unwrap_or([0.0, 0.0, -9.81].map(Scalar::literal));
+            .map(|gravity| gravity.map(|entry| Approximate::written(entry.exact())));
+        let described = described.unwrap_or([0.0, 0.0, -9.81].map(Approximate::literal));
         field.unwrap_or(described)
     }
 
-    pub(super) fn origin(&self, joint: &Joint) -> Result<Matrix<Scalar>, Contradiction> {
+    pub(super) fn origin(&self, joint: &Joint) -> Result<Matrix<Approximate>, Contradiction> {
         let name = &joint.name.text;
         let mut placement = self.placement(name, &joint.origin)?;
         let field = self.field(|target| matches!(target, Target::OriginOf(of) if of.text == *name));
@@ -61,7 +61,7 @@ impl RobotReader<'_> {
         &self,
         joint: &Joint,
         axis: &[Number; 3],
-    ) -> Result<[Scalar; 3], Contradiction> {
+    ) -> Result<[Approximate; 3], Contradiction> {
         let axis = self.components(&joint.name.text, axis)?;
         Ok(of_length_1(axis))
     }
@@ -70,7 +70,7 @@ impl RobotReader<'_> {
         &self,
         item: &str,
         steps: &[Step],
-    ) -> Result<Matrix<Scalar>, Contradiction> {
+    ) -> Result<Matrix<Approximate>, Contradiction> {
         let mut placement = Matrix::identity();
         for step in steps {
             let step = match step {
@@ -85,9 +85,9 @@ impl RobotReader<'_> {
                         Some(quarters) => {
                             let [sine, cosine] = [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0]]
                                 [usize::try_from(quarters.rem_euclid(4)).unwrap_or(0)];
-                            (Scalar::literal(sine), Scalar::literal(cosine))
+                            (Approximate::literal(sine), Approximate::literal(cosine))
                         }
-                        None => Scalar::written(angle.exact()).sin_cos(),
+                        None => Approximate::written(angle.exact()).sin_cos(),
                     };
                     Matrix::rotation(axis, sine_and_cosine)
                 }
@@ -99,12 +99,16 @@ impl RobotReader<'_> {
     }
 
     /// The rotation by a quaternion. That it is one by right angles, as a report claims, is checked against its digits.
-    fn turned(&self, item: &str, entries: &[Number; 4]) -> Result<Matrix<Scalar>, Contradiction> {
+    fn turned(
+        &self,
+        item: &str,
+        entries: &[Number; 4],
+    ) -> Result<Matrix<Approximate>, Contradiction> {
         let written = entries.map(|entry| entry.value);
         let bits = written.map(f64::to_bits);
         let Some(&squares) = self.turned.get(&(item, bits)) else {
             let is_large = written.iter().any(|entry| entry.abs() >= 0.5);
-            let mut meant = entries.map(|entry| Scalar::written(entry.exact()));
+            let mut meant = entries.map(|entry| Approximate::written(entry.exact()));
             if is_large {
                 for (meant, entry) in meant.iter_mut().zip(entries) {
                     *meant = self.component(item, entry)?;
@@ -128,29 +132,29 @@ impl RobotReader<'_> {
         let product = |a: i64, b: i64| {
             #[expect(clippy::cast_precision_loss, reason = "at most 4")]
             let product = (a.signum() * b) as f64;
-            Scalar::exact(product)
+            Approximate::exact(product)
         };
-        Ok(by_products(squares, product, Scalar::exact(0.5)))
+        Ok(by_products(squares, product, Approximate::exact(0.5)))
     }
 
     pub(super) fn components(
         &self,
         item: &str,
         numbers: &[Number; 3],
-    ) -> Result<[Scalar; 3], Contradiction> {
+    ) -> Result<[Approximate; 3], Contradiction> {
         let [x, y, z] = numbers;
         let component = |number| self.component(item, number);
         Ok([component(x)?, component(y)?, component(z)?])
     }
 
     /// An entry of an offset or an axis.
-    fn component(&self, item: &str, number: &Number) -> Result<Scalar, Contradiction> {
+    fn component(&self, item: &str, number: &Number) -> Result<Approximate, Contradiction> {
         let zero =
             number.value != 0.0 && self.snapped.contains_key(&(item, number.value.to_bits()));
         if zero && self.quarters(item, number)? == Some(0) {
-            return Ok(Scalar::literal(0.0));
+            return Ok(Approximate::literal(0.0));
         }
-        Ok(Scalar::written(number.exact()))
+        Ok(Approximate::written(number.exact()))
     }
 
     /// The quarter turns that a number was taken for, if they are within its digits or its last bits.

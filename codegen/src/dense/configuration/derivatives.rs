@@ -5,7 +5,7 @@
 //! as sums and products of 4×4 matrices, whose changes are passed from link to link. Neither composite inertias nor
 //! closed formulas of derivatives are used.
 
-use super::{Configuration, Rates, Scalar};
+use super::{Approximate, Configuration, Rates};
 use crate::dense::{BodyId, Matrix};
 use crate::expression::Double;
 use crate::list::{List, Square};
@@ -20,10 +20,10 @@ enum StateVariable {
 
 /// The derivatives of a link's matrices.
 struct LinkDerivatives {
-    w: Matrix<Scalar>,
-    h: Matrix<Scalar>,
+    w: Matrix<Approximate>,
+    h: Matrix<Approximate>,
     /// The derivative of each L of its joint.
-    screws: Vec<Matrix<Scalar>>,
+    screws: Vec<Matrix<Approximate>>,
 }
 
 impl Configuration {
@@ -31,7 +31,7 @@ impl Configuration {
     pub(in crate::dense) fn torque_derivatives(
         &self,
         rates: &Rates,
-    ) -> [Square<VelocityId, Scalar>; 2] {
+    ) -> [Square<VelocityId, Approximate>; 2] {
         let [by_coordinate, mut by_rate] = [StateVariable::Coordinates, StateVariable::Rates]
             .map(|of| self.by_columns(|joint, screw| self.change(rates, joint, screw, of)));
         // Of the actuator's terms only viscous friction depends on q̇; the sign is constant between its steps.
@@ -47,7 +47,7 @@ impl Configuration {
     pub(in crate::dense) fn external_derivative(
         &self,
         actions: &[Double],
-    ) -> Square<VelocityId, Scalar> {
+    ) -> Square<VelocityId, Approximate> {
         let rotates = !self.robot.external.1;
         let actions: Vec<_> = self.external_wrenches(actions).collect();
         self.by_columns(|joint, along| {
@@ -58,7 +58,7 @@ impl Configuration {
                 let turned = turned.plus(&action.times(&along.transposed()));
                 for body in self.inwards(*link) {
                     for (velocity, screw) in &self.screws[body] {
-                        let mut change = Scalar::exact(0.0);
+                        let mut change = Approximate::exact(0.0);
                         if carried[body] {
                             change = change + super::along(&along.commutator(screw), action);
                         }
@@ -74,7 +74,10 @@ impl Configuration {
     }
 
     /// C of M q̈ + C q̇, from the part of H at q̈ = 0 that is linear in each q̇ₘ: Σ (L̇ₘ + Lₘ W) q̇ₘ.
-    pub(in crate::dense) fn coriolis_matrix(&self, rates: &Rates) -> Square<VelocityId, Scalar> {
+    pub(in crate::dense) fn coriolis_matrix(
+        &self,
+        rates: &Rates,
+    ) -> Square<VelocityId, Approximate> {
         let motions = self.motions(rates);
         self.by_columns(|joint, screw| {
             let (rate, carried) = (motions[joint].0.commutator(screw), self.carried(joint));
@@ -86,9 +89,9 @@ impl Configuration {
     /// with the body whose joint has it.
     fn by_columns(
         &self,
-        column: impl Fn(BodyId, &Matrix<Scalar>) -> List<VelocityId, Scalar>,
-    ) -> Square<VelocityId, Scalar> {
-        let mut matrix = Square::filled(Scalar::exact(0.0), self.robot.velocities);
+        column: impl Fn(BodyId, &Matrix<Approximate>) -> List<VelocityId, Approximate>,
+    ) -> Square<VelocityId, Approximate> {
+        let mut matrix = Square::filled(Approximate::exact(0.0), self.robot.velocities);
         for (joint, screws) in self.screws.numbered() {
             for (velocity, screw) in screws {
                 for (row, &own) in column(joint, screw).numbered() {
@@ -115,14 +118,14 @@ impl Configuration {
         &self,
         rates: &Rates,
         joint: BodyId,
-        along: &Matrix<Scalar>,
+        along: &Matrix<Approximate>,
         of: StateVariable,
-    ) -> List<VelocityId, Scalar> {
+    ) -> List<VelocityId, Approximate> {
         let carried = self.carried(joint);
         let motions = self.motions(rates);
         let minus_gravity = self.minus_gravity();
         let mut changes: List<BodyId, LinkDerivatives> = List::new();
-        let mut actions: List<BodyId, [Matrix<Scalar>; 2]> = List::new();
+        let mut actions: List<BodyId, [Matrix<Approximate>; 2]> = List::new();
         for (link, body) in self.robot.bodies.numbered() {
             let inertia = &self.inertias[link];
             let h = motions[link].1.plus(&minus_gravity);
@@ -157,7 +160,7 @@ impl Configuration {
             let squares = own_change.times(&own).plus(&own.times(&own_change));
             let mixed = w_change.times(&own).plus(&w.times(&own_change));
             let h_change = (h_change.plus(&second_change).plus(&squares))
-                .plus(&mixed.scaled(&Scalar::exact(2.0)));
+                .plus(&mixed.scaled(&Approximate::exact(2.0)));
             let mut flow = h_change.times(inertia);
             if of == StateVariable::Coordinates {
                 let turned = along.times(inertia);

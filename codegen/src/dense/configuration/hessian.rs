@@ -5,7 +5,7 @@
 //! over links of what each coordinate or velocity changes there. All matrices have their derivative along the direction
 //! beside them. Composite inertias, and closed formulas of derivatives, are not used.
 
-use super::{Configuration, Rates, Scalar, along};
+use super::{Approximate, Configuration, Rates, along};
 use crate::dense::{BodyId, Matrix};
 use crate::expression::Double;
 use crate::list::List;
@@ -15,26 +15,26 @@ use crate::space::VelocityId;
 #[derive(Clone, Copy)]
 pub(in crate::dense) enum Direction<'a> {
     /// Changes of the configuration, along each velocity.
-    Coordinates(&'a List<VelocityId, Scalar>),
+    Coordinates(&'a List<VelocityId, Approximate>),
     /// Changes of q̇.
-    Rates(&'a List<VelocityId, Scalar>),
+    Rates(&'a List<VelocityId, Approximate>),
 }
 
 /// The derivatives of the gradient along a direction.
 pub(in crate::dense) struct Gradient {
     /// Of its entries by q.
-    pub(in crate::dense) q: List<VelocityId, Scalar>,
+    pub(in crate::dense) q: List<VelocityId, Approximate>,
     /// Of those by q̇.
-    pub(in crate::dense) qd: List<VelocityId, Scalar>,
+    pub(in crate::dense) qd: List<VelocityId, Approximate>,
     /// Of those by q̈.
-    pub(in crate::dense) qdd: List<VelocityId, Scalar>,
+    pub(in crate::dense) qdd: List<VelocityId, Approximate>,
 }
 
 /// A matrix with its derivative along the direction.
 #[derive(Clone)]
 struct Dual {
-    value: Matrix<Scalar>,
-    change: Matrix<Scalar>,
+    value: Matrix<Approximate>,
+    change: Matrix<Approximate>,
 }
 
 /// The matrices of a link.
@@ -55,7 +55,7 @@ impl Configuration {
     pub(in crate::dense) fn torque_hessian(
         &self,
         rates: &Rates,
-        lambda: &List<VelocityId, Scalar>,
+        lambda: &List<VelocityId, Approximate>,
         actions: &[Double],
         direction: Direction<'_>,
     ) -> Gradient {
@@ -74,7 +74,7 @@ impl Configuration {
             for (velocity, screw) in &links[joint].screws {
                 let of_links = links.numbered().filter(|(link, _)| carried[*link]);
                 for (_, link) in of_links {
-                    let add = |sums: &mut List<VelocityId, Scalar>, term: Scalar| {
+                    let add = |sums: &mut List<VelocityId, Approximate>, term: Approximate| {
                         sums[*velocity] = sums[*velocity] + term;
                     };
                     add(
@@ -93,13 +93,13 @@ impl Configuration {
     fn links_along(
         &self,
         rates: &Rates,
-        lambda: &List<VelocityId, Scalar>,
+        lambda: &List<VelocityId, Approximate>,
         actions: &[Double],
         direction: Direction<'_>,
     ) -> List<BodyId, LinkMatrices> {
         let mut links: List<BodyId, LinkMatrices> = List::new();
         // Σ L times the direction of the joints that carry a link.
-        let mut turned: List<BodyId, Matrix<Scalar>> = List::new();
+        let mut turned: List<BodyId, Matrix<Approximate>> = List::new();
         for (k, body) in self.robot.bodies.numbered() {
             let mut moved = body
                 .parent
@@ -126,7 +126,7 @@ impl Configuration {
                 )
             });
             let screws: Vec<(VelocityId, Dual)> = screws.collect();
-            let sum = |of: &List<VelocityId, Scalar>| {
+            let sum = |of: &List<VelocityId, Approximate>| {
                 let terms = screws.iter().map(|(k, screw)| screw.scaled(&of[*k]));
                 terms.fold(Dual::zero(), |sum, term| sum.plus(&term))
             };
@@ -138,7 +138,7 @@ impl Configuration {
             own.change = own.change.plus(&faster);
             let second = sum(&rates.second).plus(&own.times(&own));
             let mixed = outer.w.times(&own);
-            let turned_by = |value: &Matrix<Scalar>| {
+            let turned_by = |value: &Matrix<Approximate>| {
                 let half = moved.times(value);
                 half.plus(&value.times(&moved.transposed()))
             };
@@ -172,7 +172,7 @@ impl Configuration {
 
 impl LinkMatrices {
     /// The base, which accelerates against gravity.
-    fn base(minus_gravity: &Matrix<Scalar>) -> Self {
+    fn base(minus_gravity: &Matrix<Approximate>) -> Self {
         let h = Dual {
             value: minus_gravity.clone(),
             change: Matrix::zero(),
@@ -205,13 +205,13 @@ impl LinkMatrices {
     }
 
     /// The derivative along the direction of Tr(Λᵗ A).
-    fn power(&self, of: &Dual) -> Scalar {
+    fn power(&self, of: &Dual) -> Approximate {
         trace(&self.lambda, of)
     }
 
     /// That of what a displacement along a screw changes in Tr(Λᵗ H J) and in the power of the external wrench.
     /// `outer` is the parent link of the joint.
-    fn by_coordinate(&self, outer: &Self, screw: &Dual, in_frame_0: bool) -> Scalar {
+    fn by_coordinate(&self, outer: &Self, screw: &Dual, in_frame_0: bool) -> Approximate {
         // What the joint carries moves as a whole: Λ − Λₚ, W − Wₚ and H − Hₚ − 2 Wₚ (W − Wₚ).
         let lambda = screw.commutator(&self.lambda.minus(&outer.lambda));
         let own = self.w.minus(&outer.w);
@@ -233,7 +233,7 @@ impl LinkMatrices {
     }
 
     /// The same for a velocity. `own` is the link of the joint.
-    fn by_rate(&self, outer: &Self, own: &Self, screw: &Dual) -> Scalar {
+    fn by_rate(&self, outer: &Self, own: &Self, screw: &Dual) -> Approximate {
         // H = Hₚ + (Σ L q̇)² + 2 Wₚ Σ L q̇ at the joint's link, and 2 W of that link times the rest beyond.
         let rate = own.w.minus(&outer.w);
         let squares = screw.times(&rate).plus(&rate.times(screw));
@@ -287,7 +287,7 @@ impl Dual {
         }
     }
 
-    fn scaled(&self, factor: &Scalar) -> Self {
+    fn scaled(&self, factor: &Approximate) -> Self {
         Self {
             value: self.value.scaled(factor),
             change: self.change.scaled(factor),
@@ -296,11 +296,11 @@ impl Dual {
 }
 
 /// The derivative of Tr(Aᵗ B).
-fn trace(a: &Dual, b: &Dual) -> Scalar {
+fn trace(a: &Dual, b: &Dual) -> Approximate {
     a.change.dot(&b.value) + a.value.dot(&b.change)
 }
 
 /// The derivative of Λ ⊗ Φ.
-fn power(lambda: &Dual, action: &Dual) -> Scalar {
+fn power(lambda: &Dual, action: &Dual) -> Approximate {
     along(&lambda.change, &action.value) + along(&lambda.value, &action.change)
 }

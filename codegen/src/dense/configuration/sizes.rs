@@ -4,7 +4,7 @@
 //! components the entry is made of. Lengths do not grow with the number of rotations of a frame, as sums of magnitudes
 //! would, so that they stay in proportion to rounding errors.
 
-use super::{Configuration, MOMENTS, Rates, Scalar};
+use super::{Approximate, Configuration, MOMENTS, Rates};
 use crate::dense::{BodyId, Columns, Matrix};
 use crate::list::{Id, List};
 use crate::space::{ParameterId, VelocityId};
@@ -17,8 +17,8 @@ struct Lengths {
 }
 
 impl Lengths {
-    fn of(screw: &Matrix<Scalar>) -> Self {
-        let [x, y, z, a, b, c] = screw.vectors().map(Scalar::to_f64);
+    fn of(screw: &Matrix<Approximate>) -> Self {
+        let [x, y, z, a, b, c] = screw.vectors().map(Approximate::to_f64);
         let length = |x: f64, y: f64, z: f64| (x * x + y * y + z * z).sqrt();
         Self {
             angular: length(x, y, z),
@@ -63,7 +63,7 @@ impl Configuration {
                 columns.extend((0..MOMENTS).map(|_| List::new()));
                 continue;
             }
-            let [x, y, z] = self.poses[link].column().map(Scalar::to_f64);
+            let [x, y, z] = self.poses[link].column().map(Approximate::to_f64);
             let distance = (x * x + y * y + z * z).sqrt();
             let h = accelerations[link].at(distance);
             // For m, for each entry of q and for each entry of J.
@@ -91,7 +91,7 @@ impl Configuration {
 
     /// Lengths of the terms of H − H_g, for each body.
     fn acceleration_lengths(&self, rates: &Rates) -> List<BodyId, Lengths> {
-        let gravity = self.gravity().map(Scalar::to_f64);
+        let gravity = self.gravity().map(Approximate::to_f64);
         let gravity = gravity
             .iter()
             .map(|entry| entry * entry)
@@ -107,7 +107,7 @@ impl Configuration {
                 },
             ];
             let [w, h] = body.parent.map_or(rest, |parent| motions[parent]);
-            let sum = |of: &List<VelocityId, Scalar>| {
+            let sum = |of: &List<VelocityId, Approximate>| {
                 let terms = screws.iter();
                 let terms = terms.map(|(k, screw)| Lengths::of(screw).times(of[*k].size()));
                 terms.fold(Lengths::default(), Lengths::plus)

@@ -23,7 +23,7 @@ pub(super) enum Role {
 }
 
 /// A frame.
-pub(super) struct Frame<'a> {
+pub(super) struct SdfFrame<'a> {
     pub(super) role: Role,
     /// The name with those of the models around it.
     pub(super) name: Name,
@@ -47,7 +47,7 @@ pub(super) const WORLD_FRAME: FrameIndex = FrameIndex(0);
 /// All frames; the first is the world.
 #[derive(Default)]
 pub(super) struct Frames<'a> {
-    pub(super) all: Vec<Frame<'a>>,
+    pub(super) all: Vec<SdfFrame<'a>>,
     /// The names of the frames that the poses of models place, by the models' own frames.
     pub(super) placements: HashMap<FrameIndex, Name>,
     /// The number of the link that each frame is attached to.
@@ -57,16 +57,16 @@ pub(super) struct Frames<'a> {
 }
 
 impl<'a> Frames<'a> {
-    pub(super) fn push(&mut self, frame: Frame<'a>) -> FrameIndex {
+    pub(super) fn push(&mut self, frame: SdfFrame<'a>) -> FrameIndex {
         self.all.push(frame);
         FrameIndex(self.all.len() - 1)
     }
 
-    pub(super) fn get(&self, frame: FrameIndex) -> &Frame<'a> {
+    pub(super) fn get(&self, frame: FrameIndex) -> &SdfFrame<'a> {
         &self.all[frame.0]
     }
 
-    pub(super) fn get_mut(&mut self, frame: FrameIndex) -> &mut Frame<'a> {
+    pub(super) fn get_mut(&mut self, frame: FrameIndex) -> &mut SdfFrame<'a> {
         &mut self.all[frame.0]
     }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::element::Element;
-use super::frames::{Frame, Role, name_of_model};
+use super::frames::{Role, SdfFrame, name_of_model};
 use super::index::{FrameIndex, ScopeIndex};
 use super::reading::{PendingJoint, Sdf};
 use super::scope::{BETWEEN, Scope, WORLD};
@@ -84,7 +84,7 @@ impl<'a> Sdf<'a> {
             return None;
         };
         let name = self.model_name(declared)?;
-        let world = Frame {
+        let world = SdfFrame {
             role: Role::World,
             name: Name::from(WORLD),
             scope: ScopeIndex(0),
@@ -213,7 +213,7 @@ impl<'a> Sdf<'a> {
             return;
         }
         let around = self.scopes[outer.0].model;
-        let frame = self.frames.push(Frame {
+        let frame = self.frames.push(SdfFrame {
             role: Role::Model,
             name: name_of_model(name),
             scope: outer,
@@ -323,7 +323,7 @@ impl<'a> Sdf<'a> {
             Role::Link(_) | Role::Named => self.link_names.take(&full),
             Role::World | Role::Model => {}
         }
-        let frame = self.frames.push(Frame {
+        let frame = self.frames.push(SdfFrame {
             role,
             name: Name {
                 text: full,

@@ -1,7 +1,7 @@
 //! `<pose>`: reads placements, and places each frame in the one that its pose names.
 
 use super::element::Element;
-use super::frames::{Frame, Role, WORLD_FRAME};
+use super::frames::{Role, SdfFrame, WORLD_FRAME};
 use super::index::{FrameIndex, ScopeIndex};
 use super::reading::Sdf;
 use crate::description::spatial::{inverse, to_number};
@@ -38,7 +38,7 @@ impl<'a> Sdf<'a> {
 
     /// Finds the frame that a named frame is attached to.
     fn attach(&mut self, frame: FrameIndex) {
-        let Frame {
+        let SdfFrame {
             role,
             scope,
             element,
@@ -74,7 +74,7 @@ impl<'a> Sdf<'a> {
 
     /// Reads the pose of a frame.
     fn place_frame(&mut self, frame: FrameIndex) {
-        let Frame { scope, element, .. } = *self.frames.get(frame);
+        let SdfFrame { scope, element, .. } = *self.frames.get(frame);
         let Some(pose) = element.and_then(|element| element.first("pose")) else {
             return;
         };

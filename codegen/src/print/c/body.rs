@@ -21,7 +21,8 @@ use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
 use crate::schedule::{
-    Angle, Length, Loop, LoopTable, Names, Operation, Program, Readable, Routine, Stored, Value,
+    Angle, Length, LoopTable, Names, Operation, Program, Readable, Routine, RoutineLoop, Stored,
+    Value,
 };
 use crate::space::Variable;
 
@@ -416,7 +417,7 @@ impl Language for CWriter<'_> {
         self.line(&format!("{place} = {value};"));
     }
 
-    fn begin_loop(&mut self, each: &Loop) {
+    fn begin_loop(&mut self, each: &RoutineLoop) {
         let (number, column, count) = (self.number(), &each.column, each.count);
         if !each.rows.is_empty() {
             let rows = each.rows.iter().map(|row| {
@@ -445,7 +446,7 @@ impl Language for CWriter<'_> {
         }
     }
 
-    fn end_loop(&mut self, each: &Loop) {
+    fn end_loop(&mut self, each: &RoutineLoop) {
         for (name, row) in &each.stores {
             let cell = self.cell(row, &each.column);
             self.line(&format!("{cell} = {name};"));

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use super::lanes::Lanes;
 use crate::formulation::Sines;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Cells, Loop, LoopTable, Operation, Value};
+use crate::schedule::{Angle, Cells, LoopTable, Operation, RoutineLoop, Value};
 
 /// Name within a function, in quotes if LLVM needs them.
 pub(super) fn local(name: &str) -> String {
@@ -258,8 +258,8 @@ impl Language for LlvmWriter {
     }
 
     /// Rows are separate arrays. The loop index is on the stack, where LLVM promotes it to a register.
-    fn begin_loop(&mut self, each: &Loop) {
-        let Loop {
+    fn begin_loop(&mut self, each: &RoutineLoop) {
+        let RoutineLoop {
             table,
             rows,
             column,
@@ -295,7 +295,7 @@ impl Language for LlvmWriter {
         }
     }
 
-    fn end_loop(&mut self, each: &Loop) {
+    fn end_loop(&mut self, each: &RoutineLoop) {
         let column = &each.column;
         for (name, row) in &each.stores {
             let address = self.row(row, column);

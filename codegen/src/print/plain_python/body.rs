@@ -7,7 +7,7 @@ use std::fmt::Write;
 use super::names::{LIBRARY, SIGN};
 use crate::print::review::filled;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Cells, Loop, LoopTable, Operation, Value};
+use crate::schedule::{Angle, Cells, LoopTable, Operation, RoutineLoop, Value};
 
 /// Indentation of a level.
 const LEVEL: &str = "    ";
@@ -105,7 +105,7 @@ impl Language for PythonWriter {
         unreachable!("results of Python are returned at the end");
     }
 
-    fn begin_loop(&mut self, each: &Loop) {
+    fn begin_loop(&mut self, each: &RoutineLoop) {
         let (column, count) = (&each.column, each.count);
         if !each.rows.is_empty() {
             let rows = each.rows.iter().map(|row| {
@@ -128,7 +128,7 @@ impl Language for PythonWriter {
         }
     }
 
-    fn end_loop(&mut self, each: &Loop) {
+    fn end_loop(&mut self, each: &RoutineLoop) {
         for (name, row) in &each.stores {
             self.bind(&cell(row, &each.column), name);
         }

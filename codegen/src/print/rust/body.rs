@@ -22,8 +22,8 @@ use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Loop, Meaning, Names, Operation, Program, Readable,
-    Routine, Statement, Stored, Value,
+    Angle, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable, Routine,
+    RoutineLoop, Statement, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
 
@@ -368,7 +368,7 @@ impl Language for RustWriter<'_> {
         self.text.extend(filling.store(result, &self.read(value)));
     }
 
-    fn begin_loop(&mut self, each: &Loop) {
+    fn begin_loop(&mut self, each: &RoutineLoop) {
         let rows = each.rows.iter().map(|row| {
             let row = row.iter().map(|value| self.read(value));
             quote! { [#(#row),*] }
@@ -393,7 +393,7 @@ impl Language for RustWriter<'_> {
         self.text.extend(takes);
     }
 
-    fn end_loop(&mut self, each: &Loop) {
+    fn end_loop(&mut self, each: &RoutineLoop) {
         let column = ident(&each.column);
         let count = Literal::usize_unsuffixed(each.count);
         let leaves = each.stores.iter().map(|(name, row)| {

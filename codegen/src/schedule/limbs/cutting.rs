@@ -6,8 +6,8 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::body::{Iteration, LoopOperand, Row};
 use super::groups::Groups;
+use super::iteration::{Iteration, IterationRow, LoopOperand};
 use super::loops::Loops;
 use crate::schedule::sections::Shared;
 use crate::schedule::{Operand, Program};
@@ -73,17 +73,17 @@ impl<'p> Cutting<'p> {
 
     /// Length of the first part of these groups, the first of which has the index `start` in its loop.
     fn end(&self, members: &[usize], start: usize, longest: usize) -> usize {
-        let mut body = Iteration::new(self.groups);
+        let mut iteration = Iteration::new(self.groups);
         let mut loads = HashSet::new();
         // Number of values by last reader, and of those that are still read.
         let (mut ending, mut alive) = (HashMap::new(), 0);
         // Each allowed length with the number of values that are still read.
         let mut allowed = Vec::new();
         for (length, &group) in (1..).zip(members) {
-            let known = body.rows.len();
-            body.push(self.program, group);
-            loads.extend(body.rows[known..].iter().flat_map(loaded));
-            if body.rows.len() > longest || loads.len() > MOST_ROWS {
+            let known = iteration.rows.len();
+            iteration.push(self.program, group);
+            loads.extend(iteration.rows[known..].iter().flat_map(loaded));
+            if iteration.rows.len() > longest || loads.len() > MOST_ROWS {
                 break;
             }
             let at = start + length - 1;
@@ -107,7 +107,7 @@ impl<'p> Cutting<'p> {
 
 /// The values from outside that an operation reads and that differ between lanes, one for each lane; of a literal its
 /// bits.
-fn loaded(row: &Row) -> Vec<Vec<Result<Shared, u64>>> {
+fn loaded(row: &IterationRow) -> Vec<Vec<Result<Shared, u64>>> {
     let lanes = row.iter().map(|(_, operation)| operation.operands());
     let lanes: Vec<Vec<LoopOperand>> = lanes.collect();
     let columns = (0..lanes[0].len()).filter_map(|k| {

@@ -5,9 +5,9 @@
 
 use std::ops::Range;
 
-use super::body::{Iteration, LoopOperand};
 use super::cutting::Cutting;
 use super::groups::Groups;
+use super::iteration::{Iteration, LoopOperand};
 use super::loops::{Loops, Unit};
 use crate::schedule::repeats::{Over, Repeat};
 use crate::schedule::{Operand, Program, Step, number};

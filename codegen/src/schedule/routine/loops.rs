@@ -15,7 +15,7 @@ use crate::schedule::sections::Section;
 
 /// Loop over the columns of a table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Loop {
+pub struct RoutineLoop {
     /// Number of iterations.
     pub count: usize,
     /// Name of the table that iterations read; none is needed if it has no rows.
@@ -70,7 +70,7 @@ impl Cells {
 
 impl Naming<'_> {
     /// Loop of a repeat, in a section or in none.
-    pub(super) fn loop_of(&mut self, repeat: &Repeat, section: Option<&Section>) -> Loop {
+    pub(super) fn loop_of(&mut self, repeat: &Repeat, section: Option<&Section>) -> RoutineLoop {
         self.loops += 1;
         let [table, found, column] = [Meaning::Table, Meaning::Found, Meaning::LoopIndex]
             .map(|of_loop| self.named(of_loop(self.loops)));
@@ -116,7 +116,7 @@ impl Naming<'_> {
             before,
         };
         let found = before.filter(|_| section.is_none()).map(of_stores);
-        Loop {
+        RoutineLoop {
             count,
             table,
             rows,

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use super::{Cells, Loop, LoopTable};
+use super::{Cells, LoopTable, RoutineLoop};
 use crate::expression::{Arithmetic, Input};
 use crate::schedule::limbs::tests::{COMMON, limbs, program as of_limbs};
 use crate::schedule::repeats::tests::{HEAD, LENGTH, program as of_columns};
@@ -69,7 +69,7 @@ impl Written {
         }
     }
 
-    fn repeat(&mut self, each: &Loop) {
+    fn repeat(&mut self, each: &RoutineLoop) {
         self.loops += 1;
         let row = |row: &Vec<Value>| row.iter().map(|of| self.read(of)).collect();
         let table: Vec<Vec<f64>> = each.rows.iter().map(row).collect();

@@ -19,7 +19,7 @@ pub enum LoopOperand {
 }
 
 /// For each lane: the step that a row computes, if it is one, and its operation.
-pub type Row = Vec<(Option<u32>, Operation<LoopOperand>)>;
+pub type IterationRow = Vec<(Option<u32>, Operation<LoopOperand>)>;
 
 /// Iteration of a loop.
 pub struct Iteration<'g> {
@@ -29,7 +29,7 @@ pub struct Iteration<'g> {
     /// Row of the values of all lanes with these signs; true is minus.
     signed: HashMap<Vec<(Shared, bool)>, usize>,
     /// Rows, operands before their readers.
-    pub rows: Vec<Row>,
+    pub rows: Vec<IterationRow>,
 }
 
 impl<'g> Iteration<'g> {
@@ -45,11 +45,11 @@ impl<'g> Iteration<'g> {
 
     /// Iteration that computes some groups, operands before their readers.
     pub fn of(program: &Program, groups: &'g Groups, members: &[usize]) -> Self {
-        let mut body = Self::new(groups);
+        let mut iteration = Self::new(groups);
         for &group in members {
-            body.push(program, group);
+            iteration.push(program, group);
         }
-        body
+        iteration
     }
 
     /// Adds a group whose operands are there.
@@ -143,7 +143,7 @@ impl<'g> Iteration<'g> {
                 Operation::Mul(LoopOperand::Outside(sign), self.read(value)),
             )
         });
-        let row: Row = product.collect();
+        let row: IterationRow = product.collect();
         let key = shared.into_iter().zip(minus).collect();
         let row = *self.signed.entry(key).or_insert_with(|| {
             self.rows.push(row);

@@ -1,6 +1,6 @@
 //! C: functions in C99, and headers for functions in another language.
 //!
-//! In: a [`Module`] and a prefix for names. Out: a [`SourceFile`], a source for each function, or the header alone; on
+//! In: a [`Module`] and a prefix for names. Out: a [`CSource`], a source for each function, or the header alone; on
 //! request with `CasADi`'s external interface.
 
 mod acados;

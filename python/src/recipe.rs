@@ -23,7 +23,7 @@ use homogen_codegen::name::Name;
 use homogen_codegen::print::arrays::{self, Order, Signature};
 use homogen_codegen::print::c::own;
 use homogen_codegen::print::described;
-use homogen_codegen::print::llvm::{self, States, Steps, Writing};
+use homogen_codegen::print::llvm::{self, LlvmOptions, States, Steps};
 use homogen_codegen::print::plain_python;
 use homogen_codegen::real::Real;
 use homogen_codegen::request::Request;
@@ -312,7 +312,7 @@ impl Recipe {
             let asked = "Made in the process.";
             Ok(plain_python::print(
                 &module,
-                &plain_python::Writing { asked, order },
+                &plain_python::PythonOptions { asked, order },
             ))
         })
     }
@@ -402,7 +402,7 @@ impl Recipe {
             0 => (States::InThreads, "kernel"),
             lanes => (States::InLanes(lanes), "arrays"),
         };
-        let writing = Writing {
+        let options = LlvmOptions {
             prefix: PREFIX,
             asked: None,
             steps,
@@ -417,7 +417,7 @@ impl Recipe {
             }
             None => TURN * module.spaces.len(Space::Coordinates),
         };
-        Ok((entry, llvm::print(&module, &writing), operations))
+        Ok((entry, llvm::print(&module, &options), operations))
     }
 
     /// The robot with one function, whose results are in the order of Rust.

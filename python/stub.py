@@ -41,6 +41,8 @@ class Robot:
     velocity_names: tuple[str, ...]
     constraint_names: tuple[str, ...]
     parameter_names: tuple[str, ...]
+    sphere_names: tuple[str, ...]
+    pair_names: tuple[str, ...]
     frames: tuple[str, ...]
     warnings: tuple[str, ...]
     lower: NDArray[np.float64]
@@ -48,6 +50,7 @@ class Robot:
     max_velocity: NDArray[np.float64]
     max_effort: NDArray[np.float64]
     masses: NDArray[np.float64]
+    radii: NDArray[np.float64]
     # Functions by name, of the types of other libraries.
     @property
     def plain(self) -> Any: ...

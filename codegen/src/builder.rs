@@ -240,6 +240,19 @@ impl Builder {
         self.with(|asked| asked.frames.extend(links.into_iter().map(named)))
     }
 
+    /// Models the collision spheres of the description: their centres, and the distances of those on links that no joint
+    /// joins.
+    pub fn collision(self) -> Self {
+        self.with(|asked| asked.collision = true)
+    }
+
+    /// The same, with the distances of spheres on two links; further calls add further pairs of links.
+    pub fn collision_between(self, first: impl Into<String>, second: impl Into<String>) -> Self {
+        let pair = [named(first), named(second)];
+        self.collision()
+            .with(|asked| asked.collision_pairs.push(pair))
+    }
+
     /// The acceleration of gravity in the base frame, in m/s²; (0, 0, −9.81) by default.
     pub fn gravity(self, gravity: [f64; 3]) -> Self {
         self.with(|asked| asked.gravity = Some(gravity.map(Number::from)))

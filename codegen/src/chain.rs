@@ -10,6 +10,7 @@ pub(crate) mod axis_rotation;
 pub mod base_parameters;
 mod check;
 mod closure;
+mod collision;
 mod external;
 mod limbs;
 mod limits;
@@ -35,7 +36,7 @@ use crate::joint::{ActuatorTerms, Manifold, Motion};
 use crate::list::{Id, List, id};
 use crate::matrix::{Inertia, Pose, Vector};
 use crate::request::{Parameter, Request};
-use crate::space::{CoordinateId, Entry, FieldId, FrameId, Kind, Spaces, VelocityId};
+use crate::space::{CoordinateId, Entry, FieldId, FrameId, Kind, Spaces, SphereId, VelocityId};
 
 id! {
     /// The number of a body of a [`Chain`] and of the joint that moves it: an index of every list with an entry for
@@ -66,6 +67,10 @@ pub struct Chain {
     pub frames: List<FrameId, Frame>,
     /// The links with an external wrench.
     pub external: Vec<Frame>,
+    /// The collision spheres, if they are requested.
+    pub spheres: List<SphereId, Sphere>,
+    /// The pairs of spheres that have distances.
+    pub pairs: Vec<[SphereId; 2]>,
     /// True if the first of `frames` is the tip.
     pub has_tip: bool,
     /// Acceleration of gravity in frame 0 [m/s²].
@@ -139,6 +144,15 @@ pub struct Frame {
     pub body: Option<BodyId>,
     /// M of this frame in the body's frame.
     pub placement: Pose<Expr>,
+}
+
+/// A collision sphere.
+#[derive(Clone, Debug)]
+pub struct Sphere {
+    /// The frame at its centre, with the name of its link.
+    pub frame: Frame,
+    /// The radius \[m\].
+    pub radius: Expr,
 }
 
 /// A joint that closes a loop.

@@ -263,6 +263,8 @@ impl Check {
                     Space::Constraints => "residual",
                     Space::Wrench | Space::Actions => "action",
                     Space::Frames => "frame",
+                    Space::Spheres => "sphere",
+                    Space::Pairs => "pair",
                 };
                 format!(" ({what} {})", quoted(&entry.name))
             }

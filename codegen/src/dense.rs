@@ -5,6 +5,7 @@
 //! with the matrices that are expanded.
 
 mod approximate;
+mod collision;
 mod configuration;
 mod constrained;
 mod matrix;

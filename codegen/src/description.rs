@@ -47,8 +47,8 @@ pub use self::format::FileFormat;
 pub use self::given::Given;
 pub use self::item::Item;
 pub use self::robot::{
-    Axis, Configuration, Description, Inertial, Joint, JointId, Limits, Link, LinkId, Loop, Mimic,
-    Source, Step,
+    Axis, Collision, Configuration, Description, Inertial, Joint, JointId, Limits, Link, LinkId,
+    Loop, Mimic, Source, Sphere, Step,
 };
 pub(crate) use self::settings::HOW_TO_ASK;
 pub use self::unmodelled::{Modelled, Unmodelled};

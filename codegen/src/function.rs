@@ -3,7 +3,8 @@
 //! The file of each function defines its name, arguments, result, expressions and reference as a `Definition`; `table`
 //! has the methods by which all stages ask for them.
 
-/// Calls a macro with every function: variant, file and doc comment; those of robots with loops are in braces.
+/// Calls a macro with every function: variant, file and doc comment; those of robots with loops are in braces, and after
+/// them those of collision spheres.
 macro_rules! every_function {
     ($then:ident) => {
         $then! {
@@ -57,6 +58,11 @@ macro_rules! every_function {
                 ConstrainedForwardDynamics: constrained_forward_dynamics, "Joint accelerations under the constraints of the loops, and constraint forces.";
                 ActuatedInverseDynamics: actuated_inverse_dynamics, "Torques and forces of the actuated joints of a robot with loops that produce q̈.";
             }
+            {
+                SphereCenters: sphere_centers, "The centres of the collision spheres \\[m\\], in frame 0.";
+                Distances: distances, "The distances between collision spheres \\[m\\], negative where they overlap.";
+                DistanceJacobian: distance_jacobian, "The derivatives of these distances by q.";
+            }
         }
     };
 }
@@ -82,6 +88,8 @@ mod coriolis_matrix;
 mod definition;
 #[cfg(feature = "files")]
 mod derivatives;
+mod distance_jacobian;
+mod distances;
 mod forward_dynamics;
 mod forward_dynamics_derivatives;
 mod forward_dynamics_hessian;
@@ -112,6 +120,7 @@ mod quantities;
 mod regressor;
 mod spatial_jacobian;
 mod spatial_jacobian_rate;
+mod sphere_centers;
 mod table;
 mod tally;
 mod velocity;
@@ -125,6 +134,7 @@ macro_rules! functions {
     (
         $($variant:ident: $module:ident, $about:literal;)*
         { $($of_loops:ident: $_module:ident, $of_loops_about:literal;)* }
+        { $($of_spheres:ident: $_of_spheres_module:ident, $of_spheres_about:literal;)* }
     ) => {
         /// A function of the state of a robot.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -132,6 +142,7 @@ macro_rules! functions {
         pub enum Function {
             $(#[doc = $about] $variant,)*
             $(#[doc = $of_loops_about] $of_loops,)*
+            $(#[doc = $of_spheres_about] $of_spheres,)*
         }
 
         impl Function {
@@ -140,6 +151,9 @@ macro_rules! functions {
 
             /// Additional functions of robots with loops.
             pub const OF_LOOPS: [Self; [$($of_loops_about),*].len()] = [$(Self::$of_loops),*];
+
+            /// Additional functions of robots with collision spheres.
+            pub const OF_SPHERES: [Self; [$($of_spheres_about),*].len()] = [$(Self::$of_spheres),*];
         }
     };
 }

@@ -30,6 +30,7 @@ pub(crate) mod moving;
 mod newton_euler;
 pub(crate) mod pose;
 pub(crate) mod regressor;
+pub mod spheres;
 mod state;
 pub(crate) mod twist;
 mod velocities;
@@ -109,9 +110,10 @@ impl<'s, 'g> Scene<'s, 'g> {
         carry::path(self.bodies, frame, &self.state, self.algorithm)
     }
 
-    /// The requested frames, which come before two of each loop.
+    /// The requested frames, which come before those of loops and spheres.
     pub(crate) fn frames(&self) -> impl Iterator<Item = FrameId> + use<> {
-        list::ids(self.bodies.frames.len() - 2 * self.bodies.loops.len())
+        let others = 2 * self.bodies.loops.len() + self.bodies.spheres.len();
+        list::ids(self.bodies.frames.len() - others)
     }
 
     /// The path to the frame, in the frame of the recursions.

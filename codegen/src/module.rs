@@ -33,6 +33,8 @@ pub struct Module {
     pub data: ChainData,
     /// Largest torque or force of each velocity \[N m, N\]; infinite where the description has none.
     pub efforts: Vec<f64>,
+    /// The radius of each collision sphere \[m\].
+    pub radii: Vec<f64>,
     /// Configurations with names, in the order of the description.
     pub configurations: Vec<NamedConfiguration>,
     /// Values of the base parameters by the description \[kg, kg m, kg m²\].

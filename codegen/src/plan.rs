@@ -164,7 +164,7 @@ pub fn plan<'c>(
     let (mut mul, mut add) = (0, 0);
     for &function in &functions {
         let (joints, path) = (chain.joints.len(), chain.joints_to(frame));
-        let (more_mul, more_add) = function.dense(joints, path, chain.frames.len());
+        let (more_mul, more_add) = function.dense(joints, path, chain.spaces());
         mul += more_mul;
         add += more_add;
     }

@@ -51,6 +51,10 @@ pub struct Request {
     pub actuated: Vec<Name>,
     /// Further links with functions of their frame.
     pub frames: Vec<Name>,
+    /// Model the collision spheres of the description.
+    pub collision: bool,
+    /// Pairs of links whose spheres have distances; every pair that a joint does not join, if none is named.
+    pub collision_pairs: Vec<[Name; 2]>,
     /// Links with an external wrench each.
     pub external: Vec<Name>,
     /// True if these wrenches are in frame 0, and not in the links' frames.
@@ -110,7 +114,10 @@ impl Request {
                 |function: &Function| !self.actuated.is_empty() || !function.wants_actuators();
             let of_loops = Function::OF_LOOPS.into_iter().filter(|_| has_loops);
             let of_loops = of_loops.filter(has);
+            let of_spheres = Function::OF_SPHERES.into_iter();
+            let of_spheres = of_spheres.filter(|_| self.collision);
             let all = Function::ALL.into_iter().chain(of_loops);
+            let all = all.chain(of_spheres);
             all.map(|function| vec![function]).collect()
         } else {
             self.functions.clone()

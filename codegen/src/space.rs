@@ -33,6 +33,10 @@ pub enum Space {
     Constraints,
     /// Requested frames, the end effector's first if there is one.
     Frames,
+    /// Collision spheres.
+    Spheres,
+    /// Pairs of collision spheres that joints move relative to each other.
+    Pairs,
 }
 
 id! {
@@ -58,6 +62,11 @@ id! {
 id! {
     /// Index of a requested frame, the end effector's first if there is one, in lists that begin with these frames.
     FrameId
+}
+
+id! {
+    /// Index of an entry of [`Space::Spheres`].
+    SphereId
 }
 
 impl FrameId {
@@ -93,7 +102,7 @@ pub enum Kind {
     Quaternion,
     /// Moment of mass of this order: 0 is a mass, 1 a first moment, 2 a second moment.
     Moment(u8),
-    /// A frame; what belongs to it has a unit of its own.
+    /// A frame, a sphere, or a pair of spheres; what belongs to it has a unit of its own.
     Frame,
     /// Parameter of an actuator: armature (order 2), damping (order 1) or friction (order 0).
     Actuator {
@@ -134,6 +143,10 @@ pub struct Spaces {
     pub actions: Vec<Entry>,
     /// Requested frames.
     pub frames: List<FrameId, Entry>,
+    /// Collision spheres.
+    pub spheres: List<SphereId, Entry>,
+    /// Pairs of collision spheres.
+    pub pairs: Vec<Entry>,
     /// Sets of equal limbs.
     pub limbs: Vec<Limbs>,
 }
@@ -170,7 +183,9 @@ impl Limbs {
             | Space::Parameters
             | Space::BaseParameters
             | Space::Constraints
-            | Space::Frames => Vec::new(),
+            | Space::Frames
+            | Space::Spheres
+            | Space::Pairs => Vec::new(),
         }
     }
 }
@@ -193,6 +208,8 @@ impl Spaces {
             Space::Wrench => &self.wrench,
             Space::Actions => &self.actions,
             Space::Frames => &self.frames,
+            Space::Spheres => &self.spheres,
+            Space::Pairs => &self.pairs,
         }
     }
 

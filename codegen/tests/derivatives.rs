@@ -313,6 +313,25 @@ fn assert_rates(name: &str, chain: &Chain) {
 }
 
 #[test]
+fn distances_of_spheres_have_the_derivatives_of_the_graph() {
+    let two_arms = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/robots/two_arms.urdf");
+    let mut errors = Errors::new();
+    let two_arms = description::read_file(&two_arms, None, &mut errors);
+    let two_arms = two_arms.unwrap_or_else(|| panic!("{errors}"));
+    for floating in [false, true] {
+        let request = Request {
+            collision: true,
+            floating,
+            ..Request::default()
+        };
+        let chain = build(&two_arms, &request);
+        let expected = transposed(&by_configuration(&chain, Function::Distances)).concat();
+        let generated = values(&chain, Function::DistanceJacobian);
+        assert_same("distances", &generated, &expected);
+    }
+}
+
+#[test]
 fn arms_have_the_derivatives_of_the_graph() {
     for file in ["two_link", "ur5_class", "panda_class", "scara"] {
         let chain = build(&shipped(&format!("{file}.urdf")), &Request::default());

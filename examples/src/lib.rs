@@ -62,6 +62,8 @@ mod guide {
     struct Functions;
     #[doc = include_str!("../../guide/src/joints.md")]
     struct Joints;
+    #[doc = include_str!("../../guide/src/collisions.md")]
+    struct Collisions;
     #[doc = include_str!("../../guide/src/loops.md")]
     struct Loops;
     #[doc = include_str!("../../guide/src/what-is-read.md")]

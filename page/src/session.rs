@@ -411,6 +411,7 @@ fn options() -> Value {
                 SettingForm::Names(_)
                     | SettingForm::Positions(_)
                     | SettingForm::Actuator(..)
+                    | SettingForm::Pairs(..)
                     | SettingForm::Arguments
                     | SettingForm::Loops
             );

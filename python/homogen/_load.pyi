@@ -37,5 +37,6 @@ def load(
     strict: bool = False,
     processor: str | None = None,
     formulation: str | Sequence[str] | None = None,
+    collision: bool | str | Sequence[str] = False,
     reproducible: bool = False,
 ) -> Robot: ...

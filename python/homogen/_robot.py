@@ -20,7 +20,8 @@ from ._progress import working
 from ._step import step
 
 _FUNCTIONS = {name: sentence for name, sentence, *_ in _engine.functions()}
-_OF_LOOPS = {name for name, *_, of_loops in _engine.functions() if of_loops}
+# The functions that not every robot has, and what they are of.
+_NEEDS = {name: needs for name, *_, needs in _engine.functions() if needs}
 #: The name, in messages, of a description that is no file.
 TEXT = "<text>"
 
@@ -69,8 +70,12 @@ class Robot:
         own["_is_euclidean"] = set(self._motions) <= {"along", "mimic"}
         own["_fields"] = _places(recipe, facts["fields"])
         names = [*STEPS, *_FUNCTIONS]
-        if not self.constraint_names:
-            names = [name for name in names if name not in _OF_LOOPS]
+        for name, fact in [("sphere_names", "spheres"), ("pair_names", "pairs")]:
+            own[name] = tuple(facts.get(fact, ()))
+        own["radii"] = np.array(facts.get("radii", ()), float)
+        own["radii"].flags.writeable = False
+        has = {"loops": self.constraint_names, "spheres": self.sphere_names}
+        names = [name for name in names if name not in _NEEDS or has[_NEEDS[name]]]
         own["_functions"] = tuple(names)
         own["_libraries"] = {}
 
@@ -87,7 +92,7 @@ class Robot:
                 values = np.array(self._recipe.values[first : first + count])
                 return float(values[0]) if count == 1 else values
             if name in _FUNCTIONS:
-                raise AttributeError(f"{self.name!r} has no loops, and {name} is of robots with loops")
+                raise AttributeError(f"{self.name!r} has no {_NEEDS[name]}, and {name} is of robots with {_NEEDS[name]}")
         raise AttributeError(f"a robot has no attribute {name!r}")
 
     def __setattr__(self, name, value):

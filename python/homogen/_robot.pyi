@@ -25,6 +25,8 @@ class Robot:
     velocity_names: tuple[str, ...]
     constraint_names: tuple[str, ...]
     parameter_names: tuple[str, ...]
+    sphere_names: tuple[str, ...]
+    pair_names: tuple[str, ...]
     frames: tuple[str, ...]
     warnings: tuple[str, ...]
     lower: NDArray[np.float64]
@@ -32,6 +34,7 @@ class Robot:
     max_velocity: NDArray[np.float64]
     max_effort: NDArray[np.float64]
     masses: NDArray[np.float64]
+    radii: NDArray[np.float64]
     # Functions by name, of the types of other libraries.
     @property
     def plain(self) -> Any: ...
@@ -142,3 +145,6 @@ class Robot:
     def constraint_bias(self, q: ArrayLike, qd: ArrayLike, *, out: _Floats | None = None) -> _Floats: ...
     def constrained_forward_dynamics(self, q: ArrayLike, qd: ArrayLike, tau: ArrayLike, *, out: tuple[_Floats, _Floats] | None = None) -> results.ConstrainedForwardDynamics: ...
     def actuated_inverse_dynamics(self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *, out: _Floats | None = None) -> _Floats: ...
+    def sphere_centers(self, q: ArrayLike, *, out: _Floats | None = None) -> _Floats: ...
+    def distances(self, q: ArrayLike, *, out: _Floats | None = None) -> _Floats: ...
+    def distance_jacobian(self, q: ArrayLike, *, out: _Floats | None = None) -> _Floats: ...

@@ -35,7 +35,7 @@ mod _engine {
     }
 
     /// A function of any robot: name, sentence, names of arguments, names of several results; then flags: it is of a frame,
-    /// it has an order, its result is a number, only robots with loops have it.
+    /// it has an order, its result is a number; last what only robots with loops or with collision spheres have.
     type Row = (
         &'static str,
         String,
@@ -44,15 +44,14 @@ mod _engine {
         bool,
         bool,
         bool,
-        bool,
+        &'static str,
     );
 
     /// The functions, a row each.
     #[pyfunction]
     fn functions() -> Vec<Row> {
         // The frames are an argument here: `forward_kinematics` has the poses of several.
-        let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
-        let all = all.filter(|name| *name != Name::FramePoses);
+        let all = Name::every().filter(|name| *name != Name::FramePoses);
         let rows = all.map(|name| {
             let arguments = name.arguments_with(true);
             let parts = name.result().parts().filter_map(|(part, _)| part);
@@ -64,7 +63,11 @@ mod _engine {
                 name.of_a_frame(),
                 has_order(name, &arguments),
                 name.result().is_number(),
-                name.is_of_loops(),
+                match name {
+                    _ if name.is_of_loops() => "loops",
+                    _ if name.is_of_spheres() => "spheres",
+                    _ => "",
+                },
             )
         });
         rows.collect()
@@ -73,8 +76,7 @@ mod _engine {
     /// The functions that have derivatives of a function: the first ones, second ones, and products with weights.
     #[pyfunction]
     fn derivatives(name: &str) -> [Vec<&'static str>; 3] {
-        let all = Name::ALL.into_iter().chain(Name::OF_LOOPS);
-        let of = all
+        let of = Name::every()
             .filter(|of| of.name() == name)
             .find_map(Name::derivatives);
         let distinct = |functions: Vec<Name>| {

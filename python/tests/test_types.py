@@ -47,5 +47,5 @@ def test_stubs_have_the_names_of_the_package(arm):
     classes = [item for item in ast.parse((folder / "_robot.pyi").read_text()).body if isinstance(item, ast.ClassDef)]
     names = {item.target.id for item in classes[0].body if isinstance(item, ast.AnnAssign)}
     names |= {item.name for item in classes[0].body if isinstance(item, ast.FunctionDef) and not item.name.startswith("__")}
-    of_loops = {name for name, *_, loops in homogen._engine.functions() if loops}
-    assert names - of_loops == {name for name in dir(arm) if not name.startswith("_")}
+    not_of_all = {name for name, *_, needs in homogen._engine.functions() if needs}
+    assert names - not_of_all == {name for name in dir(arm) if not name.startswith("_")}

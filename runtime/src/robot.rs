@@ -243,6 +243,29 @@ macro_rules! every_function {
     };
 }
 
+/// The same for the functions of robots with collision spheres.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! every_function_of_spheres {
+    ($then:ident) => {
+        $then! {
+            /// The centres of collision spheres.
+            #[doc = "add `sphere_centers` to `generate(…)` of the robot, and `collision` beside it"]
+            /// The centres of the spheres in frame 0 \[m\], in the order of `SPHERES`.
+            chosen SphereCenters sphere_centers(q) -> [$crate::Point<T>; P];
+            /// The distances between collision spheres.
+            #[doc = "add `distances` to `generate(…)` of the robot, and `collision` beside it"]
+            /// |c₁ − c₂| − r₁ − r₂ of the pairs of spheres in the order of `PAIRS` \[m\], negative where they overlap.
+            chosen Distances distances(q) -> [T; P];
+            /// The derivatives of the distances between collision spheres.
+            #[doc = "add `distance_jacobian` to `generate(…)` of the robot, and `collision` beside it"]
+            /// The derivatives of `distances` by q, a row for each pair [m, or 1 for prismatic joints]; not finite where two
+            /// centres coincide.
+            chosen DistanceJacobian distance_jacobian(q) -> [[T; N]; P];
+        }
+    };
+}
+
 /// The array type of an argument: `Q` entries for `q`, six for `wrench`, `N` for all others.
 macro_rules! list_of {
     (q) => {
@@ -293,3 +316,4 @@ macro_rules! declare {
     };
 }
 every_function!(traits);
+every_function_of_spheres!(traits);

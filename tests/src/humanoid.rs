@@ -64,6 +64,7 @@ pub fn humanoid(joints: usize) -> Description {
         joints: Vec::new(),
         loops: Vec::new(),
         configurations: Vec::new(),
+        collisions: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -344,6 +344,7 @@ fn robot(segments: Vec<Segment>, end: [f64; 3]) -> Description {
         joints,
         loops: Vec::new(),
         configurations: Vec::new(),
+        collisions: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -83,6 +83,8 @@ impl<'c> Layout<'c> {
         for (key, space) in [
             ("constraints", Space::Constraints),
             ("frames", Space::Frames),
+            ("spheres", Space::Spheres),
+            ("pairs", Space::Pairs),
         ] {
             if (result.parts()).any(|(_, part)| part.over.contains(&space)) {
                 answer.insert(key.into(), names(space));

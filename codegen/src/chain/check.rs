@@ -6,6 +6,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::closure;
+use super::collision;
 use super::mimic;
 use super::names::Names;
 use super::shape::{Joints, downstream, find_base};
@@ -69,6 +70,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
         tip,
         frames,
         external: Vec::new(),
+        collision_pairs: Vec::new(),
         dropped,
         locks,
     };
@@ -90,6 +92,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     numbers::check(description, request, &tree, &mut errors);
     actuator::check(description, request, &tree, &joints, &mut errors);
     tree.external = external::check(description, request, &tree, &links, &mut errors);
+    tree.collision_pairs = collision::check(description, request, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         let message = format!("no joint of {} moves", quoted(&robot.text));

@@ -5,6 +5,7 @@
 
 mod actuator;
 mod closure;
+mod collision;
 mod displacement;
 mod inertia;
 mod links;
@@ -82,6 +83,8 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
     let external = tree.external.iter().filter_map(|&link| frame(link));
     let external: Vec<Frame> = external.collect();
     let loops = closure::closed(description, &attachments, &mut reader);
+    let (spheres, links_of_spheres) =
+        collision::spheres(description, request, &attachments, &mut reader);
     let gravity = reader.gravity().map(Term::expr);
     reader.report.base = name(tree.base);
     let modelled = attachments
@@ -97,6 +100,9 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         kind: Kind::Frame,
         range: None,
     });
+    let pairs = collision::pairs(&spheres, &links_of_spheres, &joints, tree);
+    spaces.spheres = collision::entries(&spheres);
+    spaces.pairs = collision::pair_entries(&pairs, &spaces.spheres);
     spaces.limbs = limbs::limbs(&joints, external.iter().map(|frame| frame.body));
     let TermReader {
         nominal, report, ..
@@ -112,6 +118,8 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         actuated: List::new(),
         frames,
         external,
+        spheres,
+        pairs,
         has_tip: tree.tip.is_some(),
         gravity,
         report,

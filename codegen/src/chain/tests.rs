@@ -5,6 +5,7 @@
 mod actuators;
 mod base_parameters;
 mod bodies;
+mod collision;
 mod external;
 mod fields;
 mod joints;

@@ -18,6 +18,8 @@ pub struct Tree {
     pub frames: Vec<LinkId>,
     /// Links with an external wrench.
     pub external: Vec<LinkId>,
+    /// Pairs of links whose collision spheres have distances; empty for all that no joint joins.
+    pub collision_pairs: Vec<[LinkId; 2]>,
     /// Links that are not modelled.
     pub dropped: Vec<LinkId>,
     /// Joints that the request locks, with their coordinates \[rad or m\], including those outside the tree.

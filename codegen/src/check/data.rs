@@ -93,6 +93,8 @@ pub(super) fn robot(data: &ChainData, numbers: &[Approximate]) -> Robot {
         links: Vec::new(),
         base_columns: Vec::new(),
         identified: Vec::new(),
+        spheres: List::new(),
+        pairs: Vec::new(),
         loops: Vec::new(),
         elimination: Vec::new(),
         actuated: Vec::new(),

@@ -6,6 +6,7 @@
 //! report is checked against the digits of its number.
 
 mod closure;
+mod collision;
 mod inertia;
 mod joint;
 mod matrices;
@@ -109,6 +110,7 @@ pub(super) fn robot(
         }
     }
     let loops = reader.loops(chain, &attached, &mut bodies, &mut frames)?;
+    let spheres = reader.spheres(chain, &attached, &mut bodies, &mut frames)?;
     let on = |name: &Name| attached.get(name.text.as_str()).copied();
     let external: Option<Vec<BodyId>> = request.external.iter().map(on).collect();
     let external = external.ok_or_else(|| Contradiction("what is acted on".to_owned()))?;
@@ -118,6 +120,8 @@ pub(super) fn robot(
         gravity: reader.gravity(),
         frames,
         requested: chain.frames.len(),
+        spheres,
+        pairs: chain.pairs.clone(),
         loops,
         elimination: chain.elimination.clone(),
         actuated,

@@ -13,7 +13,7 @@ use super::{Approximate, BodyId, Closed, Columns, DegreeOfFreedom, Matrix, Moved
 use crate::expression::{Arithmetic, Double};
 use crate::joint;
 use crate::list::{self, Id, List, Square};
-use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
+use crate::space::{CoordinateId, FrameId, ParameterId, SphereId, VelocityId};
 
 /// A robot in a configuration: all matrices of its links, in frame 0.
 pub(super) struct Configuration {
@@ -132,6 +132,16 @@ impl Configuration {
     /// M of a frame.
     pub(super) fn pose(&self, frame: FrameId) -> Matrix<Approximate> {
         self.robot.frames[frame].map_or_else(Matrix::identity, |body| self.poses[body].clone())
+    }
+
+    /// The frame and the radius of each collision sphere.
+    pub(super) const fn spheres(&self) -> &List<SphereId, (FrameId, Approximate)> {
+        &self.robot.spheres
+    }
+
+    /// The pairs of spheres that have distances.
+    pub(super) fn pairs(&self) -> &[[SphereId; 2]] {
+        &self.robot.pairs
     }
 
     /// The requested frames.

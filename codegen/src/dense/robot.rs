@@ -5,7 +5,7 @@ use crate::closure::ResidualKind;
 use crate::expression::Double;
 use crate::joint::Manifold;
 use crate::list::{List, id};
-use crate::space::{CoordinateId, FrameId, ParameterId, VelocityId};
+use crate::space::{CoordinateId, FrameId, ParameterId, SphereId, VelocityId};
 
 id! {
     /// The number of a body of a [`Robot`]: one for each link, and for each frame or motion between them.
@@ -74,7 +74,7 @@ pub(crate) struct Robot {
     pub(crate) velocities: usize,
     /// Acceleration of gravity in frame 0.
     pub(crate) gravity: [Approximate; 3],
-    /// The bodies of the requested frames, followed by those of wrenches and loops; `None` for the base.
+    /// The bodies of the requested frames, followed by those of wrenches, loops and spheres; `None` for the base.
     pub(crate) frames: List<FrameId, Option<BodyId>>,
     /// The number of requested frames.
     pub(crate) requested: usize,
@@ -85,6 +85,10 @@ pub(crate) struct Robot {
     /// The bodies of each joint whose armature, damping and friction have columns of the regressor after those of
     /// links.
     pub(crate) identified: Vec<Vec<BodyId>>,
+    /// The frame and the radius \[m\] of each collision sphere.
+    pub(crate) spheres: List<SphereId, (FrameId, Approximate)>,
+    /// The pairs of spheres that have distances.
+    pub(crate) pairs: Vec<[SphereId; 2]>,
     /// The loops.
     pub(crate) loops: Vec<Closed>,
     /// The residuals of all loops in the order in which they are eliminated.

@@ -140,6 +140,7 @@ fn read_files<'a>(
         joints: mjcf.tree.joints.into(),
         loops,
         configurations,
+        collisions: Vec::new(),
         gravity,
         warnings,
         unmodelled: mjcf.reader.unmodelled,

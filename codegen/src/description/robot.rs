@@ -30,6 +30,8 @@ pub struct Description {
     pub loops: Vec<Loop>,
     /// Configurations with names, in the order of the text.
     pub configurations: Vec<Configuration>,
+    /// The collision geometry, in the order of the text; it is used on request only.
+    pub collisions: Vec<Collision>,
     /// Acceleration of gravity in the frame of the root link [m/s²], if the file has one.
     pub gravity: Option<[Number; 3]>,
     /// Warnings.
@@ -101,6 +103,28 @@ pub struct Link {
     pub name: Name,
     /// Mass and inertia; `None` if the file has none.
     pub inertial: Option<Inertial>,
+}
+
+/// A shape for collision checks, fixed to a link.
+#[derive(Clone, Debug)]
+pub struct Collision {
+    /// The link.
+    pub link: Name,
+    /// The sphere; `None` for another shape.
+    pub sphere: Option<Sphere>,
+    /// The mistakes in it: only a request for spheres makes them errors.
+    pub errors: Errors,
+    /// Its place in the text.
+    pub place: Place,
+}
+
+/// A sphere.
+#[derive(Clone, Debug)]
+pub struct Sphere {
+    /// From the link's frame to the centre [m, rad].
+    pub origin: Vec<Step>,
+    /// The radius \[m\].
+    pub radius: Number,
 }
 
 /// Mass, centre of mass and inertia tensor of a link.

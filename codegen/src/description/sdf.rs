@@ -123,6 +123,7 @@ fn read_files<'a>(files: &'a [Parsed<'a>], errors: &mut Errors) -> Option<Descri
         joints: sdf.joints,
         loops: Vec::new(),
         configurations: Vec::new(),
+        collisions: Vec::new(),
         gravity,
         warnings: sdf.reader.warnings,
         unmodelled: sdf.reader.unmodelled,

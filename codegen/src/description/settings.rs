@@ -99,6 +99,16 @@ pub(super) fn read(input: ParseStream, settings: &mut Settings, errors: &mut Err
             })?;
             request.actuators.extend(joints);
         }
+        SettingForm::Pairs(of, alone) => {
+            *alone(request) = true;
+            if input.peek(token::Paren) {
+                *of(request) = tokens::list(&list()?, |input| {
+                    let first = tokens::name(input)?;
+                    tokens::separator(input, &key)?;
+                    Ok([first, tokens::name(input)?])
+                })?;
+            }
+        }
         SettingForm::External(_) => {
             tokens::list(&list()?, |input| external(input, request))?;
         }

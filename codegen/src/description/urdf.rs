@@ -5,6 +5,7 @@
 //! memory are proportional to the text, and no missing number is guessed.
 
 mod closure;
+mod collision;
 mod elements;
 mod joint;
 mod limit;
@@ -154,9 +155,16 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
     let mut joints = Vec::new();
     let mut loops = Vec::new();
     let mut transmissions = Vec::new();
+    let mut collisions = Vec::new();
     for child in Reader::children(root) {
         match child.tag_name().name() {
-            "link" => links.extend(link::read(reader, child)),
+            "link" => {
+                let link = link::read(reader, child);
+                if let Some(link) = &link {
+                    collisions.extend(collision::read(reader, child, &link.name));
+                }
+                links.extend(link);
+            }
             "joint" | "drake.joint" => joints.extend(joint::read(reader, child)),
             "loop_joint" => loops.extend(closure::read(reader, child)),
             "transmission" => transmissions.extend(transmission::read(reader, child)),
@@ -181,6 +189,7 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
         joints,
         loops,
         configurations: Vec::new(),
+        collisions,
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -64,6 +64,7 @@ pub(super) fn collect<'c>(
         functions,
         data: data(chain),
         efforts: efforts(chain),
+        radii: radii(chain),
         configurations: configurations(chain).collect(),
         base_values: base_values(chain),
         batch: request.batch,
@@ -113,6 +114,17 @@ fn generated(plan: Plan<'_>, request: &Request) -> GeneratedFunction {
         accuracy,
         found: error.is_measured().then_some(found),
     }
+}
+
+/// The radius of each collision sphere.
+fn radii(chain: &Chain) -> Vec<f64> {
+    let radii = chain.spheres.iter().map(|sphere| {
+        let radius = chain.graph.value(sphere.radius);
+        radius
+            .expect("radii are numbers of the description")
+            .to_f64()
+    });
+    radii.collect()
 }
 
 /// Largest torque or force of each velocity; infinite if the description has none.

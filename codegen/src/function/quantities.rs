@@ -68,6 +68,27 @@ pub(super) const POINT: Outcome = Outcome::One(Quantity {
     units: |_| vec!["m"; 3],
 });
 
+/// A point of each collision sphere.
+pub(super) const CENTERS: Outcome = Outcome::One(Quantity {
+    over: &[Space::Spheres],
+    entity: Entity::Point,
+    units: |_| vec!["m"; 3],
+});
+
+/// A length for each pair of collision spheres.
+pub(super) const DISTANCES: Outcome = Outcome::One(Quantity {
+    over: &[Space::Pairs],
+    entity: Entity::Number,
+    units: |_| vec!["m"],
+});
+
+/// The derivatives of these by q.
+pub(super) const DISTANCE_DERIVATIVES: Outcome = Outcome::One(Quantity {
+    over: &[Space::Pairs, Space::Velocities],
+    entity: Entity::Number,
+    units: |of| vec![by_one(&of[1..], "m", "1")],
+});
+
 /// The velocity of a point.
 pub(super) const POINT_RATE: Outcome = Outcome::One(Quantity {
     over: &[],

@@ -8,18 +8,20 @@ use super::tally::{Size, Tally};
 use crate::expression::{Graph, Term};
 use crate::layout::Bodies;
 use crate::model::{Algorithm, Scene};
-use crate::space::{FrameId, Outcome, Space, Variable};
+use crate::space::{FrameId, Outcome, Space, Spaces, Variable};
 
 macro_rules! definitions {
     (
         $($variant:ident: $module:ident, $about:literal;)*
         { $($of_loops:ident: $of_loops_module:ident, $of_loops_about:literal;)* }
+        { $($of_spheres:ident: $of_spheres_module:ident, $of_spheres_about:literal;)* }
     ) => {
         impl Function {
             const fn definition(self) -> &'static Definition {
                 match self {
                     $(Self::$variant => &super::$module::DEFINITION,)*
                     $(Self::$of_loops => &super::$of_loops_module::DEFINITION,)*
+                    $(Self::$of_spheres => &super::$of_spheres_module::DEFINITION,)*
                 }
             }
         }
@@ -37,20 +39,31 @@ impl Function {
     /// The function with this name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
-        let mut all = Self::ALL.into_iter().chain(Self::OF_LOOPS);
+        let mut all = Self::every();
         all.find(|function| function.name() == name)
     }
 
     /// Names of all functions.
     pub fn names() -> Vec<&'static str> {
-        let all = Self::ALL.into_iter().chain(Self::OF_LOOPS);
-        all.map(Self::name).collect()
+        Self::every().map(Self::name).collect()
+    }
+
+    /// All functions, of whatever robots.
+    pub fn every() -> impl Iterator<Item = Self> {
+        let additional = Self::OF_LOOPS.into_iter().chain(Self::OF_SPHERES);
+        Self::ALL.into_iter().chain(additional)
     }
 
     /// True if it needs a robot with loops.
     #[must_use]
     pub fn is_of_loops(self) -> bool {
         Self::OF_LOOPS.contains(&self)
+    }
+
+    /// True if it is of collision spheres, which a request has to name.
+    #[must_use]
+    pub fn is_of_spheres(self) -> bool {
+        Self::OF_SPHERES.contains(&self)
     }
 
     /// Sentence about its result, with the letters of the paper; `base` is the name of frame 0, `frame` that of the
@@ -86,7 +99,7 @@ impl Function {
     /// `acted`: the robot has external wrenches.
     #[must_use]
     pub fn has_batches(self, acted: bool) -> bool {
-        Self::ALL.contains(&self) && !(acted && self.takes_actions())
+        !self.is_of_loops() && !(acted && self.takes_actions())
     }
 
     /// Arguments in the order of parameters. `actions`: the robot has external wrenches.
@@ -183,13 +196,15 @@ impl Function {
     }
 
     /// Multiplications and additions by dense 4×4 matrices. `path`: the number of joints, of all `joints`, that lead to
-    /// the frame of the function; `frames`: the number of requested frames. Divisions count as multiplications.
+    /// the frame of the function. Divisions and roots count as multiplications.
     #[must_use]
-    pub fn dense(self, joints: usize, path: usize, frames: usize) -> (usize, usize) {
+    pub fn dense(self, joints: usize, path: usize, spaces: &Spaces) -> (usize, usize) {
         let size = Size {
             joints,
             path,
-            frames,
+            frames: spaces.len(Space::Frames),
+            spheres: spaces.len(Space::Spheres),
+            pairs: spaces.len(Space::Pairs),
         };
         let Tally { mul, add } = (self.definition().dense)(size);
         (mul, add)

@@ -57,12 +57,15 @@ pub(super) const KINEMATIC: Tally = POSE.plus(SCREW);
 /// Pose, screw, velocity and acceleration.
 pub(super) const MOVING: Tally = KINEMATIC.plus(VELOCITY).plus(ACCELERATION);
 
-/// Number of joints of the robot, of those that lead to the frame of the function, and of requested frames.
+/// Number of joints of the robot, of those that lead to the frame of the function, of requested frames, of collision
+/// spheres, and of their pairs.
 #[derive(Clone, Copy)]
 pub(super) struct Size {
     pub(super) joints: usize,
     pub(super) path: usize,
     pub(super) frames: usize,
+    pub(super) spheres: usize,
+    pub(super) pairs: usize,
 }
 
 /// Screws of frame 0, changed to another frame or reference point.

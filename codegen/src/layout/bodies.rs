@@ -10,7 +10,7 @@ use crate::expression::{Double, Expr, Graph, Term};
 use crate::joint::{ActuatorTerms, Motion};
 use crate::list::{Id, List};
 use crate::matrix::{Inertia, Pose, Rotation, Vector};
-use crate::space::{FrameId, ParameterId, VelocityId};
+use crate::space::{FrameId, ParameterId, SphereId, VelocityId};
 
 /// The bodies of a chain with their frames.
 #[derive(Clone, Debug)]
@@ -23,9 +23,13 @@ pub struct Bodies<'g> {
     pub base_columns: Vec<ParameterId>,
     /// True if the regressor has columns of armature, damping and friction after those of links.
     pub identifies_actuators: bool,
-    /// The requested frames, followed by A and B of each loop: the joint whose body carries it, and M of the frame in
-    /// that body's frame.
+    /// The requested frames, followed by A and B of each loop and by those at the centres of spheres: the joint whose body
+    /// carries it, and M of the frame in that body's frame.
     pub frames: List<FrameId, (Option<BodyId>, Pose<Term<'g>>)>,
+    /// The frame and the radius \[m\] of each collision sphere.
+    pub spheres: List<SphereId, (FrameId, Term<'g>)>,
+    /// The pairs of spheres that have distances.
+    pub pairs: Vec<[SphereId; 2]>,
     /// The loops.
     pub loops: Vec<Closed<'g>>,
     /// The residuals of all loops in the order in which they are eliminated.
@@ -170,8 +174,15 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             size: term(closed.size),
         }
     });
+    let first_sphere = chain.frames.next().plus(2 * chain.loops.len());
+    let spheres = chain.spheres.numbered();
+    let spheres = spheres.map(|(k, sphere)| (first_sphere.plus(k.index()), term(sphere.radius)));
+    let of_spheres = chain.spheres.iter().map(|sphere| &sphere.frame);
+    let frames = chain.frames.iter().chain(of_loops).chain(of_spheres);
     Bodies {
         bodies,
+        spheres: spheres.collect(),
+        pairs: chain.pairs.clone(),
         loops: loops.collect(),
         elimination: chain.elimination.clone(),
         actuated: chain.actuated.clone(),
@@ -180,7 +191,7 @@ pub(super) fn aligned<'g>(graph: &'g Graph, chain: &Chain) -> Bodies<'g> {
             .flat_map(BaseParameters::columns)
             .collect(),
         identifies_actuators: chain.identifies_actuators,
-        frames: chain.frames.iter().chain(of_loops).map(place).collect(),
+        frames: frames.map(place).collect(),
         external: chain.external.iter().map(place).collect(),
         external_in_frame_0: chain.request.external_in_frame_0,
         gravity: chain.gravity.map(term),

@@ -16,7 +16,7 @@ use crate::formulation::{Formulation, Forward};
 use crate::function::Function;
 use crate::processor::Processor;
 use crate::real::Real;
-use crate::space::FrameId;
+use crate::space::{FrameId, Space};
 use crate::wording::quoted;
 
 /// The cheapest program on a processor, within a formulation, of some functions together, for a frame of the chain.
@@ -39,7 +39,7 @@ pub(super) fn cheapest(
     if functions.iter().any(|function| function.is_of_mass()) {
         weighable(chain)?;
     }
-    closable(chain, functions)?;
+    possible(chain, functions)?;
     if functions.contains(&Function::BaseRegressor) {
         settled(chain)?;
     }
@@ -61,8 +61,8 @@ pub(super) fn cheapest(
     accurate(&search, worst)
 }
 
-/// Rejects functions of loops for a robot without loops.
-fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
+/// Rejects functions of loops for a robot without loops, and those of distances for one whose spheres have none.
+fn possible(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
     let mut errors = chain.description.source.errors();
     let of_loops = functions.iter().filter(|function| function.is_of_loops());
     for function in of_loops.filter(|_| chain.loops.is_empty()) {
@@ -72,6 +72,19 @@ fn closable(chain: &Chain, functions: &[Function]) -> Result<(), Errors> {
             format!("{name} is of robots with loops, and this one has none"),
             "close one: loop pin: revolute(z) { from: coupler, to: rocker, at: xyz(0.1, 0, 0) }",
         );
+    }
+    let mut of_pairs = functions
+        .iter()
+        .filter(|function| function.further().contains(&Space::Pairs));
+    if let Some(function) = of_pairs.next()
+        && chain.pairs.is_empty()
+    {
+        let message = format!(
+            "{} is of pairs of spheres, and no two spheres move relative to each other",
+            quoted(function.name())
+        );
+        let hint = "spheres of neighbours are pairs where they are named: collision(hand: arm)";
+        errors.push_with_hint(Place::Unknown, message, hint);
     }
     if let Some(function) = functions.iter().find(|function| function.wants_actuators())
         && !chain.actuated.contains(&true)

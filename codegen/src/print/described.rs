@@ -31,12 +31,12 @@ pub struct NumberList {
 /// Documentation of the configurations with names.
 pub const CONFIGURATIONS: &str = "Configurations with names, from the keyframes of the description [rad, m, quaternions x, y, z, w].";
 
-/// Names of joints, coordinates, velocities and frames.
+/// Names of joints, coordinates, velocities and frames, and of spheres and their pairs if there are any.
 #[must_use]
-pub fn names(module: &Module) -> [NameList<'_>; 4] {
+pub fn names(module: &Module) -> Vec<NameList<'_>> {
     let (spaces, data) = (&module.spaces, &module.data);
     let list = |name, about, names| NameList { name, about, names };
-    [
+    let mut lists = vec![
         list(
             "joints",
             "Names of the joints that move, parents before children.",
@@ -57,7 +57,31 @@ pub fn names(module: &Module) -> [NameList<'_>; 4] {
             "Names of the frames that have poses and Jacobians, the end effector first.",
             data.frames.iter().map(|(name, _)| &**name).collect(),
         ),
-    ]
+    ];
+    if !spaces.spheres.is_empty() {
+        lists.push(list(
+            "spheres",
+            "Names of the collision spheres: those of their links, with numbers where a link has several.",
+            spaces.names(Space::Spheres).collect(),
+        ));
+        lists.push(list(
+            "pairs",
+            "Names of the pairs of collision spheres that have distances.",
+            spaces.names(Space::Pairs).collect(),
+        ));
+    }
+    lists
+}
+
+/// The radii of collision spheres, if there are any.
+#[must_use]
+pub fn radii(module: &Module) -> Option<NumberList> {
+    let numbers = module.radii.clone();
+    (!numbers.is_empty()).then_some(NumberList {
+        name: "radii",
+        about: "Radii of the collision spheres, in m.",
+        numbers,
+    })
 }
 
 /// Limits of q, q̇ and τ.

@@ -112,6 +112,8 @@ pub(super) fn remarks(spaces: &Spaces, functions: &[Function]) -> Vec<String> {
     let of = module::arguments(functions, spaces.actions() > 0);
     let mut lines = quaternions(spaces, &of);
     lines.extend(entries(spaces, functions, Space::Frames, "Frames"));
+    lines.extend(entries(spaces, functions, Space::Spheres, "Spheres"));
+    lines.extend(entries(spaces, functions, Space::Pairs, "Pairs"));
     lines.extend(entries(spaces, functions, Space::Constraints, "Residuals"));
     lines.extend(open_loops(spaces, functions));
     lines
@@ -390,8 +392,16 @@ fn entries(spaces: &Spaces, functions: &[Function], space: Space, called: &str) 
     let mut parts = results.flat_map(Outcome::parts);
     let over = parts.any(|(_, part)| part.over.contains(&space));
     let names: Vec<String> = spaces.names(space).map(code).collect();
-    over.then(|| format!("{called}: {}.", names.join(", ")))
+    over.then(|| match &names[..] {
+        [first, .., last] if names.len() > MOST_NAMES => {
+            format!("{called}: {}, {first} to {last}.", names.len())
+        }
+        _ => format!("{called}: {}.", names.join(", ")),
+    })
 }
+
+/// Maximum number of names in a line; of more there are the first and the last.
+const MOST_NAMES: usize = 64;
 
 /// Line about functions that ignore the loops of the robot.
 fn open_loops(spaces: &Spaces, functions: &[Function]) -> Option<String> {

@@ -54,6 +54,8 @@ pub enum SettingForm {
     Positions(FieldAccess<Vec<(Name, Option<Number>)>>),
     /// Joints, each with one number or one for each velocity; or the key alone, if it is a switch as well.
     Actuator(ActuatorQuantity, Option<FieldAccess<bool>>),
+    /// Pairs of links, or the key alone.
+    Pairs(FieldAccess<Vec<[Name; 2]>>, FieldAccess<bool>),
     /// Links with external wrenches, and their frame.
     External(FieldAccess<Vec<Name>>),
     /// Three numbers, or `none`.
@@ -108,7 +110,7 @@ const SETTING: Setting = Setting {
 
 /// All keys, in the order of help, heads of files and messages.
 #[rustfmt::skip]
-pub const SETTINGS: [Setting; 39] = [
+pub const SETTINGS: [Setting; 40] = [
     Setting { key: "urdf", form: SettingForm::File, example: r#"urdf = "arm.urdf""#, ..SETTING },
     Setting { key: "mjcf", form: SettingForm::File, example: r#"mjcf = "arm.xml""#, ..SETTING },
     Setting { key: "sdf", form: SettingForm::File, example: r#"sdf = "arm.sdf""#, ..SETTING },
@@ -164,6 +166,8 @@ pub const SETTINGS: [Setting; 39] = [
         help: "The functions; several with + between them share their work and count as one [default: all]", ..SETTING },
     Setting { key: "frames", form: SettingForm::Names(|asked| &mut asked.frames), example: "frames(link, other)", group: FRAMES, value: "LINK,…",
         help: "Further links with poses and Jacobians", ..SETTING },
+    Setting { key: "collision", form: SettingForm::Pairs(|asked| &mut asked.collision_pairs, |asked| &mut asked.collision), example: "collision, or collision(hand: base)", group: ROBOT, value: "LINK:LINK",
+        help: "Model the collision spheres of the file: their centres, and the distances of those on two links, or on all that no joint joins", ..SETTING },
     Setting { key: "scalar", form: SettingForm::Scalar, example: "scalar = f32", ..SETTING },
     Setting { key: "reproducible", form: SettingForm::Switch(|asked| &mut asked.reproducible), example: "reproducible", group: ROBOT,
         help: "The same bits on every processor: no product is fused with a sum", ..SETTING },

@@ -19,6 +19,7 @@ mod term;
 mod tests;
 mod value;
 
+use self::combination::ROWS;
 use self::kind::{ColumnKind, Follows, StepForm, is_sum};
 pub use self::known::Conditions;
 use self::known::{Computed, Known};
@@ -158,7 +159,13 @@ impl<'p> Known<'p> {
         let exact = match operation {
             Operation::Mul(a, b) => self.product([a, b]),
             Operation::Div(a, b) => self.value(a).times(self.value(b).reciprocal()),
-            Operation::Sqrt(a) => self.value(a).root(),
+            Operation::Sqrt(a) => match self.squares(a) {
+                Some(entries) => {
+                    let length = lengths.of(self, &entries);
+                    self.value(a).root_of_squares(length, self.scalar())
+                }
+                None => self.value(a).root(),
+            },
             // Exact, and not part of a vector.
             Operation::Sign(a) => {
                 return (Some(self.value(a).sign(self.scalar())), StepForm::Plain);
@@ -171,6 +178,37 @@ impl<'p> Known<'p> {
             Some(exact.kept(range).rounded(self.scalar())),
             StepForm::Plain,
         )
+    }
+
+    /// The entries of a vector whose square an operand is.
+    fn squares(&self, operand: Operand) -> Option<Vec<Operand>> {
+        let square = |operand: Operand| match operand {
+            Operand::Step(step) => match self.program.steps[step as usize].operation {
+                Operation::Mul(x, y) if x == y => Some(x),
+                _ => None,
+            },
+            _ => None,
+        };
+        let (mut entries, mut at) = (Vec::new(), operand);
+        while entries.len() < ROWS {
+            if let Some(entry) = square(at) {
+                entries.push(entry);
+                return Some(entries);
+            }
+            let Operand::Step(step) = at else { break };
+            let (entry, rest) = match self.program.steps[step as usize].operation {
+                Operation::MulAdd(x, y, rest) if x == y => (x, rest),
+                Operation::Add(a, b) => match (square(a), square(b)) {
+                    (Some(entry), _) => (entry, b),
+                    (None, Some(entry)) => (entry, a),
+                    (None, None) => break,
+                },
+                _ => break,
+            };
+            entries.push(entry);
+            at = rest;
+        }
+        None
     }
 
     fn sum(

@@ -117,7 +117,7 @@ impl Variable {
             (Self::Tau | Self::TauChange | Self::Wrench | Self::Actions, Kind::Rotation) => "N m",
             (Self::Tau | Self::TauChange | Self::Wrench | Self::Actions, Kind::Translation) => "N",
             (_, Kind::Moment(_) | Kind::Actuator { .. } | Kind::Frame) => {
-                panic!("no argument is over parameters or frames")
+                panic!("no argument is over parameters, frames or spheres")
             }
         }
     }

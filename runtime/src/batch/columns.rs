@@ -252,3 +252,4 @@ macro_rules! batch {
     };
 }
 crate::every_function!(batches);
+crate::every_function_of_spheres!(batches);

@@ -58,7 +58,7 @@ fn all_settings_are_read() {
         r#"/// Docs.
         #[derive(Clone)]
         #[robot(urdf = "robots/arm.urdf", base = "base", tip = tool, path_only)]
-        #[robot(lock("a-1", b = -pi/2), drop("c"), frames(d, "e"), gravity = [0, 0, -9.81])]
+        #[robot(lock("a-1", b = -pi/2), drop("c"), frames(d, "e"), gravity = [0, 0, -9.81], collision(d: "e"))]
         #[robot(exact, strict, scalar = f32, crate = "::my::homogen")]
         #[robot(generate(forward_kinematics, all_of(mass_matrix, bias)))]
         #[robot(formulation(raw, refined = 1, platform_sines,))]
@@ -94,6 +94,12 @@ fn all_settings_are_read() {
     );
     assert_eq!(request.drop[0].text, "c");
     assert_eq!(request.frames[1].text, "e");
+    assert!(request.collision);
+    let pairs = request.collision_pairs.iter();
+    let pairs: Vec<_> = pairs
+        .map(|pair| pair.each_ref().map(|name| &*name.text))
+        .collect();
+    assert_eq!(pairs, [["d", "e"]]);
     assert_eq!(request.gravity.unwrap().map(|g| g.value), [0.0, 0.0, -9.81]);
     assert_eq!(request.scalar, Real::F32);
     assert_eq!(request.runtime.unwrap().to_string(), ":: my :: homogen");
@@ -160,7 +166,7 @@ fn all_mistakes_are_reported_at_once() {
     let functions = list(Function::names());
     let expected = format!(
         "1:9: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, mjcf, sdf, dh, arguments, packages, base, floating, tip, \
-         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, reproducible, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
+         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, collision, scalar, reproducible, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          1:30: unknown scalar \"f16\"\n  \
          hint: known scalars: f32, f64 and generic\n\
          1:45: gravity has 2 numbers instead of 3\n\

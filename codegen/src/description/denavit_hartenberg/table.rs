@@ -127,6 +127,7 @@ pub fn read(
         joints,
         loops: Vec::new(),
         configurations: Vec::new(),
+        collisions: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -160,6 +160,7 @@ pub(super) fn assemble(
         joints: Vec::new(),
         loops: Vec::new(),
         configurations: Vec::new(),
+        collisions: Vec::new(),
         gravity: None,
         warnings: Vec::new(),
         unmodelled: Unmodelled::default(),

@@ -165,7 +165,7 @@ fn all_mistakes_are_reported_at_once() {
     assert_eq!(
         messages,
         "1:18: unknown key \"tipp\"\n  hint: did you mean \"tip\"? known keys: urdf, mjcf, sdf, dh, arguments, packages, base, floating, tip, \
-         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, reproducible, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
+         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, collision, scalar, reproducible, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          2:19: the mass of link \"base\" is negative: -1\n\
          2:28: the centre of mass of link \"base\" has 2 numbers instead of 3\n\
          2:45: the inertia of link \"base\" has 2 numbers \
@@ -184,7 +184,7 @@ fn all_mistakes_are_reported_at_once() {
          5:14: joint \"three\" has no axis\n  \
          hint: write planar(z)\n\
          6:1: unknown key \"jiont\"\n  hint: did you mean \"joint\"? known keys: urdf, mjcf, sdf, dh, arguments, packages, base, floating, tip, \
-         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, scalar, reproducible, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
+         path_only, lock, drop, actuated, gravity, external, friction, damping, rotors, armature, rotor, ratio, exact, strict, quiet, processor, formulation, generate, frames, collision, scalar, reproducible, prepare, batch, section, crate, link, joint, loop and denavit_hartenberg\n\
          7:6: link \"tool\" has a mass but no inertia\n  \
          hint: add inertia: [0.01, 0.01, 0.01], with zeros for a point mass\n\
          8:6: there is another link \"tool\"\n"

@@ -2,6 +2,7 @@
 //! without errors and one with many.
 
 mod closure;
+mod collision;
 mod element;
 mod hostile;
 mod joint;

@@ -103,7 +103,7 @@ fn is_own(name: &str) -> bool {
     let of_state = of_state.unwrap_or(name);
     let goes_on =
         |rest: &str| rest.is_empty() || rest.starts_with("_and_") || rest.starts_with("_of_");
-    let mut functions = Function::ALL.into_iter().chain(Function::OF_LOOPS);
+    let mut functions = Function::every();
     OWN.contains(&name)
         || functions.any(|function| of_state.strip_prefix(function.name()).is_some_and(goes_on))
 }

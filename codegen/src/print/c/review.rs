@@ -23,6 +23,7 @@ const SWITCH: &str = "HOMOGEN_SELF_TEST";
 /// Limits, as initialisers of arrays.
 pub(super) fn limits(text: &mut String, module: &Module, prefix: &str) {
     let limits = described::limits(module).into_iter();
+    let limits = limits.chain(described::radii(module));
     let is_described = |list: &NumberList| list.numbers.iter().any(|limit| limit.is_finite());
     let limits: Vec<NumberList> = limits.filter(is_described).collect();
     let infinite = |list: &NumberList| list.numbers.iter().any(|limit| limit.is_infinite());

@@ -7,7 +7,9 @@ use std::fmt::Write;
 use super::body::{list, literal};
 use super::names::STANDARD;
 use crate::module::{GeneratedFunction, Module};
-use crate::print::described::{CONFIGURATIONS, NameList, NumberList, limits, names, neutral};
+use crate::print::described::{
+    CONFIGURATIONS, NameList, NumberList, limits, names, neutral, radii,
+};
 use crate::print::documentation;
 use crate::print::python::{docstring, string};
 use crate::wording::{code, visible};
@@ -75,11 +77,13 @@ pub(super) fn constants(module: &Module) -> String {
         let names: Vec<String> = names.into_iter().map(string).collect();
         constant(name, &[about], &list(&names));
     }
+    let numbers = limits(module).into_iter().chain([neutral(module)]);
+    let numbers = numbers.chain(radii(module));
     for NumberList {
         name,
         about,
         numbers,
-    } in limits(module).into_iter().chain([neutral(module)])
+    } in numbers
     {
         constant(name, &[about], &numbers_of(&numbers));
     }

@@ -16,7 +16,7 @@ use super::library::Library;
 use super::literals::Numerals;
 use super::names::ident;
 use crate::module::Module;
-use crate::print::described::{CONFIGURATIONS, NumberList, limits, names, neutral};
+use crate::print::described::{CONFIGURATIONS, NumberList, limits, names, neutral, radii};
 use crate::real::Real;
 use crate::space::{Space, Spaces};
 
@@ -41,14 +41,15 @@ pub(super) fn described(module: &Module, item: &Item, dialect: &Dialect) -> Toke
         let count = literal(module.spaces.len(space));
         quote! { #about #visibility const #name: #whole = #count; }
     });
-    let names = names(module).map(|list| {
+    let names = names(module).into_iter().map(|list| {
         let (name, about) = (constant(list.name), doc(&[list.about]));
         let count = literal(list.names.len());
         let names = list.names.into_iter().map(string);
         quote! { #about #visibility const #name: [&'static #text; #count] = [#(#names),*]; }
     });
     let number = dialect.field();
-    let numbers = numbers(module).map(|list| {
+    let all = numbers(module).into_iter().chain(radii(module));
+    let numbers = all.map(|list| {
         let infinite = list.numbers.iter().any(|limit| limit.is_infinite());
         let missing = infinite.then_some("Infinite where the description has none.");
         let lines: Vec<&str> = [list.about].into_iter().chain(missing).collect();

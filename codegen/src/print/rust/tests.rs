@@ -148,6 +148,7 @@ pub(crate) fn module(scalar: Real) -> Module {
         },
         functions: vec![generated(&[Function::Gravity], gravity(literal(0.5)))],
         efforts: vec![f64::INFINITY; 2],
+        radii: Vec::new(),
         configurations: Vec::new(),
         data: ChainData {
             names: vec!["shoulder".to_owned(), "elbow".to_owned()],

@@ -32,6 +32,13 @@ impl Setting {
                     *alone(request) = true;
                 }
             }
+            SettingForm::Pairs(of, alone) => {
+                *alone(request) = true;
+                if !text.is_empty() {
+                    let (first, second) = text.rsplit_once(':').ok_or("write LINK:LINK")?;
+                    of(request).push([first.into(), second.into()]);
+                }
+            }
             SettingForm::Name(of) => *of(request) = Some(text.into()),
             SettingForm::Names(of) | SettingForm::External(of) => of(request).push(text.into()),
             SettingForm::Positions(of) => of(request).push(match text.rsplit_once('=') {
@@ -75,6 +82,13 @@ impl Setting {
         match self.form {
             SettingForm::Switch(of) | SettingForm::Actuator(_, Some(of)) => {
                 of(request).then_some(None).into_iter().collect()
+            }
+            SettingForm::Pairs(of, alone) => {
+                let pairs = of(request).iter();
+                let pairs = pairs.map(|[a, b]| Some(format!("{}:{}", a.text, b.text)));
+                let pairs: Vec<Option<String>> = pairs.collect();
+                let is_alone = pairs.is_empty() && *alone(request);
+                pairs.into_iter().chain(is_alone.then_some(None)).collect()
             }
             SettingForm::Name(of) => texts(of(request).as_slice()),
             SettingForm::Names(of) | SettingForm::External(of) => texts(of(request)),

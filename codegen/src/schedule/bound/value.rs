@@ -5,6 +5,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::length::Length;
 use crate::expression::Double;
 use crate::real::Real;
 
@@ -159,6 +160,20 @@ impl Value {
             lo: self.lo.sqrt(),
             hi: self.hi.sqrt(),
             error: self.error / (2.0 * least.sqrt()),
+        }
+        .or_unknown()
+    }
+
+    /// √a before rounding, where a is the square of a vector with this length: it changes by no more than the vector, also
+    /// near zero. Of the sum of squares, at most three products and two sums are rounded.
+    pub(super) fn root_of_squares(self, vector: Length, scalar: Real) -> Self {
+        let roundoff = scalar.roundoff();
+        // √(1 ± δ) is within δ/2 + δ²/2 of 1, and δ is at most (1 + u)³ − 1.
+        let rounded = (vector.size + vector.error) * 1.5 * (1.0 + 5.0 * roundoff) * roundoff;
+        Self {
+            lo: self.lo.max(0.0).sqrt(),
+            hi: self.hi.sqrt().min(vector.size),
+            error: vector.error + rounded + (3.0 * scalar.smallest()).sqrt(),
         }
         .or_unknown()
     }

@@ -22,6 +22,7 @@ mod oracle;
 mod reference;
 mod regressor;
 mod residues;
+mod spheres;
 mod steps;
 mod time_steps;
 mod trees;

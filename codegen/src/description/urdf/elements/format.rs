@@ -76,7 +76,10 @@ pub(super) const LINK: Content = Content {
         )
         .with(&INERTIAL),
         Entry::ignored("visual", "appearance"),
-        Entry::ignored("collision", "collision geometry"),
+        Entry::read(
+            "collision",
+            "its sphere, on [request](collisions.md); without one, ignored",
+        ),
         Entry::ignored(
             "gazebo",
             "settings of Gazebo, with warnings of the mechanics among them",

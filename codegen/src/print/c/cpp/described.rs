@@ -7,7 +7,9 @@ use crate::module::Module;
 use crate::print::c::comments::{comment, harmless};
 use crate::print::c::declarations::{members, number};
 use crate::print::c::literals::{literal, string};
-use crate::print::described::{CONFIGURATIONS, NameList, NumberList, limits, names, neutral};
+use crate::print::described::{
+    CONFIGURATIONS, NameList, NumberList, limits, names, neutral, radii,
+};
 use crate::print::documentation;
 use crate::print::review::filled;
 use crate::real::Real;
@@ -25,11 +27,13 @@ pub(super) fn constants(module: &Module) -> String {
         list(&mut text, ("const char*", name, about), &names);
     }
     let scalar = number(module.scalar);
+    let numbers = limits(module).into_iter().chain([neutral(module)]);
+    let numbers = numbers.chain(radii(module));
     for NumberList {
         name,
         about,
         numbers,
-    } in limits(module).into_iter().chain([neutral(module)])
+    } in numbers
     {
         let numbers: Vec<String> = numbers
             .iter()

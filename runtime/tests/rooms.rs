@@ -6,8 +6,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Each module with those that it may use. The macro `every_function` belongs to `robot`, although exported macros
-/// are at the root.
+/// Each module with those that it may use. The macros `every_function` and `every_function_of_spheres` belong to
+/// `robot`, although exported macros are at the root.
 const MODULES: [(&str, &[&str]); 10] = [
     ("scalar", &[]),
     ("error", &["scalar"]),
@@ -18,7 +18,16 @@ const MODULES: [(&str, &[&str]); 10] = [
     ("ik", &["scalar", "error", "matrix", "robot"]),
     ("identify", &["scalar", "paper"]),
     ("step", &["scalar", "matrix", "robot"]),
-    ("batch", &["scalar", "matrix", "robot", "every_function"]),
+    (
+        "batch",
+        &[
+            "scalar",
+            "matrix",
+            "robot",
+            "every_function",
+            "every_function_of_spheres",
+        ],
+    ),
 ];
 
 /// The files below a path, each with its module.

@@ -260,8 +260,8 @@ const MUTATIONS: [Mutation; 46] = [
     Mutation {
         name: "fusing: a product subtracted on the wrong side",
         file: "codegen/src/schedule/fuse.rs",
-        from: "[Form::Minus, Form::From]",
-        to: "[Form::From, Form::Minus]",
+        from: "[FusedForm::Minus, FusedForm::From]",
+        to: "[FusedForm::From, FusedForm::Minus]",
         noticed_by: engine(CHECKED),
     },
     Mutation {

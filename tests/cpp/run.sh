@@ -21,6 +21,7 @@ robots=(
     "robots/two_link.urdf --field payload=mass_of:fore --field lift=gravity --functions gravity,gravity_derivative,inverse_dynamics,forward_dynamics,mass_matrix+bias,kinetic_energy,inverse_dynamics_hessian,forward_kinematics"
     "robots/ur5_class.urdf --functions gravity,gravity_derivative,inverse_dynamics,inverse_dynamics_derivatives,geometric_jacobian,regressor --friction --friction=elbow=0.2"
     "robots/quadruped.urdf --floating --tip fl_foot --external fl_foot --functions inverse_dynamics,mass_matrix,forward_dynamics"
+    "tests/robots/two_arms.urdf --floating --collision=left_hand:right_hand --collision=stand:right_hand --functions sphere_centers,distances,distance_jacobian"
     "robots/two_link.urdf --formulation platform-sines --functions gravity,gravity_derivative"
     "robots/two_link.urdf --order linear-first --tip tip --external fore --functions $twists,inverse_dynamics,forward_dynamics,forward_kinematics_hessian"
     "robots/quadruped.urdf --order linear-first --floating --tip fl_foot --external fl_foot,hl_foot --functions $twists,inverse_dynamics"

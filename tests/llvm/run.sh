@@ -30,6 +30,7 @@ short=(
     "robots/quadruped.urdf --floating --tip fl_foot --functions forward_kinematics,inverse_dynamics,mass_matrix_inverse,forward_dynamics,inverse_dynamics_derivatives"
     "robots/two_link.urdf --external fore --functions inverse_dynamics,forward_dynamics --friction=elbow=0.2"
     "robots/quadruped.urdf --floating --frames base,fl_foot,hr_foot --functions frame_poses"
+    "tests/robots/two_arms.urdf --collision --functions sphere_centers,distances,distance_jacobian"
     "robots/two_link.urdf --formulation platform-sines --functions gravity"
     "robots/two_link.urdf --loop 'pin: rod(0.5) { from: fore, to: base, at: xyz(0.3, 0, 0) }' --functions constraint,constraint_jacobian,constrained_forward_dynamics"
 )

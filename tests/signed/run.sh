@@ -70,6 +70,8 @@ one floating "$PWD/robots/quadruped.urdf" --floating --external hr_foot --functi
 one every_joint "$PWD/tests/robots/every_joint.urdf" --tip link_geared \
     --functions forward_kinematics,body_jacobian_rate,inverse_dynamics,mass_matrix,base_regressor
 one every_joint_floating "$PWD/tests/robots/every_joint.urdf" --floating --functions inverse_dynamics,mass_matrix,gravity_derivative
+one two_arms "$PWD/tests/robots/two_arms.urdf" --collision=left_hand:right_hand --collision=stand:right_hand \
+    --functions sphere_centers,distances,distance_jacobian
 one humanoid "$PWD/tests/robots/humanoid.urdf" --tip left_arm_9 --functions inverse_dynamics,mass_matrix,gravity
 
 # The tests find a wrong digit in the middle of a number, which a reviewer would overlook.

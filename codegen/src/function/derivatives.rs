@@ -56,13 +56,13 @@ const fn second(rows: Variable, columns: Variable, function: Function, part: usi
 }
 
 use Function::{
-    CenterOfMassJacobian, ConstraintJacobian, ForwardDynamicsDerivatives, ForwardDynamicsHessian,
-    ForwardDynamicsVjp, GravityDerivative, InverseDynamicsDerivatives, InverseDynamicsHessian,
-    InverseDynamicsVjp, MassMatrix,
+    CenterOfMassJacobian, ConstraintJacobian, DistanceJacobian, ForwardDynamicsDerivatives,
+    ForwardDynamicsHessian, ForwardDynamicsVjp, GravityDerivative, InverseDynamicsDerivatives,
+    InverseDynamicsHessian, InverseDynamicsVjp, MassMatrix,
 };
 use Variable::{Q, Qd, Qdd, Tau};
 
-const ALL: [Derivatives; 7] = [
+const ALL: [Derivatives; 8] = [
     Derivatives {
         of: Function::InverseDynamics,
         first: &[
@@ -138,6 +138,12 @@ const ALL: [Derivatives; 7] = [
     Derivatives {
         of: Function::Constraint,
         first: &[first(Q, ConstraintJacobian, 0)],
+        products: &[],
+        second: &[],
+    },
+    Derivatives {
+        of: Function::Distances,
+        first: &[first(Q, DistanceJacobian, 0)],
         products: &[],
         second: &[],
     },

@@ -216,11 +216,11 @@ fn in_order(
     })
 }
 
-/// True for matrices with a column for each entry of the last space.
+/// True for matrices with a column for each velocity, the last space; points of several spheres are rows.
 pub(super) fn has_columns(quantity: &Quantity) -> bool {
     matches!(
         (quantity.over, quantity.entity.dimensions()),
-        ([.., _], [_])
+        ([.., Space::Velocities], [_])
     )
 }
 

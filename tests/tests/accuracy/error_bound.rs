@@ -143,6 +143,22 @@ fn on_a_floating_base() {
     }
 }
 
+/// Distances are bounded where spheres overlap, too.
+#[test]
+fn with_spheres() {
+    for floating in [false, true] {
+        let asked = Asked {
+            floating,
+            farthest: 250.0,
+            ..asked("two_arms", "right_hand")
+        };
+        check::<F64>(asked);
+        check::<F32>(asked);
+        check::<Fused64>(asked);
+        check::<Fused32>(asked);
+    }
+}
+
 fn panda() -> Asked {
     asked("panda_class", "link8")
 }

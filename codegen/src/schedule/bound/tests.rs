@@ -102,6 +102,35 @@ fn a_square_is_not_negative() {
     close(of_square, 2.0 * 20.0 + 2.0);
 }
 
+/// Near zero the root of a sum has none, but a vector is not lengthened more than it is changed.
+#[test]
+fn the_length_of_a_vector_has_a_bound_at_zero() {
+    let length = [
+        Operation::Add(A, B),
+        Operation::Mul(B, B),
+        Operation::MulAdd(step(0), step(0), step(1)),
+        Operation::MulAdd(A, A, step(2)),
+        Operation::Sqrt(step(3)),
+    ];
+    // The sum is 5 at most, with an error of 5; the vector has the length √(5² + 2² + 3²).
+    let size = 38.0_f64.sqrt();
+    close(bound(&[], &length), 5.0 + 1.5 * size + size);
+    let apart = [
+        Operation::Mul(A, A),
+        Operation::Mul(B, B),
+        Operation::Add(step(0), step(1)),
+        Operation::Sqrt(step(2)),
+    ];
+    close(bound(&[], &apart), 2.5 * 13.0_f64.sqrt());
+    // No square of a vector.
+    let other = [
+        Operation::MulAdd(A, A, B),
+        Operation::Sub(step(0), B),
+        Operation::Sqrt(step(1)),
+    ];
+    assert_eq!(bound(&[], &other), f64::INFINITY);
+}
+
 #[test]
 fn division_by_possible_zero_has_no_bound() {
     assert_eq!(bound(&[], &[Operation::Div(B, A)]), f64::INFINITY);

@@ -77,6 +77,11 @@ fn as_asked(asked: Asked) -> (Description, Request) {
         read_text(&text, asked.robot, None, &mut errors)
     } else {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../robots");
+        let folder = if has_spheres(asked) {
+            concat!(env!("CARGO_MANIFEST_DIR"), "/robots")
+        } else {
+            folder
+        };
         let path = format!("{folder}/{}.urdf", asked.robot);
         read_file(path.as_ref(), None, &mut errors)
     };
@@ -97,6 +102,7 @@ fn as_asked(asked: Asked) -> (Description, Request) {
         parameters: loads.chain(others).collect(),
         formulation: asked.formulation,
         floating: asked.floating,
+        collision: has_spheres(asked),
         ..Request::default()
     };
     let request = if asked.has_actuators {
@@ -108,6 +114,11 @@ fn as_asked(asked: Asked) -> (Description, Request) {
         request
     };
     (description, request)
+}
+
+/// True for the robot that is covered with spheres.
+fn has_spheres(asked: Asked) -> bool {
+    asked.robot == "two_arms"
 }
 
 pub fn chain_of(asked: Asked) -> Chain {

@@ -21,9 +21,12 @@ use crate::error_bound::asked::{Asked, chain_of};
 use crate::error_bound::bounds::holds;
 use crate::error_bound::states::{state, trials};
 
-/// The functions with a bound of their results.
-fn functions() -> Vec<Function> {
-    let all = Function::ALL.into_iter();
+/// The functions of a robot with a bound of their results.
+fn functions(chain: &Chain) -> Vec<Function> {
+    // A derivative of a distance has none where two centres may coincide.
+    let of_spheres = [Function::SphereCenters, Function::Distances].into_iter();
+    let of_spheres = of_spheres.filter(|_| !chain.spheres.is_empty());
+    let all = Function::ALL.into_iter().chain(of_spheres);
     all.filter(|function| !(function.solves() || function.is_constrained()))
         .collect()
 }
@@ -75,7 +78,7 @@ pub fn check<T: Tested>(asked: Asked) {
     let chain = chain_of(asked);
     let graph = chain.graph.clone();
     let bodies = arrange(&graph, &chain, Layout::DESCRIBED);
-    let functions = functions();
+    let functions = functions(&chain);
     let exact: Vec<Expr> = (functions.iter())
         .flat_map(|&function| function.build(&graph, &bodies, FrameId::FIRST, Algorithm::PLAIN))
         .map(Term::expr)

@@ -18,7 +18,7 @@ use std::collections::HashMap;
 use crate::chain::Chain;
 use crate::chain::base_parameters::BaseParameters;
 use crate::dense::{Approximate, BodyId, DegreeOfFreedom, DenseBody, Matrix, Moved, Robot};
-use crate::description::{Description, LinkId, Name};
+use crate::description::{Description, Joint, LinkId, Name};
 use crate::expression::{Arithmetic, Double};
 use crate::list::{Id, List};
 use crate::request::Request;
@@ -100,15 +100,7 @@ pub(super) fn robot(
     let mut frames: List<FrameId, Option<BodyId>> = frames
         .map(|frame| attached.get(frame.name.as_str()).copied())
         .collect();
-    let mut actuated = Vec::new();
-    for joint in &kept {
-        let mut named = request.actuated.iter();
-        if named.any(|name| name.text == joint.name.text) {
-            for (name, _) in joint.kind.velocities(&joint.name.text) {
-                actuated.push(place(&velocities, &name)?);
-            }
-        }
-    }
+    let actuated = actuated(request, &kept, &velocities)?;
     let loops = reader.loops(chain, &attached, &mut bodies, &mut frames)?;
     let spheres = reader.spheres(chain, &attached, &mut bodies, &mut frames)?;
     let on = |name: &Name| attached.get(name.text.as_str()).copied();
@@ -137,6 +129,24 @@ pub(super) fn robot(
             .collect(),
         external: (external, request.external_in_frame_0),
     })
+}
+
+/// The velocities of the actuated joints.
+fn actuated(
+    request: &Request,
+    kept: &[&Joint],
+    velocities: &HashMap<&str, VelocityId>,
+) -> Result<Vec<VelocityId>, Contradiction> {
+    let mut actuated = Vec::new();
+    for joint in kept {
+        let mut named = request.actuated.iter();
+        if named.any(|name| name.text == joint.name.text) {
+            for (name, _) in joint.kind.velocities(&joint.name.text) {
+                actuated.push(place(velocities, &name)?);
+            }
+        }
+    }
+    Ok(actuated)
 }
 
 fn places<'n, I: Id>(names: impl Iterator<Item = &'n str>) -> HashMap<&'n str, I> {

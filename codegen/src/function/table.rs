@@ -99,7 +99,7 @@ impl Function {
     /// `acted`: the robot has external wrenches.
     #[must_use]
     pub fn has_batches(self, acted: bool) -> bool {
-        !self.is_of_loops() && !(acted && self.takes_actions())
+        !(self.is_of_loops() || acted && self.takes_actions())
     }
 
     /// Arguments in the order of parameters. `actions`: the robot has external wrenches.

@@ -39,41 +39,54 @@ pub(crate) fn distances<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
 
 /// The derivatives of the distances by q, a row for each pair.
 pub(crate) fn jacobian<'g>(scene: &Scene<'_, 'g>) -> Vec<Term<'g>> {
-    let seen = paths(scene).into_iter().map(|(k, path)| {
-        let placed = path.outwards();
-        let end = path.end.translation;
-        let center = placed.last().map_or(end, |(_, pose)| pose.point(end));
-        let screws = placed.into_iter();
-        let screws = screws.map(|(joint, pose)| (joint.body, joint.screw.change_frame(pose)));
-        (k, (center, screws.collect()))
-    });
-    let seen: BTreeMap<SphereId, (Vector<Term<'g>>, BTreeMap<BodyId, Screw<Term<'g>>>)> =
-        seen.collect();
+    let seen = paths(scene).into_iter();
+    let seen = seen.map(|(k, path)| (k, CarriedSphere::of(&path)));
+    let seen: BTreeMap<SphereId, CarriedSphere<'g>> = seen.collect();
     let zero = scene.state.zero();
     let pairs = scene.bodies.pairs.iter();
     let rows = pairs.flat_map(|[a, b]| {
-        let ([(first, of_first), (second, of_second)], one) =
-            ([&seen[a], &seen[b]], zero.graph().constant(1.0));
-        let offset = *first - *second;
-        let normal = offset * (one / length(offset));
+        let (first, second) = (&seen[a], &seen[b]);
+        let offset = first.center - second.center;
+        let normal = offset * (zero.graph().constant(1.0) / length(offset));
         let force = Action {
-            c: first.cross(normal),
+            c: first.center.cross(normal),
             f: normal,
         };
         let mut row: List<BodyId, Term<'g>> = List::filled(zero, scene.bodies.bodies.len());
-        for (&body, &screw) in of_first {
-            if !of_second.contains_key(&body) {
+        for (&body, &screw) in &first.screws {
+            if !second.screws.contains_key(&body) {
                 row[body] = force.along(screw);
             }
         }
-        for (&body, &screw) in of_second {
-            if !of_first.contains_key(&body) {
+        for (&body, &screw) in &second.screws {
+            if !first.screws.contains_key(&body) {
                 row[body] = -force.along(screw);
             }
         }
         scene.forces(&row)
     });
     rows.collect()
+}
+
+/// A sphere in the frame that its path begins at.
+struct CarriedSphere<'g> {
+    center: Vector<Term<'g>>,
+    /// L of the joints that move it.
+    screws: BTreeMap<BodyId, Screw<Term<'g>>>,
+}
+
+impl<'g> CarriedSphere<'g> {
+    fn of(path: &Path<'g>) -> Self {
+        let placed = path.outwards();
+        let end = path.end.translation;
+        let screws = placed.iter();
+        Self {
+            center: placed.last().map_or(end, |(_, pose)| pose.point(end)),
+            screws: screws
+                .map(|(joint, pose)| (joint.body, joint.screw.change_frame(*pose)))
+                .collect(),
+        }
+    }
 }
 
 /// The paths to all spheres that are in pairs, from the last body that carries all of them.

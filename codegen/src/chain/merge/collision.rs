@@ -82,7 +82,7 @@ pub(super) fn pairs(
     let body = |k: SphereId| spheres[k].frame.body;
     let are_asked = |a: SphereId, b: SphereId| {
         if named.is_empty() {
-            carrier(joints, body(a)) != Some(body(b)) && carrier(joints, body(b)) != Some(body(a))
+            !are_joined(joints, body(a), body(b))
         } else {
             named.contains(&[links[a], links[b]]) || named.contains(&[links[b], links[a]])
         }
@@ -95,14 +95,21 @@ pub(super) fn pairs(
     pairs
 }
 
-/// The body before the joint of a body; `None` for the base.
-fn carrier(joints: &List<BodyId, Joint>, body: Option<BodyId>) -> Option<Option<BodyId>> {
-    let mut at = body?;
-    let of = &joints[at].of;
-    while let Some(parent) = joints[at].parent.filter(|&k| joints[k].of == *of) {
-        at = parent;
+/// True if a joint joins two bodies.
+fn are_joined(joints: &List<BodyId, Joint>, a: Option<BodyId>, b: Option<BodyId>) -> bool {
+    let carries = |outer: Option<BodyId>, body: Option<BodyId>| {
+        body.is_some_and(|body| before_joint(joints, body) == outer)
+    };
+    carries(a, b) || carries(b, a)
+}
+
+/// The body that the joint of another one begins at; `None` for the base.
+fn before_joint(joints: &List<BodyId, Joint>, mut body: BodyId) -> Option<BodyId> {
+    let of = &joints[body].of;
+    while let Some(parent) = joints[body].parent.filter(|&k| joints[k].of == *of) {
+        body = parent;
     }
-    Some(joints[at].parent)
+    joints[body].parent
 }
 
 /// The entries of spheres: the name of the link, with a number if it has several.

@@ -34,19 +34,19 @@ fn builder(spheres: [usize; 5]) -> Builder {
     read(&row(spheres)).generate([Function::Distances])
 }
 
-fn pairs(builder: Builder) -> Vec<String> {
+fn pairs(builder: &Builder) -> Vec<String> {
     let module = builder.module().unwrap_or_else(|errors| panic!("{errors}"));
     let pairs = module.spaces.pairs.iter();
     pairs.map(|pair| pair.name.clone()).collect()
 }
 
-fn refused(builder: Builder) -> String {
+fn refused(builder: &Builder) -> String {
     builder.module().expect_err("a mistake").to_string()
 }
 
 #[test]
 fn spheres_on_links_that_a_joint_joins_are_no_pairs() {
-    let found = pairs(builder([1, 1, 2, 1, 1]).collision());
+    let found = pairs(&builder([1, 1, 2, 1, 1]).collision());
     // The joint to d joins it to the body of b and c.
     assert_eq!(found, ["a/d", "a/e", "b/e", "c_1/e", "c_2/e"]);
 }
@@ -55,7 +55,7 @@ fn spheres_on_links_that_a_joint_joins_are_no_pairs() {
 fn pairs_of_named_links_may_be_neighbours_in_either_order() {
     let asked = builder([1, 1, 2, 1, 1]).collision_between("d", "c");
     assert_eq!(
-        pairs(asked.collision_between("a", "b")),
+        pairs(&asked.collision_between("a", "b")),
         ["a/b", "c_1/d", "c_2/d"]
     );
 }
@@ -64,37 +64,37 @@ fn pairs_of_named_links_may_be_neighbours_in_either_order() {
 fn a_joint_with_several_velocities_joins_its_links() {
     let text = row([1, 1, 0, 0, 0]).replace("continuous", "floating");
     let builder = read(&text).collision();
-    let refusal = refused(builder.generate([Function::Distances]));
+    let refusal = refused(&builder.generate([Function::Distances]));
     assert!(refusal.contains("no two spheres"), "{refusal}");
 }
 
 #[test]
 fn spheres_have_to_be_asked_for_and_to_be_there() {
     assert_eq!(
-        refused(builder([1; 5])),
+        refused(&builder([1; 5])),
         lines(&[
             "error: row.urdf:1:14: \"distances\" is of collision spheres, which are not modelled",
             "  hint: ask for them: collision",
         ])
     );
     assert_eq!(
-        refused(builder([0; 5]).collision()),
+        refused(&builder([0; 5]).collision()),
         lines(&[
             "error: row.urdf:1:14: the description has no collision spheres",
             "  hint: write them in links of a URDF: <collision><origin xyz=\"0 0 0.1\"/><geometry>\
              <sphere radius=\"0.05\"/></geometry></collision>",
         ])
     );
-    let refusal = refused(builder([1; 5]).collision_between("a", "f"));
+    let refusal = refused(&builder([1; 5]).collision_between("a", "f"));
     assert!(refusal.contains("there is no link \"f\""), "{refusal}");
     let unread = read(&row([1; 5])).collision();
-    let refusal = refused(unread.generate([Function::ForwardKinematics]));
+    let refusal = refused(&unread.generate([Function::ForwardKinematics]));
     assert!(refusal.contains("no function reads them"), "{refusal}");
 }
 
 #[test]
 fn spheres_of_one_body_have_no_distance() {
-    let refusal = refused(builder([1; 5]).collision_between("b", "c"));
+    let refusal = refused(&builder([1; 5]).collision_between("b", "c"));
     assert!(refusal.contains("no two spheres"), "{refusal}");
 }
 
@@ -104,7 +104,7 @@ fn a_mistake_in_a_sphere_counts_where_spheres_are_asked_for() {
     let all = read(&text);
     let without = all.clone().generate([Function::ForwardKinematics]);
     assert!(without.module().is_ok());
-    let refusal = refused(all.collision().generate([Function::SphereCenters]));
+    let refusal = refused(&all.collision().generate([Function::SphereCenters]));
     assert!(refusal.contains("is not positive: -0.1"), "{refusal}");
 }
 

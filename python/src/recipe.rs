@@ -216,7 +216,10 @@ impl Recipe {
         for list in described::names(&module) {
             set(list.name, list.names.into_pyobject(py)?)?;
         }
-        for list in described::limits(&module).into_iter().chain(described::radii(&module)) {
+        for list in described::limits(&module)
+            .into_iter()
+            .chain(described::radii(&module))
+        {
             set(list.name, list.numbers.into_pyobject(py)?)?;
         }
         set(

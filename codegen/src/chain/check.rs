@@ -92,7 +92,7 @@ pub fn check(description: &Description, request: &Request) -> Result<Tree, Error
     numbers::check(description, request, &tree, &mut errors);
     actuator::check(description, request, &tree, &joints, &mut errors);
     tree.external = external::check(description, request, &tree, &links, &mut errors);
-    tree.collision_pairs = collision::check(description, request, &links, &mut errors);
+    tree.collision_pairs = collision::check(description, request, &tree, &links, &mut errors);
     if tree.branches.iter().all(|branch| branch.held.is_some()) && errors.is_empty() {
         let robot = &description.name;
         let message = format!("no joint of {} moves", quoted(&robot.text));

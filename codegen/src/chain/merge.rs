@@ -100,7 +100,7 @@ pub fn merge(description: &Rc<Description>, request: &Rc<Request>, tree: &Tree) 
         kind: Kind::Frame,
         range: None,
     });
-    let pairs = collision::pairs(&spheres, &links_of_spheres, &joints, tree);
+    let pairs = collision::pairs(&spheres, &links_of_spheres, &joints, &tree.collision_pairs);
     spaces.spheres = collision::entries(&spheres);
     spaces.pairs = collision::pair_entries(&pairs, &spaces.spheres);
     spaces.limbs = limbs::limbs(&joints, external.iter().map(|frame| frame.body));

@@ -26,6 +26,23 @@ pub struct Tree {
     pub locks: HashMap<JointId, Number>,
 }
 
+impl Tree {
+    /// True if a joint between two links moves.
+    pub fn move_apart(&self, links: [LinkId; 2]) -> bool {
+        let [a, b] = links.map(|link| {
+            let mut at = link;
+            // Children come after parents, so one pass backwards meets the path in order.
+            for branch in self.branches.iter().rev() {
+                if branch.child == at && branch.held.is_some() {
+                    at = branch.parent;
+                }
+            }
+            at
+        });
+        a != b
+    }
+}
+
 /// A joint of the tree.
 #[derive(Debug)]
 pub struct Branch {

@@ -53,6 +53,27 @@ fn urdf_keeps_the_digits_of_the_file() {
 }
 
 #[test]
+fn urdf_keeps_collision_spheres() {
+    let sphere = "<collision><origin xyz=\"0 0 0.10\"/><geometry><sphere radius=\"0.05\"/></geometry></collision>";
+    let link = format!(
+        "<link name=\"base\">{sphere}<collision><geometry><box/></geometry></collision></link>"
+    );
+    let arm = ARM.replace("<link name=\"base\"/>", &link);
+    let (text, _) = written(&arm, OutputFormat::Urdf);
+    let wanted = r#"  <link name="base">
+    <collision>
+      <origin xyz="0 0 0.10"/>
+      <geometry>
+        <sphere radius="0.05"/>
+      </geometry>
+    </collision>
+  </link>
+  <link name="link">
+"#;
+    assert!(text.contains(wanted), "{text}");
+}
+
+#[test]
 fn mjcf_has_the_same_numbers() {
     let (text, warnings) = written(ARM, OutputFormat::Mjcf);
     assert_eq!(

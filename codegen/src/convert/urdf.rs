@@ -11,7 +11,7 @@ use super::{Converted, actuators};
 use crate::chain::shape;
 use crate::closure::Closure;
 use crate::description::fresh::FreshNames;
-use crate::description::{Description, Inertial, Joint, Loop, Step};
+use crate::description::{Description, Inertial, Joint, Loop, Sphere, Step};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::joint::Manifold;
 use crate::joint::actuator::ActuatorQuantity;
@@ -63,7 +63,14 @@ pub(super) fn write(description: &Description) -> Result<Converted, Errors> {
     urdf.markup.text.push_str("<?xml version=\"1.0\"?>\n");
     urdf.markup.begin("robot", &root);
     for link in &description.links {
-        urdf.link(&link.name.text, link.inertial.as_ref());
+        let spheres = description.collisions.iter();
+        let spheres = spheres.filter(|collision| collision.link.text == link.name.text);
+        let spheres = spheres.filter_map(|collision| collision.sphere.as_ref());
+        urdf.link(
+            &link.name.text,
+            link.inertial.as_ref(),
+            &spheres.collect::<Vec<_>>(),
+        );
     }
     for joint in &description.joints {
         urdf.joint(joint);
@@ -80,13 +87,33 @@ pub(super) fn write(description: &Description) -> Result<Converted, Errors> {
 }
 
 impl<'d> Urdf<'d> {
-    fn link(&mut self, name: &str, inertial: Option<&Inertial>) {
+    fn link(&mut self, name: &str, inertial: Option<&Inertial>, spheres: &[&Sphere]) {
         let name = vec![("name", name.to_owned())];
-        let Some(inertial) = inertial else {
+        if inertial.is_none() && spheres.is_empty() {
             self.markup.empty("link", &name);
             return;
-        };
+        }
         self.markup.begin("link", &name);
+        if let Some(inertial) = inertial {
+            self.inertial(inertial);
+        }
+        for sphere in spheres {
+            self.sphere(sphere);
+        }
+        self.markup.end();
+    }
+
+    fn sphere(&mut self, sphere: &Sphere) {
+        self.markup.begin("collision", &[]);
+        self.origin(&sphere.origin);
+        self.markup.begin("geometry", &[]);
+        self.markup
+            .empty("sphere", &[("radius", text(&sphere.radius))]);
+        self.markup.end();
+        self.markup.end();
+    }
+
+    fn inertial(&mut self, inertial: &Inertial) {
         self.markup.begin("inertial", &[]);
         self.origin(&inertial.origin);
         self.markup
@@ -94,7 +121,6 @@ impl<'d> Urdf<'d> {
         let entries = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"];
         let entries = entries.into_iter().zip(inertial.inertia.iter().map(text));
         self.markup.empty("inertia", &entries.collect::<Vec<_>>());
-        self.markup.end();
         self.markup.end();
     }
 
@@ -129,7 +155,7 @@ impl<'d> Urdf<'d> {
                 joint.child.text.clone()
             } else {
                 let link = self.links.fresh(&format!("{}.link", part.name));
-                self.link(&link, None);
+                self.link(&link, None, &[]);
                 link
             };
             let origin: &[Step] = if k == 0 { &joint.origin } else { &[] };

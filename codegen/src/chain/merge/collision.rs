@@ -7,7 +7,6 @@
 use std::collections::BTreeMap;
 
 use super::{Attachment, TermReader};
-use crate::chain::tree::Tree;
 use crate::chain::{BodyId, Frame, Joint, Sphere};
 use crate::description::{Description, LinkId};
 use crate::error::Diagnostic;
@@ -76,9 +75,8 @@ pub(super) fn pairs(
     spheres: &List<SphereId, Sphere>,
     links: &List<SphereId, LinkId>,
     joints: &List<BodyId, Joint>,
-    tree: &Tree,
+    named: &[[LinkId; 2]],
 ) -> Vec<[SphereId; 2]> {
-    let named = &tree.collision_pairs;
     let body = |k: SphereId| spheres[k].frame.body;
     let are_asked = |a: SphereId, b: SphereId| {
         if named.is_empty() {

@@ -93,9 +93,20 @@ fn spheres_have_to_be_asked_for_and_to_be_there() {
 }
 
 #[test]
-fn spheres_of_one_body_have_no_distance() {
-    let refusal = refused(&builder([1; 5]).collision_between("b", "c"));
-    assert!(refusal.contains("no two spheres"), "{refusal}");
+fn each_pair_of_links_that_is_named_has_a_distance() {
+    let between = |a: &str, b: &str| refused(&builder([0, 1, 1, 1, 1]).collision_between(a, b));
+    assert!(between("a", "d").contains("link \"a\" has no collision sphere"));
+    assert!(between("b", "c").contains("links \"b\" and \"c\" do not move relative to each other"));
+    let dropped = builder([1; 5]).drop("e").collision_between("a", "e");
+    assert!(refused(&dropped).contains("link \"e\" is not modelled"));
+}
+
+#[test]
+fn there_are_not_too_many_pairs() {
+    let refusal = refused(&builder([200, 0, 0, 0, 100]).collision());
+    assert!(refusal.contains("there are 44850 pairs"), "{refusal}");
+    let few = builder([200, 1, 0, 0, 100]).collision_between("b", "e");
+    assert_eq!(pairs(&few).len(), 100);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import library
+from conftest import REPOSITORY, library
 
 import homogen
 
@@ -136,3 +136,38 @@ def test_centre_of_mass_momentum_and_energies(sample):
     pin.computeJointJacobians(model, data, q)
     jacobian = pin.getJointJacobian(model, data, last, pin.LOCAL)
     assert close(of.body_jacobian(q, frame=link(model, last), order="linear_first"), jacobian)
+
+
+def test_distances_of_spheres_and_their_derivatives():
+    pin = library("pinocchio")
+    file = str(REPOSITORY / "tests/robots/two_arms.urdf")
+    of = homogen.load(file, collision=True)
+    model = pin.buildModelFromUrdf(file)
+    shapes = pin.buildGeomFromUrdf(model, file, pin.GeometryType.COLLISION)
+    places = [list(model.names[1:]).index(name) for name in of.joint_names]
+    # Pinocchio counts the shapes of each link from 0, boxes among them.
+    numbers = {shape.name: k for k, shape in enumerate(shapes.geometryObjects)}
+    links = [name.rsplit("_", 1) for name in numbers]
+    several = {link for link, _ in links if f"{link}_1" in of.sphere_names}
+    called = {f"{link}_{int(k) + 1}" if link in several else link: f"{link}_{k}" for link, k in reversed(links)}
+    for pair in of.pair_names:
+        shapes.addCollisionPair(pin.CollisionPair(*(numbers[called[name]] for name in pair.split("/"))))
+    data, measured = model.createData(), shapes.createData()
+    for own in of.random(1, 20):
+        q = np.empty(model.nq)
+        q[places] = own
+        pin.computeJointJacobians(model, data, q)
+        pin.updateGeometryPlacements(model, data, shapes, measured)
+        pin.computeDistances(shapes, measured)
+        assert close(of.distances(own), [result.min_distance for result in measured.distanceResults])
+        rows = []
+        for pair in shapes.collisionPairs:
+            centers = [measured.oMg[shape].translation for shape in (pair.first, pair.second)]
+            normal = (centers[0] - centers[1]) / np.linalg.norm(centers[0] - centers[1])
+            speeds = np.zeros(model.nv)
+            for shape, center, sign in zip((pair.first, pair.second), centers, (1, -1), strict=True):
+                joint = shapes.geometryObjects[shape].parentJoint
+                twists = pin.getJointJacobian(model, data, joint, pin.ReferenceFrame.WORLD) if joint else np.zeros((6, model.nv))
+                speeds += sign * normal @ (twists[:3] + np.cross(twists[3:].T, center).T)
+            rows.append(speeds[places])
+        assert close(of.distance_jacobian(own), np.array(rows))

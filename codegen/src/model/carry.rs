@@ -2,9 +2,9 @@
 //!
 //! In: the bodies and the state. Out: the displacements of their joints, each a rotation and a translation, for all of
 //! them or for those on the path from the base to a frame. A frame that leaves its rotation to its child bodies
-//! ([`turn`](super::turn)) is not fixed to its body; all matrices belong to one instant, so that every formula still
-//! holds. The same is true with all matrices in frame 0: each L and J is taken there, and nothing changes from one body
-//! to the next.
+//! ([`axis_rotation`](super::axis_rotation)) is not fixed to its body; all matrices belong to one instant, so that every
+//! formula still holds. The same is true with all matrices in frame 0: each L and J is taken there, and nothing changes
+//! from one body to the next.
 
 use std::iter::successors;
 

@@ -162,7 +162,7 @@ impl<'p> Known<'p> {
             Operation::Sqrt(a) => match self.squares(a) {
                 Some(entries) => {
                     let length = lengths.of(self, &entries);
-                    self.value(a).root_of_squares(length, self.scalar())
+                    length.root_of(self.value(a), self.scalar())
                 }
                 None => self.value(a).root(),
             },

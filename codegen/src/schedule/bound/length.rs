@@ -71,6 +71,20 @@ impl Length {
         }
     }
 
+    /// The root of the vector's square, before rounding: it changes by no more than the vector, also near zero. Of the
+    /// sum of squares, at most three products and two sums are rounded.
+    pub fn root_of(self, square: Value, scalar: Real) -> Value {
+        let roundoff = scalar.roundoff();
+        // √(1 ± δ) is within δ/2 + δ²/2 of 1, and δ is at most (1 + u)³ − 1.
+        let rounded = (self.size + self.error) * 1.5 * (1.0 + 5.0 * roundoff) * roundoff;
+        Value {
+            lo: square.lo.max(0.0).sqrt(),
+            hi: square.hi.sqrt().min(self.size),
+            error: self.error + rounded + (3.0 * scalar.smallest()).sqrt(),
+        }
+        .or_unknown()
+    }
+
     /// Error of the scalar product with another vector, before rounding.
     pub fn across(self, other: Self) -> f64 {
         self.size * other.error + self.error * (other.size + other.error)

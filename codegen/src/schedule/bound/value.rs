@@ -5,7 +5,6 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::length::Length;
 use crate::expression::Double;
 use crate::real::Real;
 
@@ -164,20 +163,6 @@ impl Value {
         .or_unknown()
     }
 
-    /// √a before rounding, where a is the square of a vector with this length: it changes by no more than the vector, also
-    /// near zero. Of the sum of squares, at most three products and two sums are rounded.
-    pub(super) fn root_of_squares(self, vector: Length, scalar: Real) -> Self {
-        let roundoff = scalar.roundoff();
-        // √(1 ± δ) is within δ/2 + δ²/2 of 1, and δ is at most (1 + u)³ − 1.
-        let rounded = (vector.size + vector.error) * 1.5 * (1.0 + 5.0 * roundoff) * roundoff;
-        Self {
-            lo: self.lo.max(0.0).sqrt(),
-            hi: self.hi.sqrt().min(vector.size),
-            error: vector.error + rounded + (3.0 * scalar.smallest()).sqrt(),
-        }
-        .or_unknown()
-    }
-
     /// Sign of a. For an argument, the sign of the value as read: zero if it is subnormal and the processor flushes it.
     pub(super) fn sign(self, scalar: Real) -> Self {
         let of = |x: f64| f64::from(i8::from(x > 0.0) - i8::from(x < 0.0));
@@ -248,7 +233,7 @@ impl Value {
     }
 
     /// Unknown instead of NaN, which infinity times zero and infinity minus infinity give.
-    const fn or_unknown(self) -> Self {
+    pub(super) const fn or_unknown(self) -> Self {
         if self.lo.is_nan() || self.hi.is_nan() || self.error.is_nan() {
             Self::UNKNOWN
         } else {

@@ -51,11 +51,7 @@ pub(super) fn robot(
     let mut bodies: List<BodyId, DenseBody> = List::new();
     let mut attached: HashMap<&str, BodyId> = HashMap::new();
     if let Some(placement) = reader.base() {
-        let nothing = [[Approximate::literal(0.0); 3]; 2];
-        attached.insert(
-            base,
-            bodies.push(held(None, placement, nothing, Double::ZERO)),
-        );
+        attached.insert(base, bodies.push(fixed(None, placement)));
     }
     let mut moving = 0;
     let places = Places {
@@ -190,6 +186,12 @@ impl Places<'_> {
 fn place<I: Id>(places: &HashMap<&str, I>, name: &str) -> Result<I, Contradiction> {
     let place = places.get(name).copied();
     place.ok_or_else(|| Contradiction(format!("what is called {name}")))
+}
+
+/// A body that is fixed to another one, or to frame 0.
+fn fixed(parent: Option<BodyId>, placement: Matrix<Approximate>) -> DenseBody {
+    let nothing = [[Approximate::literal(0.0); 3]; 2];
+    held(parent, placement, nothing, Double::ZERO)
 }
 
 /// A body that is held at a coordinate along a screw.

@@ -423,6 +423,18 @@ pub fn path<'g>(
     path_beyond(bodies, None, frame, state, algorithm)
 }
 
+/// The last body that carries all of some frames; `None` for the base.
+pub fn carrier(bodies: &Bodies<'_>, frames: impl IntoIterator<Item = FrameId>) -> Option<BodyId> {
+    let inwards = |frame: FrameId| successors(bodies.frames[frame].0, |&k| bodies.bodies[k].parent);
+    let mut frames = frames.into_iter();
+    let mut common: Vec<BodyId> = inwards(frames.next()?).collect();
+    for frame in frames {
+        let other: Vec<BodyId> = inwards(frame).collect();
+        common.retain(|k| other.contains(k));
+    }
+    common.first().copied()
+}
+
 /// The path to a frame from a body that carries it, or from the base; its first placement is relative to that.
 pub fn path_beyond<'g>(
     bodies: &Bodies<'g>,

@@ -15,7 +15,7 @@ use crate::expression::Term;
 use crate::layout::{Bodies, Closed};
 use crate::list::List;
 use crate::matrix::{Acceleration, Pose, Screw, Vector, Velocity};
-use crate::space::{FrameId, VelocityId};
+use crate::space::VelocityId;
 
 /// Pose and motion of frame B in frame A.
 struct Seen<'g> {
@@ -91,13 +91,10 @@ fn seen<'g>(
     state: &State<'g>,
     algorithm: Algorithm,
 ) -> Seen<'g> {
-    let inwards = |frame: FrameId| {
-        let (last, _) = bodies.frames[frame];
-        std::iter::successors(last, |&k| bodies.bodies[k].parent)
-    };
-    let [a, b] = closed.frames;
-    let both = inwards(a).find(|k| inwards(b).any(|other| other == *k));
-    let [a, b] = [a, b].map(|frame| carry::path_beyond(bodies, both, frame, state, algorithm));
+    let both = carry::carrier(bodies, closed.frames);
+    let [a, b] = closed
+        .frames
+        .map(|frame| carry::path_beyond(bodies, both, frame, state, algorithm));
     let together = |_: &DisplacedJoint<'g>, next: &DisplacedJoint<'g>| next.taken;
     let mut pose = a.end.inverse();
     let mut joints = Vec::new();

@@ -6,10 +6,10 @@
 //! wrench Φ, a row of the Jacobian is L ⊗ Φ for the joints that carry the first sphere alone, and −L ⊗ Φ for those that
 //! carry the second alone.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Scene;
-use super::carry::{Path, path_beyond};
+use super::carry::{Path, carrier, path_beyond};
 use super::pose;
 use crate::chain::BodyId;
 use crate::expression::Term;
@@ -92,23 +92,11 @@ impl<'g> CarriedSphere<'g> {
 /// The paths to all spheres that are in pairs, from the last body that carries all of them.
 fn paths<'g>(scene: &Scene<'_, 'g>) -> BTreeMap<SphereId, Path<'g>> {
     let bodies = scene.bodies;
-    let carriers = |k: SphereId| {
-        let (last, _) = bodies.frames[bodies.spheres[k].0];
-        let inwards = std::iter::successors(last, |&k| bodies.bodies[k].parent);
-        let mut all: Vec<BodyId> = inwards.collect();
-        all.reverse();
-        all
-    };
-    let spheres: Vec<SphereId> = bodies.pairs.iter().flatten().copied().collect();
-    let of_all = spheres.iter().map(|&k| carriers(k)).reduce(|both, other| {
-        let same = both.into_iter().zip(other);
-        same.take_while(|(a, b)| a == b).map(|(a, _)| a).collect()
-    });
-    let from = of_all.and_then(|all| all.last().copied());
-    let path = |k: SphereId| {
-        let frame = bodies.spheres[k].0;
-        path_beyond(bodies, from, frame, &scene.state, scene.algorithm)
-    };
+    // A sphere is in several pairs.
+    let spheres: BTreeSet<SphereId> = bodies.pairs.iter().flatten().copied().collect();
+    let frame = |k: SphereId| bodies.spheres[k].0;
+    let from = carrier(bodies, spheres.iter().map(|&k| frame(k)));
+    let path = |k| path_beyond(bodies, from, frame(k), &scene.state, scene.algorithm);
     spheres.into_iter().map(|k| (k, path(k))).collect()
 }
 

@@ -6,10 +6,10 @@
 use std::collections::HashMap;
 
 use super::matrices::{of_length_1, with_z};
-use super::{Approximate, Contradiction, RobotReader, held};
+use super::{Approximate, Contradiction, RobotReader, fixed};
 use crate::chain::Chain;
 use crate::dense::{BodyId, Closed, DenseBody};
-use crate::expression::{Arithmetic, Double};
+use crate::expression::Arithmetic;
 use crate::list::{Id, List};
 use crate::space::FrameId;
 
@@ -42,14 +42,8 @@ impl RobotReader<'_> {
                     placement = placement.times(&with_z(axis));
                     axes.push(axis);
                 }
-                let nothing = [[Approximate::literal(0.0); 3]; 2];
                 let link = attached.get(link.text.as_str()).copied();
-                frames.push(Some(bodies.push(held(
-                    link,
-                    placement,
-                    nothing,
-                    Double::ZERO,
-                ))));
+                frames.push(Some(bodies.push(fixed(link, placement))));
             }
             let size = match (described.closure.length(), &*axes) {
                 (Some(length), _) => Approximate::written(length.exact()),

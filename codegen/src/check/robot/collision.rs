@@ -5,10 +5,9 @@
 
 use std::collections::HashMap;
 
-use super::{Approximate, Contradiction, RobotReader, held};
+use super::{Approximate, Contradiction, RobotReader, fixed};
 use crate::chain::Chain;
 use crate::dense::{BodyId, DenseBody};
-use crate::expression::{Arithmetic, Double};
 use crate::list::List;
 use crate::space::{FrameId, SphereId};
 
@@ -32,13 +31,7 @@ impl RobotReader<'_> {
                 continue;
             }
             let placement = self.placement(name, &sphere.origin)?;
-            let nothing = [[Approximate::literal(0.0); 3]; 2];
-            let frame = frames.push(Some(bodies.push(held(
-                link,
-                placement,
-                nothing,
-                Double::ZERO,
-            ))));
+            let frame = frames.push(Some(bodies.push(fixed(link, placement))));
             spheres.push((frame, Approximate::written(sphere.radius.exact())));
         }
         if spheres.len() == chain.spheres.len() {

@@ -4,10 +4,10 @@
 //! the link.
 
 use super::matrices::across;
-use super::{Approximate, Contradiction, JointCoordinate, Places, RobotReader, held, place};
+use super::{Approximate, Contradiction, JointCoordinate, Places, RobotReader, fixed, held, place};
 use crate::dense::{BodyId, DegreeOfFreedom, DenseBody, Matrix, Moved};
 use crate::description::Joint;
-use crate::expression::{Arithmetic, Double};
+use crate::expression::Arithmetic;
 use crate::joint::{self, Along, Manifold, Movement};
 use crate::list::List;
 
@@ -22,8 +22,7 @@ impl RobotReader<'_> {
         bodies: &mut List<BodyId, DenseBody>,
     ) -> Result<BodyId, Contradiction> {
         if !joint.kind.moves() {
-            let nothing = [[Approximate::literal(0.0); 3]; 2];
-            return Ok(bodies.push(held(parent, placement, nothing, Double::ZERO)));
+            return Ok(bodies.push(fixed(parent, placement)));
         }
         let velocities = joint.kind.velocities(&joint.name.text);
         for (k, (own, degree_of_freedom)) in velocities.enumerate() {
@@ -86,10 +85,7 @@ impl RobotReader<'_> {
             inertia: Matrix::zero(),
         });
         Ok(match rotation {
-            Some(rotation) => {
-                let nothing = [[Approximate::literal(0.0); 3]; 2];
-                bodies.push(held(Some(body), rotation.inverse(), nothing, Double::ZERO))
-            }
+            Some(rotation) => bodies.push(fixed(Some(body), rotation.inverse())),
             None => body,
         })
     }

@@ -52,7 +52,7 @@ pub fn check(
     for collision in &description.collisions {
         errors.append(collision.errors.clone());
     }
-    let counts = counts(description, links);
+    let counts = counts(description);
     if counts.is_empty() && errors.is_empty() {
         errors.push_with_hint(
             place,
@@ -100,11 +100,11 @@ pub fn check(
 }
 
 /// The number of spheres of each link that has some.
-fn counts(description: &Description, links: &Names<'_, LinkId>) -> BTreeMap<LinkId, usize> {
+fn counts(description: &Description) -> BTreeMap<LinkId, usize> {
     let mut counts = BTreeMap::new();
     for collision in &description.collisions {
-        if let (Some(_), Some(link)) = (&collision.sphere, links.get(&collision.link)) {
-            *counts.entry(link).or_default() += 1;
+        if collision.sphere.is_some() {
+            *counts.entry(collision.link).or_default() += 1;
         }
     }
     counts

@@ -15,6 +15,7 @@ use crate::description::{Description, Inertial, Joint, Loop, Sphere, Step};
 use crate::error::{Diagnostic, Errors, Place};
 use crate::joint::Manifold;
 use crate::joint::actuator::ActuatorQuantity;
+use crate::list::Id;
 use crate::wording::{list, quoted};
 
 /// State of the writer.
@@ -62,10 +63,11 @@ pub(super) fn write(description: &Description) -> Result<Converted, Errors> {
     }
     urdf.markup.text.push_str("<?xml version=\"1.0\"?>\n");
     urdf.markup.begin("robot", &root);
-    for link in &description.links {
-        let spheres = description.collisions.iter();
-        let spheres = spheres.filter(|collision| collision.link.text == link.name.text);
-        let spheres = spheres.filter_map(|collision| collision.sphere.as_ref());
+    // They stand in the order of their links.
+    let mut collisions = description.collisions.iter().peekable();
+    for (k, link) in description.links.iter().enumerate() {
+        let own = std::iter::from_fn(|| collisions.next_if(|other| other.link.index() == k));
+        let spheres = own.filter_map(|collision| collision.sphere.as_ref());
         urdf.link(
             &link.name.text,
             link.inertial.as_ref(),

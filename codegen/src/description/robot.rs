@@ -109,7 +109,7 @@ pub struct Link {
 #[derive(Clone, Debug)]
 pub struct Collision {
     /// The link.
-    pub link: Name,
+    pub link: LinkId,
     /// The sphere; `None` for another shape.
     pub sphere: Option<Sphere>,
     /// The mistakes in it: only a request for spheres makes them errors.

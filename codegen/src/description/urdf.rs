@@ -22,8 +22,9 @@ use super::fingerprint::fingerprint;
 use super::position::Positions;
 use super::xml::element::Reader;
 use super::xml::{self, plain, survey};
-use super::{Description, FileFormat, Name, Source, Unmodelled, names};
+use super::{Description, FileFormat, LinkId, Name, Source, Unmodelled, names};
 use crate::error::{Diagnostic, Errors, Place};
+use crate::list::Id;
 use crate::wording::quoted;
 
 #[doc(hidden)]
@@ -161,7 +162,8 @@ fn robot<'t>(reader: &mut Reader<'_, 't>, root: Node<'_, 't>) -> Option<Descript
             "link" => {
                 let link = link::read(reader, child);
                 if let Some(link) = &link {
-                    collisions.extend(collision::read(reader, child, &link.name));
+                    let of = (LinkId::new(links.len()), &link.name);
+                    collisions.extend(collision::read(reader, child, of));
                 }
                 links.extend(link);
             }

@@ -30,12 +30,11 @@ pub(super) fn spheres<'g>(
     }
     let mut others = Vec::new();
     for collision in &description.collisions {
-        let name = &collision.link.text;
-        let mut all = attachments.numbered();
-        let link = all.find(|(link, _)| description[*link].name.text == *name);
-        let Some((link, Some(attachment))) = link else {
+        let link = collision.link;
+        let Some(attachment) = attachments[link] else {
             continue;
         };
+        let name = &description[link].name.text;
         let Some(sphere) = &collision.sphere else {
             others.push(collision);
             continue;
@@ -53,13 +52,13 @@ pub(super) fn spheres<'g>(
         });
     }
     if let Some(first) = others.first() {
-        let mut names: Vec<String> = Vec::new();
-        for other in &others {
-            let name = quoted(&other.link.text);
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
+        // Those of one link stand together.
+        let mut links: Vec<LinkId> = others.iter().map(|other| other.link).collect();
+        links.dedup();
+        let names = links
+            .iter()
+            .map(|&link| quoted(&description[link].name.text));
+        let names: Vec<String> = names.collect();
         let names = list(names.iter().map(String::as_str));
         reader.report.warnings.push(Diagnostic {
             place: first.place,

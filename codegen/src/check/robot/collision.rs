@@ -22,7 +22,7 @@ impl RobotReader<'_> {
     ) -> Result<List<SphereId, (FrameId, Approximate)>, Contradiction> {
         let mut spheres = List::new();
         for collision in &self.description.collisions {
-            let name = collision.link.text.as_str();
+            let name = self.description[collision.link].name.text.as_str();
             let (true, Some(sphere)) = (self.request.collision, &collision.sphere) else {
                 continue;
             };

@@ -6,19 +6,23 @@
 use roxmltree::Node;
 
 use crate::description::xml::element::Reader;
-use crate::description::{Collision, Name, Number, Sphere};
+use crate::description::{Collision, LinkId, Name, Number, Sphere};
 use crate::wording::quoted;
 
 /// Reads the shapes of a link.
-pub(super) fn read<'t>(reader: &Reader<'_, 't>, link: Node<'_, 't>, name: &Name) -> Vec<Collision> {
-    let children = Reader::children(link).into_iter();
+pub(super) fn read<'t>(
+    reader: &Reader<'_, 't>,
+    node: Node<'_, 't>,
+    (link, name): (LinkId, &Name),
+) -> Vec<Collision> {
+    let children = Reader::children(node).into_iter();
     let shapes = children.filter(|child| child.tag_name().name() == "collision");
     shapes
         .map(|node| {
             let mut own = Reader::new(reader.positions);
             let sphere = sphere(&mut own, node, name);
             Collision {
-                link: name.clone(),
+                link,
                 sphere,
                 errors: own.errors,
                 place: reader.place(node),

@@ -18,11 +18,14 @@ fn shape(geometry: &str) -> String {
 fn spheres_have_a_place_and_a_radius() {
     let inner = "<collision name=\"c\"><origin xyz=\"0.1 0 -2\" rpy=\"0 0 1\"/>\
                  <geometry><sphere radius=\"0.25\"/></geometry></collision>";
-    let all = of_link(&format!("{inner}{}", shape("<sphere radius=\"1e-3\"/>")));
-    let [first, second] = &all[..] else {
-        panic!("{all:?}")
+    let second = shape("<sphere radius=\"1e-3\"/>");
+    let robot = fine(&format!(
+        "<robot name=\"r\"><link name=\"base\"/><link name=\"a\">{inner}{second}</link></robot>"
+    ));
+    let [first, second] = &robot.collisions[..] else {
+        panic!("{:?}", robot.collisions)
     };
-    assert_eq!(first.link.text, "a");
+    assert_eq!(robot[first.link].name.text, "a");
     let sphere = first.sphere.as_ref().expect("a sphere");
     assert_eq!(sphere.radius.value, 0.25);
     let Step::Translate(offset) = sphere.origin[0] else {

@@ -9,6 +9,7 @@ pub mod arrays;
 pub(crate) mod ascii;
 #[cfg(feature = "files")]
 pub mod c;
+mod copies;
 pub mod described;
 mod documentation;
 mod large;

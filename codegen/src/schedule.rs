@@ -13,6 +13,7 @@ mod names;
 mod once;
 mod operation_count;
 mod order;
+mod parts;
 mod readers;
 mod repeats;
 mod routine;

@@ -58,9 +58,16 @@ pub(super) fn times<'g>(
     if scene.algorithm.forward == Forward::UNREFINED {
         return forward_dynamics::solved(&scene.mass_matrix(), &scene.parents(), columns);
     }
-    let inverse = inverse(scene);
-    let operations = inverse.ids().len().pow(2);
-    model::alike(columns, operations, |column| product(&inverse, column))
+    // All rows of the inverse have the same zeros, so that one loop computes all rows of the product; columns of
+    // branches have different ones.
+    let inverse: Vec<List<VelocityId, Term<'g>>> = inverse(scene).rows().collect();
+    let entries = columns.iter().flatten();
+    let operations = entries.filter(|entry| !entry.is_zero()).count();
+    let rows = model::alike(&inverse, operations, |row| -> Vec<Term<'g>> {
+        columns.iter().map(|column| dot(row, column)).collect()
+    });
+    let column = |k: usize| rows.iter().map(|row| row[k]).collect();
+    (0..columns.len()).map(column).collect()
 }
 
 /// The product A b.
@@ -68,10 +75,11 @@ pub(super) fn product<'g>(
     a: &Square<VelocityId, Term<'g>>,
     b: &List<VelocityId, Term<'g>>,
 ) -> List<VelocityId, Term<'g>> {
-    let rows = a.ids().map(|row| {
-        let terms = a.row(row).zip(b).map(|(a, &b)| a * b);
-        let entry = terms.reduce(|sum, term| sum + term);
-        entry.expect("as many terms as rows")
-    });
-    rows.collect()
+    a.rows().map(|row| dot(&row, b)).collect()
+}
+
+fn dot<'g>(a: &List<VelocityId, Term<'g>>, b: &List<VelocityId, Term<'g>>) -> Term<'g> {
+    let terms = a.iter().zip(b).map(|(&a, &b)| a * b);
+    let sum = terms.reduce(|sum, term| sum + term);
+    sum.expect("as many terms as joints")
 }

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::limbs::in_limbs;
+use super::parts::in_parts;
 use super::repeats::{Repeat, repeats};
 use super::sections::{Length, Sections, sections};
 use super::{Operand, Program};
@@ -28,10 +29,14 @@ impl<'p> Arranged<'p> {
     #[must_use]
     pub fn of(program: &'p Program, limbs: &[Limbs], length: Length) -> Self {
         let columns = repeats(program);
-        let (program, mut repeats) = match in_limbs(program, limbs, &columns, length) {
+        let (mut program, mut repeats) = match in_limbs(program, limbs, &columns, length) {
             Some((program, repeats)) => (Cow::Owned(program), repeats),
             None => (Cow::Borrowed(program), columns),
         };
+        if sections(&program, &repeats, length).is_some() {
+            let parts = in_parts(&program, &repeats, length.of_section());
+            (program, repeats) = (Cow::Owned(parts.0), parts.1);
+        }
         let first_result = first_result(&program);
         for repeat in &mut repeats {
             let place = |step: &u32| first_result.get(step).copied().unwrap_or(usize::MAX);

@@ -16,6 +16,7 @@ mod order;
 #[cfg(test)]
 pub mod tests;
 
+pub use cutting::{MOST_ROWS, best_end};
 pub use fusing::fused_alike;
 
 use groups::Groups;

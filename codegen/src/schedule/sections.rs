@@ -135,6 +135,9 @@ pub struct Section {
     /// For each value of [`Repeat::loads`], the index of that of the first iteration in the work array, if those of the
     /// others follow it.
     pub rows: Vec<Option<usize>>,
+    /// Entries of the work array that are copied before the steps, from the first index to the second: values of rows that
+    /// several repeats read.
+    pub copies: Vec<(usize, usize)>,
     /// Steps whose results are stored in the work array. Those of a repeat have consecutive places: each step of its
     /// first iteration is followed by that of all others.
     pub stores: Vec<(u32, usize)>,
@@ -206,6 +209,8 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
             _ => unreachable!("sections compute steps"),
         });
         let stores = stores.collect();
+        let copies = repeat.as_ref();
+        let copies = copies.map_or_else(Vec::new, |repeat| places.copy_rows(repeat, number));
         // A section may read and write the array in any order, so its own values need other entries.
         for value in &loads {
             if until[value] == number {
@@ -217,6 +222,7 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
             rows.extend(repeat.loads.iter().map(|row| places.first_of(row)));
             let named = named(program, repeat, &rows);
             loads.retain(|value| named.contains(value));
+            places.free_rows(repeat, number);
         }
         Section {
             steps,
@@ -225,6 +231,7 @@ pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option
                 .map(|value| (value, places.of[&value]))
                 .collect(),
             rows,
+            copies,
             stores,
             repeat,
         }
@@ -248,6 +255,11 @@ fn named(program: &Program, repeat: &Repeat, rows: &[Option<usize>]) -> BTreeSet
     read.filter_map(Shared::of).collect()
 }
 
+/// The values of a row without literals.
+fn values_of(row: &[Operand]) -> Option<Vec<Shared>> {
+    row.iter().copied().map(Shared::of).collect()
+}
+
 /// Allocation of the work array.
 struct Places {
     of: BTreeMap<Shared, usize>,
@@ -255,26 +267,78 @@ struct Places {
     len: usize,
     /// For the value of the first iteration of a repeat, those of all of them, if they are different.
     rows: BTreeMap<Shared, Vec<Shared>>,
+    /// Rows that several repeats read.
+    read_again: BTreeMap<Vec<Shared>, ReadAgain>,
+}
+
+/// Row of values that several repeats read.
+#[derive(Default)]
+struct ReadAgain {
+    /// Number of these repeats.
+    readers: usize,
+    /// Section of the last one.
+    until: usize,
+    /// Place of its copy, if there is one.
+    copy: Option<usize>,
 }
 
 impl Places {
     /// Places of values, which these repeats read.
     fn of_repeats(repeats: &[Option<Repeat>]) -> Self {
         let mut rows = BTreeMap::new();
-        let loads = repeats.iter().flatten().flat_map(|repeat| &repeat.loads);
-        for row in loads {
-            let row: Option<Vec<Shared>> = row.iter().copied().map(Shared::of).collect();
-            let Some(row) = row else { continue };
-            let different: BTreeSet<&Shared> = row.iter().collect();
-            if different.len() == row.len() {
-                rows.entry(row[0]).or_insert(row);
+        let mut read_again: BTreeMap<Vec<Shared>, ReadAgain> = BTreeMap::new();
+        for (number, repeat) in repeats.iter().enumerate() {
+            for row in repeat.iter().flat_map(|repeat| &repeat.loads) {
+                let Some(row) = values_of(row) else { continue };
+                let again = read_again.entry(row.clone()).or_default();
+                again.readers += 1;
+                again.until = number;
+                let different: BTreeSet<&Shared> = row.iter().collect();
+                if different.len() == row.len() {
+                    rows.entry(row[0]).or_insert(row);
+                }
             }
         }
+        read_again.retain(|_, row| row.readers > 1);
         Self {
             of: BTreeMap::new(),
             free: BTreeSet::new(),
             len: 0,
             rows,
+            read_again,
+        }
+    }
+
+    /// Places for copies of the rows that later repeats read, too, and whose values are apart; the copies that this
+    /// repeat makes.
+    fn copy_rows(&mut self, repeat: &Repeat, number: usize) -> Vec<(usize, usize)> {
+        let mut copies = Vec::new();
+        for row in &repeat.loads {
+            let Some(values) = values_of(row).filter(|_| self.first_of(row).is_none()) else {
+                continue;
+            };
+            let again = self.read_again.get(&values);
+            if again.is_none_or(|again| again.until == number) {
+                continue;
+            }
+            let first = self.in_a_row(values.len());
+            let from = values.iter().map(|value| self.of[value]);
+            copies.extend(from.zip(first..));
+            if let Some(again) = self.read_again.get_mut(&values) {
+                again.copy = Some(first);
+            }
+        }
+        copies
+    }
+
+    /// Frees the copies that this repeat reads last.
+    fn free_rows(&mut self, repeat: &Repeat, number: usize) {
+        for values in repeat.loads.iter().filter_map(|row| values_of(row)) {
+            let again = self.read_again.get_mut(&values);
+            let last = again.filter(|again| again.until == number);
+            if let Some(first) = last.and_then(|again| again.copy.take()) {
+                self.free.extend(first..first + values.len());
+            }
         }
     }
 
@@ -306,21 +370,32 @@ impl Places {
 
     /// Consecutive places.
     fn take_in_a_row(&mut self, values: &[Shared]) -> Vec<(Shared, usize)> {
-        let count = values.len();
-        let is_free = |first: &usize| (*first..first + count).all(|at| self.free.contains(&at));
-        let first = self.free.iter().copied().find(is_free);
-        let first = first.unwrap_or(self.len);
-        self.len = self.len.max(first + count);
+        let first = self.in_a_row(values.len());
         let places = values.iter().zip(first..).map(|(&value, place)| {
-            self.free.remove(&place);
             self.of.insert(value, place);
             (value, place)
         });
         places.collect()
     }
 
-    /// The place of the first of some values, if those of the others follow it.
+    /// The first of so many consecutive places, which are taken.
+    fn in_a_row(&mut self, count: usize) -> usize {
+        let is_free = |first: &usize| (*first..first + count).all(|at| self.free.contains(&at));
+        let first = self.free.iter().copied().find(is_free);
+        let first = first.unwrap_or(self.len);
+        self.len = self.len.max(first + count);
+        for place in first..first + count {
+            self.free.remove(&place);
+        }
+        first
+    }
+
+    /// The place of the first of some values, if those of the others, or their copies, follow it.
     fn first_of(&self, values: &[Operand]) -> Option<usize> {
+        let again = values_of(values).and_then(|values| self.read_again.get(&values));
+        if let Some(copy) = again.and_then(|again| again.copy) {
+            return Some(copy);
+        }
         let place = |value: &Operand| self.of.get(&Shared::of(*value)?).copied();
         let first = place(values.first()?)?;
         let mut places = values.iter().map(place).zip(first..);

@@ -5,6 +5,7 @@
 use super::body::CWriter;
 use super::declarations::lengths;
 use crate::module::Module;
+use crate::print::copies::Copies;
 use crate::schedule::{Routine, Value};
 use crate::space::Quantity;
 
@@ -16,7 +17,7 @@ impl CWriter<'_> {
         module: &Module,
         results: &[(String, Quantity)],
     ) {
-        let index = self.names.fresh("k");
+        let [row_index, index] = ["row", "k"].map(|name| self.names.fresh(name));
         let mut first = 0;
         for (name, quantity) in results {
             let lengths = lengths(quantity, &module.spaces);
@@ -27,6 +28,13 @@ impl CWriter<'_> {
             // In C++, results may be of types with another index.
             let is_array = !has_order && !self.options.templates;
             let mut k = 0;
+            if let ([rows, columns], true) = (&*lengths, is_array)
+                && size == rows * columns
+                && let Some(copies) = Copies::of(&values[..size], *columns)
+            {
+                self.copy_matrix(&copies, name, &lengths, [&row_index, &index]);
+                k = size;
+            }
             while k < size {
                 let end = size.min((k / row + 1) * row);
                 let copied = InARow::of(&values[k..end]).filter(|_| is_array);
@@ -53,6 +61,44 @@ impl CWriter<'_> {
                 k += 1;
             }
             first += size;
+        }
+    }
+
+    /// Copies values to a matrix.
+    fn copy_matrix(
+        &mut self,
+        copies: &Copies<'_>,
+        name: &str,
+        lengths: &[usize],
+        [row, index]: [&str; 2],
+    ) {
+        let rows = copies.rows;
+        self.line(&format!("for (int {row} = 0; {row} < {rows}; {row}++) {{"));
+        for block in &copies.blocks {
+            let (column, count) = (block.column, block.count);
+            let from = format!("{}[{} + {} * {row}", self.work, block.first, block.down);
+            if count == 1 {
+                self.line(&format!("    {name}[{row}][{column}] = {from}];"));
+                continue;
+            }
+            self.line(&format!(
+                "    for (int {index} = 0; {index} < {count}; {index}++) {{"
+            ));
+            let along = block.along;
+            self.line(&format!(
+                "        {name}[{row}][{column} + {index}] = {from} + {along} * {index}];"
+            ));
+            self.line("    }");
+        }
+        for &(column, value) in &copies.constant {
+            let value = self.stored(&Value::Literal(value));
+            self.line(&format!("    {name}[{row}][{column}] = {value};"));
+        }
+        self.line("}");
+        for &([of_row, column], value) in &copies.others {
+            let value = self.stored(value);
+            let place = self.entry(name, of_row * lengths[1] + column, lengths);
+            self.line(&format!("{place} = {value};"));
         }
     }
 

@@ -42,9 +42,34 @@ pub(super) struct FunctionBody {
 /// Results of a function.
 pub(super) enum Results {
     /// Numbers in order.
-    Numbers(Vec<TokenStream>),
+    Numbers(Numbers),
     /// Matrix that holds all numbers.
     Filled(Ident),
+}
+
+/// Numbers in order, and the names that loops need which copy them.
+pub(super) struct Numbers {
+    /// The numbers.
+    pub entries: Vec<Number>,
+    /// Zero.
+    pub zero: TokenStream,
+    /// The work array, if there is one.
+    pub work: Option<Ident>,
+    /// Name of a matrix that loops fill.
+    pub matrix: Ident,
+    /// Name of the index of its row.
+    pub row: Ident,
+    /// Name of another loop's index.
+    pub index: Ident,
+}
+
+/// Number of a result.
+#[derive(Clone)]
+pub(super) struct Number {
+    /// As an expression.
+    pub text: TokenStream,
+    /// As an operand; of a function with one result, that of its last operation.
+    pub value: Value,
 }
 
 /// Shape of the results.
@@ -154,13 +179,12 @@ pub(super) fn body(
     let first = routine.statements.iter().position(stores);
     let (before, after) = (routine.statements).split_at(first.unwrap_or(routine.statements.len()));
     statements.extend(writer.statements(before));
-    let results = match &writer.filling {
-        Some(filling) => {
-            let one = writer.numerals.write(1.0);
-            statements.extend(filling.begin(&results, &routine.stored, &one));
-            Results::Filled(filling.matrix.clone())
-        }
-        None => Results::Numbers(results),
+    let results = if let Some(filling) = &writer.filling {
+        let one = writer.numerals.write(1.0);
+        statements.extend(filling.begin(&results, &routine.stored, &one));
+        Results::Filled(filling.matrix.clone())
+    } else {
+        Results::Numbers(writer.numbers(results, routine.results))
     };
     statements.extend(writer.statements(after));
     statements.extend(routine.work.as_ref().map(|work| writer.calls(work)));
@@ -214,7 +238,10 @@ impl Results {
     /// Numbers of a function without a matrix that is filled early.
     pub(super) fn numbers(self) -> Vec<TokenStream> {
         match self {
-            Self::Numbers(numbers) => numbers,
+            Self::Numbers(numbers) => {
+                let entries = numbers.entries.into_iter();
+                entries.map(|number| number.text).collect()
+            }
             Self::Filled(_) => unreachable!("no matrix was asked for"),
         }
     }
@@ -282,6 +309,23 @@ impl RustWriter<'_> {
                 let [row, column] = [*row, *column].map(Literal::usize_unsuffixed);
                 quote! { #table[#row][#column] }
             }
+        }
+    }
+
+    /// These values with their expressions, and names for loops that copy them.
+    fn numbers(&mut self, texts: Vec<TokenStream>, values: Vec<Value>) -> Numbers {
+        let entries = texts.into_iter().zip(values);
+        let entries = entries.map(|(text, value)| Number { text, value });
+        let entries = entries.collect();
+        let [matrix, row, index] =
+            ["matrix", "row", "k"].map(|name| ident(&self.names.fresh(name)));
+        Numbers {
+            entries,
+            zero: self.numerals.write(0.0),
+            work: self.work.clone(),
+            matrix,
+            row,
+            index,
         }
     }
 

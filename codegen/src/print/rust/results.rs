@@ -3,10 +3,11 @@
 //! In: a quantity and its numbers. Out: the runtime's matrix types, or arrays without the runtime, in arrays over their
 //! spaces; structs for several quantities, from the runtime or in the file.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
 use syn::ext::IdentExt;
 
+use super::body::{Number, Numbers};
 use super::comments::doc;
 use super::dialect::Dialect;
 use super::item::Item;
@@ -15,6 +16,8 @@ use super::library::Library;
 use super::names::ident;
 use crate::function::Function;
 use crate::module::Module;
+use crate::print::copies::Copies;
+use crate::schedule::Value;
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
 /// Type of the results of `functions`.
@@ -137,17 +140,17 @@ fn named(entity: Entity, dialect: &Dialect) -> Option<TokenStream> {
 pub(super) fn result_value(
     functions: &[Function],
     spaces: &Spaces,
-    numbers: &[TokenStream],
+    numbers: &Numbers,
     dialect: &Dialect,
 ) -> TokenStream {
-    let mut rest = numbers;
+    let mut rest = &*numbers.entries;
     let values = functions.iter().map(|&function| {
         let outcome = function.result();
         let (own, others) = rest.split_at(outcome.size(spaces).min(rest.len()));
         rest = others;
         let parts = outcome.parts().zip(outcome.split(spaces, own));
         let values = parts.map(|((field, quantity), own)| {
-            let value = value_of(&quantity, spaces, own, dialect);
+            let value = value_of((&quantity, spaces), own, numbers, dialect);
             match field.map(ident) {
                 Some(field) => quote! { #field: #value },
                 None => value,
@@ -165,25 +168,27 @@ pub(super) fn result_value(
 }
 
 fn value_of(
-    quantity: &Quantity,
-    spaces: &Spaces,
-    numbers: &[TokenStream],
+    (quantity, spaces): (&Quantity, &Spaces),
+    own: &[Number],
+    numbers: &Numbers,
     dialect: &Dialect,
 ) -> TokenStream {
     let entity = quantity.entity;
     let lengths = quantity.lengths(spaces);
     match named(entity, dialect) {
         Some(path) => {
-            let whole = numbers
+            let own: Vec<_> = own.iter().map(|number| number.text.clone()).collect();
+            let whole = own
                 .chunks(entity.size())
                 .map(|numbers| match entity.dimensions() {
                     [3] => quote! { #path([#(#numbers),*]) },
                     [3, 4] => made(&path, &square_and_column(numbers)),
                     _ => made(&path, &two_vectors(numbers)),
                 });
-            nested(&lengths, &whole.collect::<Vec<_>>())
+            let whole: Vec<_> = whole.collect();
+            nested(&lengths, &whole)
         }
-        None => nested(&[&lengths, entity.dimensions()].concat(), numbers),
+        None => nested_numbers(&[&lengths, entity.dimensions()].concat(), own, numbers),
     }
 }
 
@@ -192,14 +197,88 @@ fn made(path: &TokenStream, blocks: &TokenStream) -> TokenStream {
 }
 
 /// Nested arrays of the given lengths, the outermost first.
-fn nested(lengths: &[usize], values: &[TokenStream]) -> TokenStream {
+fn nested<T: ToTokens>(lengths: &[usize], values: &[T]) -> TokenStream {
     let Some((_, inner)) = lengths.split_first() else {
         return quote! { #(#values)* };
     };
-    // `chunks` rejects a length of 0, which a robot without joints has.
-    let each = inner.iter().product::<usize>().max(1);
-    let rows = values.chunks(each).map(|values| nested(inner, values));
+    let rows = rows(inner, values).map(|values| nested(inner, values));
     quote! { [#(#rows),*] }
+}
+
+/// The same for numbers, whose matrices loops may copy.
+fn nested_numbers(lengths: &[usize], values: &[Number], numbers: &Numbers) -> TokenStream {
+    let inner = match lengths {
+        [] | [_] => return nested(lengths, values),
+        [_, columns] => match copied(values, *columns, numbers) {
+            Some(matrix) => return matrix,
+            None => return nested(lengths, values),
+        },
+        [_, inner @ ..] => inner,
+    };
+    let rows = rows(inner, values).map(|values| nested_numbers(inner, values, numbers));
+    quote! { [#(#rows),*] }
+}
+
+/// Values of each array of these lengths.
+fn rows<'v, T>(lengths: &[usize], values: &'v [T]) -> impl Iterator<Item = &'v [T]> {
+    // `chunks` rejects a length of 0, which a robot without joints has.
+    values.chunks(lengths.iter().product::<usize>().max(1))
+}
+
+/// A matrix with rows of this length, if loops copy entries of it.
+fn copied(values: &[Number], columns: usize, numbers: &Numbers) -> Option<TokenStream> {
+    let Numbers {
+        zero,
+        work,
+        matrix,
+        row,
+        index,
+        ..
+    } = numbers;
+    let work = work.as_ref()?;
+    let places: Vec<Value> = values.iter().map(|number| number.value.clone()).collect();
+    let copies = Copies::of(&places, columns)?;
+    let number = Literal::usize_unsuffixed;
+    let blocks = copies.blocks.iter().map(|block| {
+        let [column, count] = [block.column, block.count].map(number);
+        let [first, down, along] = [block.first, block.down, block.along].map(number);
+        if block.count == 1 {
+            return quote! { #matrix[#row][#column] = #work[#first + #down * #row]; };
+        }
+        quote! {
+            for #index in 0..#count {
+                #matrix[#row][#column + #index] = #work[#first + #down * #row + #along * #index];
+            }
+        }
+    });
+    let constant = copies.constant.iter().filter(|(_, value)| *value != 0.0);
+    let constant = constant.map(|&(column, _)| {
+        let (value, column) = (&values[column], number(column));
+        quote! { #matrix[#row][#column] = #value; }
+    });
+    let others = copies.others.iter();
+    let others = others.filter(|(_, value)| **value != Value::Literal(0.0));
+    let others = others.map(|&([of_row, column], _)| {
+        let value = &values[of_row * columns + column];
+        let [of_row, column] = [of_row, column].map(number);
+        quote! { #matrix[#of_row][#column] = #value; }
+    });
+    let [rows, columns] = [copies.rows, columns].map(number);
+    Some(quote! {
+        {
+            let mut #matrix = [[#zero; #columns]; #rows];
+            #[allow(clippy::needless_range_loop)]
+            for #row in 0..#rows { #(#blocks)* #(#constant)* }
+            #(#others)*
+            #matrix
+        }
+    })
+}
+
+impl ToTokens for Number {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        self.text.to_tokens(tokens);
+    }
 }
 
 /// Rows of an upper 3×4 block as `[[…]; 3], […]`.

@@ -94,15 +94,21 @@ impl<'p> Cutting<'p> {
                 allowed.push((length, alive));
             }
         }
-        let farthest = allowed.last().map_or(1, |&(length, _)| length);
-        if farthest == members.len() {
-            return farthest;
-        }
-        let late = allowed.iter().rev();
-        let late = late.take_while(|(length, _)| *length > farthest - farthest / 4);
-        late.min_by_key(|(_, alive)| alive)
-            .map_or(farthest, |&(length, _)| length)
+        best_end(&allowed, members.len())
     }
+}
+
+/// The best of the allowed lengths, each with the number of values that are still read there: all, or in the last
+/// quarter the one with the fewest.
+pub fn best_end(allowed: &[(usize, usize)], all: usize) -> usize {
+    let farthest = allowed.last().map_or(1, |&(length, _)| length);
+    if farthest == all {
+        return farthest;
+    }
+    let late = allowed.iter().rev();
+    let late = late.take_while(|(length, _)| *length > farthest - farthest / 4);
+    late.min_by_key(|(_, alive)| alive)
+        .map_or(farthest, |&(length, _)| length)
 }
 
 /// The values from outside that an operation reads and that differ between lanes, one for each lane; of a literal its

@@ -123,7 +123,9 @@ impl Naming<'_> {
             // Other sections bind it to a name.
             self.steps[step as usize] = Value::Name(self.unnamed());
         }
-        vec![Statement::Loop(each)]
+        let copies = section.copies.iter();
+        let copies = copies.map(|&(from, to)| Statement::StoreWork(to, Value::Work(from)));
+        copies.chain([Statement::Loop(each)]).collect()
     }
 }
 

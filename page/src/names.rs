@@ -232,7 +232,7 @@ fn data(meaning: &Meaning) -> Value {
         Meaning::Part(number) => json!({ "kind": "part", "index": number }),
         Meaning::Table(_) => json!({ "kind": "table" }),
         Meaning::Found(_) => json!({ "kind": "found" }),
-        Meaning::LoopIndex(_) => json!({ "kind": "loop" }),
+        Meaning::LoopIndex => json!({ "kind": "loop" }),
     }
 }
 

@@ -9,7 +9,7 @@ mod section;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 pub use self::loops::{Cells, LoopTable, RoutineLoop};
 pub use self::meaning::{Meaning, RotationAngle};
@@ -146,8 +146,11 @@ impl Routine {
             angles: Vec::new(),
             steps: Vec::with_capacity(program.steps.len()),
             sums: Vec::with_capacity(program.steps.len()),
+            parts: Vec::new(),
+            all_parts: HashSet::new(),
             unnamed: 0,
             loops: 0,
+            index: None,
             stores: BTreeMap::new(),
             found: BTreeMap::new(),
             is_named: true,
@@ -232,9 +235,16 @@ struct Naming<'p> {
     steps: Vec<Value>,
     /// Coordinates whose sum a step is.
     sums: Vec<Option<Vec<u16>>>,
+    /// Names of values without a meaning. Each section has them anew, since it is a function of its own.
+    parts: Vec<String>,
+    /// The same names.
+    all_parts: HashSet<String>,
+    /// Number of these names that the current function has.
     unnamed: usize,
     /// Number of loops.
     loops: usize,
+    /// Name of the index of all loops, if there are any.
+    index: Option<String>,
     /// Steps that are stored in the work array, with their indices.
     stores: BTreeMap<u32, usize>,
     /// Steps that are stored as results, with the indices of the results.
@@ -365,8 +375,14 @@ impl Naming<'_> {
 
     /// Next name of a value without a meaning.
     fn unnamed(&mut self) -> String {
+        let known = self.parts.get(self.unnamed).cloned();
         self.unnamed += 1;
-        self.named(Meaning::Part(self.unnamed))
+        known.unwrap_or_else(|| {
+            let name = self.named(Meaning::Part(self.unnamed));
+            self.parts.push(name.clone());
+            self.all_parts.insert(name.clone());
+            name
+        })
     }
 
     /// All sines and cosines, named after the coordinates that the angles are sums of.

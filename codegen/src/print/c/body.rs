@@ -418,7 +418,7 @@ impl Language for CWriter<'_> {
     }
 
     fn begin_loop(&mut self, each: &RoutineLoop) {
-        let (number, column, count) = (self.number(), &each.column, each.count);
+        let (number, index, count) = (self.number(), &each.index, each.count);
         if !each.rows.is_empty() {
             let rows = each.rows.iter().map(|row| {
                 let row: Vec<String> = row.iter().map(|value| self.stored(value)).collect();
@@ -437,18 +437,18 @@ impl Language for CWriter<'_> {
             self.line(&format!("{number} {table}[{height}][{count}];"));
         }
         self.line(&format!(
-            "for (int {column} = 0; {column} < {count}; {column}++) {{"
+            "for (int {index} = 0; {index} < {count}; {index}++) {{"
         ));
         self.outer.push(mem::take(&mut self.text));
         for (name, row) in &each.loads {
-            let cell = self.cell(row, column);
+            let cell = self.cell(row, index);
             self.constant(name, &cell);
         }
     }
 
     fn end_loop(&mut self, each: &RoutineLoop) {
         for (name, row) in &each.stores {
-            let cell = self.cell(row, &each.column);
+            let cell = self.cell(row, &each.index);
             self.line(&format!("{cell} = {name};"));
         }
         let outer = self.outer.pop().expect("a loop that began");

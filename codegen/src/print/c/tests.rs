@@ -260,8 +260,8 @@ fn long_functions_have_sections() {
     let section = "
 HOMOGEN_FN HOMOGEN_CLONES static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
 {
-    const float t_3 = work[1] * work[2];
-    work[0] = t_3;
+    const float t_1 = work[1] * work[2];
+    work[0] = t_1;
 }
 ";
     assert!(text.contains(section), "{text}");

@@ -30,6 +30,10 @@ pub(super) struct LlvmWriter {
     text: String,
     /// Number of intermediate values.
     unnamed: usize,
+    /// Number of loops.
+    loops: usize,
+    /// Name of the index of the current loop; names are unique in a function.
+    index: String,
     /// Name of the work array, if there is one.
     pub(super) work: Option<String>,
     /// Name of the matrix in which results are stored as soon as they are computed.
@@ -45,6 +49,8 @@ impl LlvmWriter {
             stack: String::new(),
             text: String::new(),
             unnamed: 0,
+            loops: 0,
+            index: String::new(),
             work: None,
             filled: None,
         }
@@ -115,8 +121,8 @@ impl LlvmWriter {
                 let address = self.cell(table, *row, &column.to_string());
                 self.load(&address)
             }
-            Value::Cell(row, column) => {
-                let address = self.row(row, column);
+            Value::Cell(row, _) => {
+                let address = self.row(row);
                 self.load(&address)
             }
         }
@@ -130,12 +136,13 @@ impl LlvmWriter {
     }
 
     /// Address of the entry of a row for the current iteration.
-    fn row(&mut self, row: &Cells, column: &str) -> String {
+    fn row(&mut self, row: &Cells) -> String {
+        let index = local(&self.index);
         match row {
-            Cells::Table(table, row) => self.cell(table, *row, &local(column)),
+            Cells::Table(table, row) => self.cell(table, *row, &index),
             Cells::Work(first) => {
                 let first = self.work_entry(*first);
-                self.entry(&first, &local(column))
+                self.entry(&first, &index)
             }
         }
     }
@@ -262,7 +269,7 @@ impl Language for LlvmWriter {
         let RoutineLoop {
             table,
             rows,
-            column,
+            index,
             loads,
             ..
         } = each;
@@ -282,36 +289,39 @@ impl Language for LlvmWriter {
                 self.store_at(&address, &value);
             }
         }
-        let counter = format!("{column}.at");
+        self.loops += 1;
+        self.index = format!("{index}.{}", self.loops);
+        let index = self.index.clone();
+        let counter = format!("{index}.at");
         let _ = writeln!(self.stack, "  {} = alloca i64, align 8", local(&counter));
-        let (counter, label) = (local(&counter), label(column));
+        let (counter, label) = (local(&counter), label(&index));
         self.line(&format!("store i64 0, ptr {counter}, align 8"));
         self.line(&format!("br label %{label}"));
         let _ = writeln!(self.text, "{label}:");
-        self.bind(column, &format!("load i64, ptr {counter}, align 8"));
+        self.bind(&index, &format!("load i64, ptr {counter}, align 8"));
         for (name, row) in loads {
-            let address = self.row(row, column);
+            let address = self.row(row);
             self.load_as(name, &address);
         }
     }
 
     fn end_loop(&mut self, each: &RoutineLoop) {
-        let column = &each.column;
+        let index = self.index.clone();
         for (name, row) in &each.stores {
-            let address = self.row(row, column);
+            let address = self.row(row);
             self.store_at(&address, &local(name));
         }
-        let counter = local(&format!("{column}.at"));
-        let next = self.between(&format!("add i64 {}, 1", local(column)));
+        let counter = local(&format!("{index}.at"));
+        let next = self.between(&format!("add i64 {}, 1", local(&index)));
         self.line(&format!("store i64 {next}, ptr {counter}, align 8"));
         let more = self.between(&format!("icmp ult i64 {next}, {}", each.count));
-        let label = label(column);
+        let label = label(&index);
         self.line(&format!("br i1 {more}, label %{label}, label %{label}.end"));
         let _ = writeln!(self.text, "{label}.end:");
     }
 }
 
 /// Label of a loop.
-fn label(column: &str) -> String {
-    format!("{column}.loop")
+fn label(index: &str) -> String {
+    format!("{index}.loop")
 }

@@ -106,7 +106,7 @@ impl Language for PythonWriter {
     }
 
     fn begin_loop(&mut self, each: &RoutineLoop) {
-        let (column, count) = (&each.column, each.count);
+        let (index, count) = (&each.index, each.count);
         if !each.rows.is_empty() {
             let rows = each.rows.iter().map(|row| {
                 let row: Vec<String> = row.iter().map(read).collect();
@@ -121,16 +121,16 @@ impl Language for PythonWriter {
                 &format!("[[None] * {count} for _ in range({height})]"),
             );
         }
-        self.line(&format!("for {column} in range({count}):"));
+        self.line(&format!("for {index} in range({count}):"));
         self.loops += 1;
         for (name, row) in &each.loads {
-            self.bind(name, &cell(row, column));
+            self.bind(name, &cell(row, index));
         }
     }
 
     fn end_loop(&mut self, each: &RoutineLoop) {
         for (name, row) in &each.stores {
-            self.bind(&cell(row, &each.column), name);
+            self.bind(&cell(row, &each.index), name);
         }
         self.loops -= 1;
     }

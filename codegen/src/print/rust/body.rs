@@ -430,7 +430,7 @@ impl Language for RustWriter<'_> {
         }
         self.begin_scope();
         let takes = each.loads.iter().map(|(name, row)| {
-            let (name, cell) = (ident(name), self.cell(row, &each.column));
+            let (name, cell) = (ident(name), self.cell(row, &each.index));
             quote! { let #name = #cell; }
         });
         let takes: TokenStream = takes.collect();
@@ -438,10 +438,10 @@ impl Language for RustWriter<'_> {
     }
 
     fn end_loop(&mut self, each: &RoutineLoop) {
-        let column = ident(&each.column);
+        let index = ident(&each.index);
         let count = Literal::usize_unsuffixed(each.count);
         let leaves = each.stores.iter().map(|(name, row)| {
-            let (name, cell) = (ident(name), self.cell(row, &each.column));
+            let (name, cell) = (ident(name), self.cell(row, &each.index));
             quote! { #cell = #name; }
         });
         let leaves: TokenStream = leaves.collect();
@@ -456,7 +456,7 @@ impl Language for RustWriter<'_> {
         // A processor with vectors reads along a row; clippy prefers a loop over the rows.
         self.text.extend(quote! {
             #[allow(clippy::needless_range_loop)]
-            for #column in #range { #inside }
+            for #index in #range { #inside }
         });
     }
 

@@ -25,7 +25,7 @@ pub struct RoutineLoop {
     /// Table that iterations write; none in a section.
     pub found: Option<LoopTable>,
     /// Name of the loop's index, from 0.
-    pub column: String,
+    pub index: String,
     /// Names of the values that an iteration reads several times, and the row of each.
     pub loads: Vec<(String, Cells)>,
     /// Statements of an iteration.
@@ -72,8 +72,9 @@ impl Naming<'_> {
     /// Loop of a repeat, in a section or in none.
     pub(super) fn loop_of(&mut self, repeat: &Repeat, section: Option<&Section>) -> RoutineLoop {
         self.loops += 1;
-        let [table, found, column] = [Meaning::Table, Meaning::Found, Meaning::LoopIndex]
-            .map(|of_loop| self.named(of_loop(self.loops)));
+        let [table, found] =
+            [Meaning::Table, Meaning::Found].map(|of_loop| self.named(of_loop(self.loops)));
+        let index = self.index();
         let mut rows = Vec::new();
         let mut readers = vec![0; repeat.loads.len()];
         for &row in repeat.reads.values() {
@@ -84,7 +85,7 @@ impl Naming<'_> {
             let waiting = section.and_then(|section| section.rows[at]);
             let row = waiting.map_or_else(|| self.row(&table, operands, &mut rows), Cells::Work);
             if readers[at] == 1 {
-                return Value::Cell(row, column.clone());
+                return Value::Cell(row, index.clone());
             }
             let name = self.unnamed();
             loads.push((name.clone(), row));
@@ -121,11 +122,19 @@ impl Naming<'_> {
             table,
             rows,
             found,
-            column,
+            index,
             loads,
             statements,
             stores,
         }
+    }
+
+    /// Name of the index of a loop.
+    fn index(&mut self) -> String {
+        let known = self.index.take();
+        let index = known.unwrap_or_else(|| self.named(Meaning::LoopIndex));
+        self.index = Some(index.clone());
+        index
     }
 
     /// Row of values that an earlier loop has stored like one, or a new row of a table.

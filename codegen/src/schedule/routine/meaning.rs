@@ -26,8 +26,8 @@ pub enum Meaning {
     Table(usize),
     /// The table that a loop writes its results to.
     Found(usize),
-    /// The index of a loop.
-    LoopIndex(usize),
+    /// The index of all loops, none of which is within another.
+    LoopIndex,
 }
 
 /// The angle of a sine and a cosine.
@@ -55,7 +55,7 @@ impl fmt::Display for Meaning {
             Self::Part(number) => write!(out, "t_{number}"),
             Self::Table(number) => of_loop(out, "columns", *number),
             Self::Found(number) => of_loop(out, "found", *number),
-            Self::LoopIndex(number) => of_loop(out, "column", *number),
+            Self::LoopIndex => out.write_str("i"),
         }
     }
 }

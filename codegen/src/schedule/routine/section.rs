@@ -86,14 +86,15 @@ impl Naming<'_> {
 
     fn section_body(&mut self, section: &Section, number: usize) -> SectionBody {
         let name = self.names.fresh(&format!("section_{number}"));
+        self.unnamed = 0;
         let mut loads = Vec::new();
         let mut waiting = HashMap::new();
         let readers = readers(self.program, section);
         for &(value, place) in &section.loads {
             if readers[&value] == 1 {
                 waiting.insert(value, place);
-            } else if let Value::Name(name) = self.value(value.operand()) {
-                loads.push((place, name));
+            } else {
+                loads.push((place, self.loaded(value)));
             }
         }
         self.waiting = waiting;
@@ -113,6 +114,19 @@ impl Naming<'_> {
             statements,
             has_literals: read.any(|operand| matches!(operand, Operand::Literal(_))),
             is_fused: is_fused(steps),
+        }
+    }
+
+    /// Name of a value that the current section loads.
+    fn loaded(&mut self, value: Shared) -> String {
+        match (value, self.value(value.operand())) {
+            (Shared::Step(step), Value::Name(name)) if self.all_parts.contains(&name) => {
+                let name = self.unnamed();
+                self.steps[step as usize] = Value::Name(name.clone());
+                name
+            }
+            (_, Value::Name(name)) => name,
+            (_, value) => unreachable!("{value:?} has no name"),
         }
     }
 

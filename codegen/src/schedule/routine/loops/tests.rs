@@ -80,7 +80,7 @@ impl Written {
         }
         self.own.clone_from(&each.table);
         for column in 0..each.count {
-            self.indices.insert(each.column.clone(), column);
+            self.indices.insert(each.index.clone(), column);
             for (name, row) in &each.loads {
                 let value = self.cell(row, column);
                 self.bound.insert(name.clone(), value);

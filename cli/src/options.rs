@@ -58,7 +58,7 @@ fn argument(setting: &'static Setting) -> Arg {
     argument = argument.value_name(setting.value);
     match setting.form {
         SettingForm::Gravity => argument.allow_hyphen_values(true),
-        SettingForm::Actuator(_, Some(_)) | SettingForm::Pairs(..) => argument
+        _ if setting.may_stand_alone() => argument
             .action(ArgAction::Append)
             .num_args(0..=1)
             .require_equals(true)

@@ -12,8 +12,8 @@ use crate::joint::actuator::ActuatorQuantity;
 use crate::module::Module;
 use crate::print::arrays::Order;
 use crate::request::Parameter;
+use crate::request::setting::SETTINGS;
 use crate::request::setting::text::{numbers, spelled};
-use crate::request::setting::{SETTINGS, SettingForm};
 use crate::wording::code;
 
 /// Version of the format of generated files; it changes if heads, names or layouts change for programs that read them.
@@ -104,7 +104,7 @@ impl Builder {
             let name = setting.flag_name();
             for value in setting.values(&mut request) {
                 match value {
-                    Some(value) if matches!(setting.form, SettingForm::Pairs(..)) => {
+                    Some(value) if setting.may_stand_alone() => {
                         command.word(&format!("--{name}={value}"));
                     }
                     Some(value) => command.option(&name, &value),

@@ -198,7 +198,12 @@ pub fn of_attributes() -> impl Iterator<Item = &'static Setting> {
 pub fn page() -> String {
     let mut page = "| option | in attributes | |\n|---|---|---|\n".to_owned();
     for setting in SETTINGS.iter().filter(|setting| setting.group != 0) {
-        let flag = format!("--{} {}", setting.flag_name(), setting.value);
+        let (flag, value) = (setting.flag_name(), setting.value);
+        let flag = if setting.may_stand_alone() {
+            format!("--{flag}[={value}]")
+        } else {
+            format!("--{flag} {value}")
+        };
         let examples = setting.example.split(", or ");
         let examples = examples.filter(|example| !example.is_empty());
         let examples: Vec<String> = examples.map(|example| format!("`{example}`")).collect();
@@ -218,6 +223,15 @@ impl Setting {
             SettingForm::Names(_) | SettingForm::External(_) | SettingForm::Functions
         );
         listed && self.value.ends_with(",…")
+    }
+
+    /// True if an option may stand without a value; a value follows `=` then.
+    #[must_use]
+    pub const fn may_stand_alone(&self) -> bool {
+        matches!(
+            self.form,
+            SettingForm::Actuator(_, Some(_)) | SettingForm::Pairs(..)
+        )
     }
 
     /// The option of the command line, without dashes.

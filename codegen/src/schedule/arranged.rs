@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use super::limbs::in_limbs;
 use super::parts::in_parts;
 use super::repeats::{Repeat, repeats};
-use super::sections::{Length, Sections, sections};
+use super::sections::{Length, Sections, are_needed, sections};
 use super::{Operand, Program};
 use crate::space::Limbs;
 
@@ -33,7 +33,7 @@ impl<'p> Arranged<'p> {
             Some((program, repeats)) => (Cow::Owned(program), repeats),
             None => (Cow::Borrowed(program), columns),
         };
-        if sections(&program, &repeats, length).is_some() {
+        if are_needed(&program, &repeats, length) {
             let parts = in_parts(&program, &repeats, length.of_section());
             (program, repeats) = (Cow::Owned(parts.0), parts.1);
         }

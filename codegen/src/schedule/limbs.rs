@@ -23,8 +23,7 @@ use groups::Groups;
 use loops::loops;
 use order::ordered;
 
-use super::readers::read_until;
-use super::repeats::{Repeat, repeat};
+use super::repeats::{Repeat, of_iterations};
 use super::{Length, Program};
 use crate::space::Limbs;
 
@@ -41,11 +40,6 @@ pub fn in_limbs(
     let groups = Groups::of(program, limbs);
     let loops = loops(program, &groups, columns)?;
     let (program, iterations) = ordered(program, &groups, &loops, columns, length.of_section());
-    let read_until = read_until(&program, &program.results);
-    let repeats = iterations.into_iter().map(|(over, first, count)| {
-        let repeat = repeat(&program, over, first, count, &read_until);
-        repeat.expect("iterations are alike")
-    });
-    let repeats = repeats.collect();
+    let repeats = of_iterations(&program, iterations);
     Some((program, repeats))
 }

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use super::limbs::{MOST_ROWS, best_end};
 use super::readers::read_until;
-use super::repeats::{Over, Repeat, repeat};
+use super::repeats::{Iterations, Over, Repeat, of_iterations};
 use super::sections::Shared;
 use super::{Operand, Program, Step, number};
 
@@ -20,7 +20,7 @@ use super::{Operand, Program, Step, number};
 pub fn in_parts(program: &Program, repeats: &[Repeat], longest: usize) -> (Program, Vec<Repeat>) {
     let before = read_until(program, &program.results);
     let mut steps: Vec<u32> = Vec::with_capacity(program.steps.len());
-    let mut loops = Vec::new();
+    let mut loops = Iterations::new();
     for each in repeats {
         steps.extend(number(steps.len())..each.first.start);
         let parts = match each.over {
@@ -38,12 +38,7 @@ pub fn in_parts(program: &Program, repeats: &[Repeat], longest: usize) -> (Progr
     }
     steps.extend(number(steps.len())..number(program.steps.len()));
     let program = reordered(program, &steps);
-    let read_until = read_until(&program, &program.results);
-    let repeats = loops.into_iter().map(|(over, first, count)| {
-        let repeat = repeat(&program, over, first, count, &read_until);
-        repeat.expect("iterations are alike")
-    });
-    let repeats = repeats.collect();
+    let repeats = of_iterations(&program, loops);
     (program, repeats)
 }
 

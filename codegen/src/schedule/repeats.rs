@@ -181,8 +181,21 @@ fn next_equal<K: Eq + Hash>(
     next
 }
 
+/// For each loop its first iteration, and the number of iterations.
+pub type Iterations = Vec<(Over, Range<usize>, usize)>;
+
+/// The repeats of known loops of a program.
+pub fn of_iterations(program: &Program, iterations: Iterations) -> Vec<Repeat> {
+    let read_until = read_until(program, &program.results);
+    let repeats = iterations.into_iter().map(|(over, first, count)| {
+        let repeat = repeat(program, over, first, count, &read_until);
+        repeat.expect("iterations are alike")
+    });
+    repeats.collect()
+}
+
 /// The repeat that begins with this first iteration, with as many iterations as are alike, of this number.
-pub(super) fn repeat(
+fn repeat(
     program: &Program,
     over: Over,
     first: Range<usize>,

@@ -56,6 +56,11 @@ impl Length {
         program.steps.len() <= self.whole
     }
 
+    /// True if an iteration of a repeat fits in a section.
+    fn fits(self, repeat: &Repeat) -> bool {
+        repeat.first.len() <= self.section
+    }
+
     /// Maximum number of steps of a section.
     #[must_use]
     pub const fn of_section(self) -> usize {
@@ -145,24 +150,29 @@ pub struct Section {
     pub repeat: Option<Repeat>,
 }
 
+/// True if a program with these repeats is too long for one function.
+#[must_use]
+pub fn are_needed(program: &Program, repeats: &[Repeat], length: Length) -> bool {
+    if length.holds(program) {
+        return false;
+    }
+    // Compilers take some twice as long for steps on vectors as for others.
+    let saved = repeats.iter().filter(|repeat| length.fits(repeat));
+    let saved = saved.map(|repeat| match repeat.over {
+        Over::Columns => repeat.saved(),
+        Over::Limbs => repeat.saved() - repeat.first.len(),
+    });
+    program.steps.len() - saved.sum::<usize>() > length.whole
+}
+
 /// Sections of a program with these repeats; `None` if it is short enough for one function.
 #[must_use]
 pub fn sections(program: &Program, repeats: &[Repeat], length: Length) -> Option<Sections> {
-    if length.holds(program) {
+    if !are_needed(program, repeats, length) {
         return None;
     }
-    let mut repeats = repeats.to_vec();
-    repeats.retain(|repeat| repeat.first.len() <= length.section);
-    // Compilers take some twice as long for steps on vectors as for others.
-    let saved: usize = (repeats.iter())
-        .map(|repeat| match repeat.over {
-            Over::Columns => repeat.saved(),
-            Over::Limbs => repeat.saved() - repeat.first.len(),
-        })
-        .sum();
-    if program.steps.len() - saved <= length.whole {
-        return None;
-    }
+    let repeats = repeats.iter().filter(|repeat| length.fits(repeat));
+    let repeats = repeats.cloned().collect();
     let (ranges, repeats) = ranges(program, repeats, length.section);
     // Section that computes each step; `None` before the sines.
     let mut home: Vec<Option<usize>> = vec![None; program.steps.len()];

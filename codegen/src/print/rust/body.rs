@@ -64,7 +64,6 @@ pub(super) struct Numbers {
 }
 
 /// Number of a result.
-#[derive(Clone)]
 pub(super) struct Number {
     /// As an expression.
     pub text: TokenStream,

@@ -3,17 +3,12 @@
 //! In: a program, its groups, and their places. Out: the program in that order, with the first iteration of each loop
 //! over limbs or columns.
 
-use std::ops::Range;
-
 use super::cutting::Cutting;
 use super::groups::Groups;
 use super::iteration::{Iteration, LoopOperand};
 use super::loops::{Loops, Unit};
-use crate::schedule::repeats::{Over, Repeat};
+use crate::schedule::repeats::{Iterations, Over, Repeat};
 use crate::schedule::{Operand, Program, Step, number};
-
-/// For each loop its first iteration, and the number of iterations.
-pub type Iterations = Vec<(Over, Range<usize>, usize)>;
 
 /// The program in another order, and all its loops.
 pub fn ordered(

@@ -12,6 +12,7 @@ pub mod c;
 mod copies;
 pub mod described;
 mod documentation;
+mod expression;
 mod large;
 #[cfg(feature = "files")]
 pub mod llvm;

@@ -7,6 +7,7 @@ mod arranged;
 mod blocks;
 pub mod bound;
 mod fuse;
+mod inlined;
 mod lanes;
 mod limbs;
 mod names;
@@ -20,6 +21,7 @@ mod routine;
 mod run;
 mod sections;
 mod signs;
+mod sums;
 
 pub use arranged::Arranged;
 pub use blocks::LONGEST_SCOPE;
@@ -163,6 +165,13 @@ impl Program {
     pub fn has_roots(&self) -> bool {
         let mut steps = self.steps.iter();
         steps.any(|step| matches!(step.operation, Operation::Sqrt(_)))
+    }
+
+    /// True if a step is the sign of a number.
+    #[must_use]
+    pub fn has_signs(&self) -> bool {
+        let mut steps = self.steps.iter();
+        steps.any(|step| matches!(step.operation, Operation::Sign(_)))
     }
 }
 

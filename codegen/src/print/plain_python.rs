@@ -12,9 +12,9 @@ mod names;
 mod tests;
 
 use super::arrays::Order;
-use super::steps::ConfigurationFunction;
+use super::steps::{ConfigurationFunction, has_signs};
 use crate::module::Module;
-use function::{Printed, of_state, of_step};
+use function::{of_state, of_step};
 
 /// Options of the output.
 #[derive(Clone, Copy, Debug)]
@@ -39,17 +39,15 @@ pub fn print(module: &Module, options: &PythonOptions<'_>) -> String {
     // The neutral configuration is a constant.
     let steps = steps.filter(|step| !step.arguments().is_empty());
     let of_steps = steps.map(|&step| of_step(module, step));
-    let printed: Vec<Printed> = of_state.chain(of_steps).collect();
     let counted: Vec<_> = named.iter().map(|(name, of)| (&**name, *of)).collect();
-    let has_signs = printed.iter().any(|of| of.has_signs);
     let mut text = head::head(module, &counted, options.asked);
     text.push_str(&head::constants(module));
-    if has_signs {
+    if has_signs(module) {
         text.push_str(head::SIGN_OF_A_NUMBER);
     }
-    for function in printed {
+    for function in of_state.chain(of_steps) {
         text.push_str("\n\n");
-        text.push_str(&function.text);
+        text.push_str(&function);
     }
     text
 }

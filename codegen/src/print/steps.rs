@@ -68,6 +68,13 @@ pub(super) fn has_roots(module: &Module) -> bool {
     programs.any(Program::has_roots) || !ConfigurationFunction::of(module).is_empty()
 }
 
+/// True if the functions of a state take the sign of a number.
+#[cfg(feature = "files")]
+pub(super) fn has_signs(module: &Module) -> bool {
+    let mut programs = module.functions.iter().map(|generated| &generated.program);
+    programs.any(Program::has_signs)
+}
+
 /// Configuration spaces of the joints with planar or quaternion coordinates.
 fn manifolds(module: &Module) -> impl Iterator<Item = Manifold> + '_ {
     let motions = module.data.motions.iter();

@@ -11,9 +11,10 @@
 
 use std::ops::Range;
 
+use super::inlined::Inlined;
 use super::readers::{note_readers, read_until};
 use super::repeats::Repeat;
-use super::{Operand, Program};
+use super::{Operand, Program, number};
 
 /// Maximum number of steps and angles of a program in one scope: a third of the limit of rustc.
 const FLAT: usize = 900;
@@ -29,7 +30,7 @@ const SHORTEST: usize = LONGEST_SCOPE / 2;
 /// Entry of a scope.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ScopeEntry {
-    /// Step with this index, as in [`Operand::Step`].
+    /// Step with this index, as in [`Operand::Step`], and the steps before it that are inlined.
     Step(u32),
     /// Inner scope.
     Block(Block),
@@ -54,20 +55,21 @@ pub struct Nested {
 
 /// Steps of a program with loops; `results` are read at the end.
 #[must_use]
-pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nested {
-    let steps = (0_u32..).take(program.steps.len()).map(ScopeEntry::Step);
-    let mut steps: Vec<_> = steps.collect();
-    let mut after = Vec::new();
-    for repeat in repeats.iter().rev() {
-        let all = repeat.steps();
-        after.push(steps.split_off(all.end as usize));
-        steps.truncate(all.start as usize);
-    }
-    after.push(steps.split_off(program.before_angles));
-    after.reverse();
+pub fn nested(
+    program: &Program,
+    repeats: &[Repeat],
+    results: &[Operand],
+    inlined: &Inlined,
+) -> Nested {
+    let [first, end] = [program.before_angles, program.steps.len()].map(number);
+    let ends = repeats.iter().map(|repeat| repeat.steps().start);
+    let starts = repeats.iter().map(|repeat| repeat.steps().end);
+    let stretches = std::iter::once(first).chain(starts).zip(ends.chain([end]));
     let mut nested = Nested {
-        before: steps,
-        after,
+        before: entries(0..first, inlined),
+        after: stretches
+            .map(|(start, end)| entries(start..end, inlined))
+            .collect(),
     };
     let stretches = std::iter::once(&mut nested.before).chain(&mut nested.after);
     let stretches: Vec<_> = stretches.collect();
@@ -83,29 +85,30 @@ pub fn nested(program: &Program, repeats: &[Repeat], results: &[Operand]) -> Nes
 
 /// Steps before the sines and cosines of a program with sections.
 #[must_use]
-pub fn before(program: &Program) -> Vec<ScopeEntry> {
-    let steps = (0_u32..).take(program.before_angles);
+pub fn before(program: &Program, inlined: &Inlined) -> Vec<ScopeEntry> {
     in_blocks(
-        steps.map(ScopeEntry::Step).collect(),
+        entries(0..number(program.before_angles), inlined),
         &read_until(program, &program.results),
     )
 }
 
-/// Steps of a section, or of the first iteration of a repeat. `bound` steps are read by name after it; all others are
-/// read from the work array or the table.
+/// Steps of a section, or of the first iteration of a repeat; after it, they are read from the work array or the table.
 #[must_use]
-pub fn within(program: &Program, section: Range<u32>, bound: &[u32]) -> Vec<ScopeEntry> {
-    let entries = section.clone().map(ScopeEntry::Step).collect();
-    if section.len() <= FLAT {
+pub fn within(program: &Program, section: Range<u32>, inlined: &Inlined) -> Vec<ScopeEntry> {
+    let entries = entries(section.clone(), inlined);
+    if entries.len() <= FLAT {
         return entries;
     }
     let mut read_until = vec![0; program.steps.len()];
     let steps = &program.steps[section.start as usize..section.end as usize];
     note_readers(section.zip(steps), &mut read_until);
-    for &step in bound {
-        read_until[step as usize] = u32::MAX;
-    }
     in_blocks(entries, &read_until)
+}
+
+/// Steps that are statements of their own.
+fn entries(steps: Range<u32>, inlined: &Inlined) -> Vec<ScopeEntry> {
+    let statements = steps.filter(|&step| !inlined.in_reader(step));
+    statements.map(ScopeEntry::Step).collect()
 }
 
 /// Groups the entries until a scope has at most [`LONGEST_SCOPE`] bindings.
@@ -186,8 +189,9 @@ fn cuts(entries: &[ScopeEntry], read_until: &[u32]) -> Vec<Range<usize>> {
 mod tests {
     use homogen_random::Random;
 
-    use super::{Block, FLAT, LONGEST_SCOPE, Nested, SHORTEST, ScopeEntry, nested};
+    use super::{Block, FLAT, LONGEST_SCOPE, Nested, SHORTEST, ScopeEntry};
     use crate::expression::Input;
+    use crate::schedule::inlined::Inlined;
     use crate::schedule::{Operand, Operation, Program, Step};
     use crate::space::Variable;
 
@@ -235,6 +239,12 @@ mod tests {
         program.angles = vec![Operand::Step(3), Operand::Step(398)];
         program.before_angles = 400;
         [program, tangled(LONGEST_SCOPE * LONGEST_SCOPE + 1)]
+    }
+
+    /// All steps as statements of their own.
+    fn nested(program: &Program) -> Nested {
+        let inlined = Inlined::none(program.steps.len());
+        super::nested(program, &[], &program.results, &inlined)
     }
 
     /// Visits scopes as a compiler does.
@@ -299,7 +309,7 @@ mod tests {
                 next: 0,
                 visible: vec![false; program.steps.len()],
             };
-            let Nested { before, after } = nested(program, &[], &program.results);
+            let Nested { before, after } = nested(program);
             let after = after.concat();
             walk.scope(&before);
             walk.read(&program.angles);
@@ -329,7 +339,7 @@ mod tests {
             }
         }
         let [program, _] = long();
-        let Nested { before, after } = nested(&program, &[], &program.results);
+        let Nested { before, after } = nested(&program);
         for entries in [before, after.concat()] {
             check(&entries, &program);
         }
@@ -340,7 +350,7 @@ mod tests {
         let is_step = |entry: &ScopeEntry| matches!(entry, ScopeEntry::Step(_));
         let nested = |steps: usize| {
             let program = tangled(steps);
-            nested(&program, &[], &program.results)
+            nested(&program)
         };
         let Nested { before, after } = nested(FLAT);
         let after = after.concat();
@@ -359,7 +369,7 @@ mod tests {
             1 if k > 1 => [k - 2, k - 1],
             since => [k - since, k - 1],
         });
-        let after = nested(&program, &[], &program.results).after.concat();
+        let after = nested(&program).after.concat();
         let outputs: Vec<_> = after.iter().map(|entry| entry.outputs().to_vec()).collect();
         let last_of_each = (1..=10).map(|k| vec![k * stretch - 1]);
         assert_eq!(outputs, last_of_each.collect::<Vec<_>>());

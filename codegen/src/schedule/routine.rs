@@ -15,9 +15,11 @@ pub use self::loops::{Cells, LoopTable, RoutineLoop};
 pub use self::meaning::{Meaning, RotationAngle};
 pub use self::section::{SectionBody, Work};
 use super::blocks::{Block, ScopeEntry, nested};
+use super::inlined::Inlined;
 use super::names::Names;
 use super::sections::{Length, Shared};
-use super::{Arranged, Operand, Operation, Program, Step};
+use super::sums::Sums;
+use super::{Arranged, Operand, Operation, Program};
 use crate::expression::Input;
 use crate::space::{Limbs, Spaces, Variable};
 
@@ -78,6 +80,8 @@ pub enum Statement {
     },
     /// Stores a value in the work array at an index.
     StoreWork(usize, Value),
+    /// Stores a value in a row, for the iteration that is the value of this index.
+    StoreCell(Cells, String, Value),
     /// Stores a value as the result with an index.
     StoreResult(usize, Value),
     /// Loop.
@@ -117,6 +121,8 @@ pub enum Value {
     Entry(String, usize, usize),
     /// Entry of a row for the iteration that is the value of this index.
     Cell(Cells, String),
+    /// Result of an operation that is written here.
+    Operation(Box<Operation<Value>>),
 }
 
 impl Routine {
@@ -138,14 +144,19 @@ impl Routine {
         }
         let arranged = Arranged::of(program, readable.limbs, length);
         let program = &*arranged.program;
+        let sums = Sums::of(program);
+        let inlined = Inlined::of(&arranged, |step| {
+            program.steps[step as usize].label.is_some() || sums.of_step(step).is_some()
+        });
         let mut naming = Naming {
             program,
+            sums: &sums,
+            inlined: &inlined,
             names,
             meanings: Vec::with_capacity(program.steps.len()),
             inputs: program.operands().filter_map(unbound).collect(),
             angles: Vec::new(),
             steps: Vec::with_capacity(program.steps.len()),
-            sums: Vec::with_capacity(program.steps.len()),
             parts: Vec::new(),
             all_parts: HashSet::new(),
             unnamed: 0,
@@ -183,7 +194,7 @@ impl Routine {
             }
             stored.insert(result);
         }
-        let parts = nested(program, repeats, kept);
+        let parts = nested(program, repeats, kept, &inlined);
         let mut statements = naming.statements(&parts.before);
         statements.extend(naming.sines_and_cosines());
         let found = |(result, operand)| Statement::StoreResult(result, naming.value(operand));
@@ -223,9 +234,37 @@ fn turns(program: &Program) -> Vec<[bool; 2]> {
     turns
 }
 
+/// Place in which a section or an iteration of a loop stores a value.
+#[derive(Clone, Debug)]
+enum StorePlace {
+    /// Entry of the work array.
+    Work(usize),
+    /// Entry of a row for the iteration that is the value of this index.
+    Cell(Cells, String),
+}
+
+impl StorePlace {
+    fn store(&self, value: Value) -> Statement {
+        match self {
+            Self::Work(place) => Statement::StoreWork(*place, value),
+            Self::Cell(row, index) => Statement::StoreCell(row.clone(), index.clone(), value),
+        }
+    }
+
+    /// The stored value.
+    fn value(&self) -> Value {
+        match self {
+            Self::Work(place) => Value::Work(*place),
+            Self::Cell(row, index) => Value::Cell(row.clone(), index.clone()),
+        }
+    }
+}
+
 /// State of the naming of a routine.
 struct Naming<'p> {
     program: &'p Program,
+    sums: &'p Sums,
+    inlined: &'p Inlined,
     names: Names,
     meanings: Vec<(String, Meaning)>,
     /// All inputs that are read, with their names as soon as they are bound.
@@ -233,8 +272,6 @@ struct Naming<'p> {
     angles: Vec<Angle>,
     /// Location of the result of each step.
     steps: Vec<Value>,
-    /// Coordinates whose sum a step is.
-    sums: Vec<Option<Vec<u16>>>,
     /// Names of values without a meaning. Each section has them anew, since it is a function of its own.
     parts: Vec<String>,
     /// The same names.
@@ -245,8 +282,8 @@ struct Naming<'p> {
     loops: usize,
     /// Name of the index of all loops, if there are any.
     index: Option<String>,
-    /// Steps that are stored in the work array, with their indices.
-    stores: BTreeMap<u32, usize>,
+    /// Steps that the current section or loop stores, with the places.
+    stores: BTreeMap<u32, StorePlace>,
     /// Steps that are stored as results, with the indices of the results.
     found: BTreeMap<u32, Vec<usize>>,
     /// False in loops over columns, where a value stands for entries of several matrices.
@@ -316,17 +353,7 @@ impl Naming<'_> {
         let mut statements = Vec::with_capacity(entries.len());
         for entry in entries {
             match entry {
-                ScopeEntry::Step(step) => {
-                    statements.push(self.operation(&self.program.steps[*step as usize]));
-                    if let Some(&place) = self.stores.get(step) {
-                        let value = self.steps[*step as usize].clone();
-                        statements.push(Statement::StoreWork(place, value));
-                    }
-                    for &result in self.found.get(step).into_iter().flatten() {
-                        let value = self.steps[*step as usize].clone();
-                        statements.push(Statement::StoreResult(result, value));
-                    }
-                }
+                ScopeEntry::Step(step) => self.step(*step, &mut statements),
                 ScopeEntry::Block(Block { entries, outputs }) => {
                     let inside = self.statements(entries);
                     let outputs = outputs.iter().map(|&step| self.name(step));
@@ -340,32 +367,62 @@ impl Naming<'_> {
         statements
     }
 
+    /// Statements of a step, after the steps before it that are inlined.
+    fn step(&mut self, step: u32, statements: &mut Vec<Statement>) {
+        while self.next() < step {
+            let operation = self.operation();
+            self.steps.push(Value::Operation(Box::new(operation)));
+        }
+        let operation = self.operation();
+        let place = self.stores.get(&step).cloned();
+        if let (Some(place), true) = (&place, self.inlined.in_store(step)) {
+            let value = Value::Operation(Box::new(operation));
+            statements.push(place.store(value));
+            self.steps.push(place.value());
+            return;
+        }
+        let name = self.name_of_next();
+        let value = Value::Name(name.clone());
+        statements.push(Statement::Operation(name, operation));
+        statements.extend(place.map(|place| place.store(value.clone())));
+        let results = self.found.get(&step).into_iter().flatten();
+        let store = |&result| Statement::StoreResult(result, value.clone());
+        statements.extend(results.map(store));
+        self.steps.push(value);
+    }
+
+    /// Operation of the next step.
+    fn operation(&self) -> Operation<Value> {
+        let step = self.next();
+        let mut operand = 0;
+        let operation = self.program.steps[step as usize].operation;
+        operation.map(|of| {
+            let loaded = self.loads.get(&(step, operand));
+            operand += 1;
+            loaded.map_or_else(|| self.value(of), Value::clone)
+        })
+    }
+
+    /// Name for the result of the next step: that of its matrix entry, of the coordinates that it sums, or a number.
+    fn name_of_next(&mut self) -> String {
+        let step = self.next();
+        if self.is_named {
+            if let Some(label) = self.program.steps[step as usize].label {
+                return self.named(Meaning::Entry(label));
+            }
+            if let Some(coordinates) = self.sums.of_step(step) {
+                return self.named(Meaning::Sum(coordinates.to_vec()));
+            }
+        }
+        self.unnamed()
+    }
+
     /// Name of the result of a step.
     fn name(&self, step: u32) -> String {
         match &self.steps[step as usize] {
             Value::Name(name) => name.clone(),
-            _ => unreachable!("a step outside of loops is bound to a name"),
+            value => unreachable!("{value:?} is bound to no name"),
         }
-    }
-
-    /// Operation with a name for its result: that of its matrix entry, of the coordinates that it sums, or a number.
-    fn operation(&mut self, step: &Step) -> Statement {
-        let mut operand = 0;
-        let operation = step.operation.map(|of| {
-            let loaded = self.loads.get(&(self.next(), operand));
-            operand += 1;
-            loaded.map_or_else(|| self.value(of), Value::clone)
-        });
-        let label = step.label.filter(|_| self.is_named);
-        let sum = self.sum(step.operation).filter(|_| self.is_named);
-        let name = match (label, &sum) {
-            (Some(label), _) => self.named(Meaning::Entry(label)),
-            (None, Some(coordinates)) => self.named(Meaning::Sum(coordinates.clone())),
-            (None, None) => self.unnamed(),
-        };
-        self.sums.push(sum);
-        self.steps.push(Value::Name(name.clone()));
-        Statement::Operation(name, operation)
     }
 
     /// Index of the step that is named next.
@@ -408,32 +465,15 @@ impl Naming<'_> {
     fn turn(&self, angle: Operand, value: &Value) -> RotationAngle {
         let name = match value {
             Value::Name(name) => name.clone(),
-            Value::Literal(_) | Value::Work(_) | Value::Entry(..) | Value::Cell(..) => {
-                "a".to_owned()
-            }
+            Value::Literal(_)
+            | Value::Work(_)
+            | Value::Entry(..)
+            | Value::Cell(..)
+            | Value::Operation(_) => "a".to_owned(),
         };
         RotationAngle {
             name,
-            coordinates: self.coordinates_of(angle).unwrap_or_default(),
-        }
-    }
-
-    /// Coordinates whose sum an operation is, if it is such a sum.
-    fn sum(&self, operation: Operation) -> Option<Vec<u16>> {
-        let Operation::Add(a, b) = operation else {
-            return None;
-        };
-        let mut coordinates = self.coordinates_of(a)?;
-        coordinates.extend(self.coordinates_of(b)?);
-        coordinates.sort_unstable();
-        Some(coordinates)
-    }
-
-    fn coordinates_of(&self, operand: Operand) -> Option<Vec<u16>> {
-        match operand {
-            Operand::Input(Input::Variable(Variable::Q, k)) => Some(vec![k]),
-            Operand::Step(step) => self.sums.get(step as usize)?.clone(),
-            _ => None,
+            coordinates: self.sums.of_operand(angle).unwrap_or_default(),
         }
     }
 }

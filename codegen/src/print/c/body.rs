@@ -15,14 +15,15 @@ use super::roots::SQRT;
 use crate::formulation::Sines;
 use crate::module::{GeneratedFunction, Module, Prepared};
 use crate::print::Fields;
+use crate::print::expression::{Infix, Spelling, negative, spelled};
 use crate::print::large::columns;
 use crate::print::review::filled;
 use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
 use crate::schedule::{
-    Angle, Length, LoopTable, Names, Operation, Program, Readable, Routine, RoutineLoop, Stored,
-    Value,
+    Angle, Cells, Length, LoopTable, Names, Operation, Program, Readable, Routine, RoutineLoop,
+    Stored, Value,
 };
 use crate::space::Variable;
 
@@ -283,17 +284,6 @@ impl<'w> CWriter<'w> {
         }
     }
 
-    /// Value as an expression that binds tighter than any infix operator.
-    pub(super) fn read(&self, value: &Value) -> String {
-        match value {
-            Value::Literal(value) => literal(*value, self.real),
-            Value::Name(name) => name.clone(),
-            Value::Work(place) => self.place(*place),
-            Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
-            Value::Cell(row, column) => self.cell(row, column),
-        }
-    }
-
     /// The same as a number of its type: classes may have no conversion from a literal.
     pub(super) fn stored(&self, value: &Value) -> String {
         match (value, self.read(value)) {
@@ -317,39 +307,6 @@ impl<'w> CWriter<'w> {
             name.to_owned()
         } else {
             place(name, index, lengths)
-        }
-    }
-
-    /// Operation, with fused products if the file has them.
-    fn spelled(&self, operation: &Operation<Value>) -> String {
-        let fused = self.options.fused.then(|| self.options.mul_add());
-        match (operation.clone().map(|value| self.read(&value)), fused) {
-            (Operation::Add(a, b), _) => format!("{a} + {b}"),
-            (Operation::Sub(a, b), _) => format!("{a} - {b}"),
-            (Operation::Mul(a, b), _) => format!("{a} * {b}"),
-            (Operation::Div(a, b), _) => format!("{a} / {b}"),
-            (Operation::Sqrt(a), _) if self.options.templates => format!("detail::root({a})"),
-            (Operation::Sqrt(a), _) => format!("{}({a})", self.options.own(SQRT)),
-            (Operation::Sign(a), _) => {
-                let (number, zero) = (self.number(), literal(0.0, self.real));
-                let difference = format!("(({a} > {zero}) - ({a} < {zero}))");
-                if self.options.templates {
-                    format!("{number}{difference}")
-                } else {
-                    format!("({number}){difference}")
-                }
-            }
-            (Operation::Neg(a), _) => negative(&a),
-            (Operation::MulAdd(a, b, c), Some(fused)) => format!("{fused}({a}, {b}, {c})"),
-            (Operation::MulSub(a, b, c), Some(fused)) => {
-                format!("{fused}({a}, {b}, {})", negative(&c))
-            }
-            (Operation::NegMulAdd(a, b, c), Some(fused)) => {
-                format!("{fused}({}, {b}, {c})", negative(&a))
-            }
-            (Operation::MulAdd(a, b, c), None) => format!("{a} * {b} + {c}"),
-            (Operation::MulSub(a, b, c), None) => format!("{a} * {b} - {c}"),
-            (Operation::NegMulAdd(a, b, c), None) => format!("{c} - {a} * {b}"),
         }
     }
 
@@ -392,10 +349,63 @@ impl<'w> CWriter<'w> {
     }
 }
 
+impl Spelling for CWriter<'_> {
+    type Text = String;
+
+    fn read(&self, value: &Value) -> String {
+        match value {
+            Value::Literal(value) => literal(*value, self.real),
+            Value::Name(name) => name.clone(),
+            Value::Work(place) => self.place(*place),
+            Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
+            Value::Cell(row, column) => self.cell(row, column),
+            Value::Operation(operation) => spelled(self, operation),
+        }
+    }
+
+    fn infix(&self, a: &String, symbol: Infix, b: &String) -> String {
+        format!("{a} {} {b}", symbol.letter())
+    }
+
+    fn negative(&self, a: &String) -> String {
+        negative(a)
+    }
+
+    fn in_parentheses(&self, a: &String) -> String {
+        format!("({a})")
+    }
+
+    fn root(&self, a: &String) -> String {
+        if self.options.templates {
+            // An expression may have a type of its own.
+            format!("detail::root({})", self.loaded(a.clone()))
+        } else {
+            format!("{}({a})", self.options.own(SQRT))
+        }
+    }
+
+    fn sign(&self, a: &String) -> String {
+        let (number, zero) = (self.number(), literal(0.0, self.real));
+        let difference = format!("(({a} > {zero}) - ({a} < {zero}))");
+        if self.options.templates {
+            format!("{number}{difference}")
+        } else {
+            format!("({number}){difference}")
+        }
+    }
+
+    fn fused(&self, operands: impl FnOnce() -> [String; 3]) -> Option<String> {
+        self.options.fused.then(|| {
+            let [a, b, c] = operands();
+            format!("{}({a}, {b}, {c})", self.options.mul_add())
+        })
+    }
+}
+
 /// Scopes are omitted: names are unique in the function, and C compilers have no limit on their number.
 impl Language for CWriter<'_> {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
-        let value = self.spelled(operation);
+        let value = spelled(self, operation);
         self.constant(name, &value);
     }
 
@@ -408,6 +418,11 @@ impl Language for CWriter<'_> {
     fn put(&mut self, place: usize, value: &Value) {
         let value = self.read(value);
         self.put_at(place, &value);
+    }
+
+    fn put_cell(&mut self, row: &Cells, index: &str, value: &Value) {
+        let (cell, value) = (self.cell(row, index), self.stored(value));
+        self.line(&format!("{cell} = {value};"));
     }
 
     fn store(&mut self, result: usize, value: &Value) {
@@ -446,26 +461,13 @@ impl Language for CWriter<'_> {
         }
     }
 
-    fn end_loop(&mut self, each: &RoutineLoop) {
-        for (name, row) in &each.stores {
-            let cell = self.cell(row, &each.index);
-            self.line(&format!("{cell} = {name};"));
-        }
+    fn end_loop(&mut self, _: &RoutineLoop) {
         let outer = self.outer.pop().expect("a loop that began");
         let inside = mem::replace(&mut self.text, outer);
         for line in inside.lines() {
             let _ = writeln!(self.text, "    {line}");
         }
         self.line("}");
-    }
-}
-
-/// −a, in parentheses where it would read as a decrement.
-fn negative(value: &str) -> String {
-    if value.starts_with('-') {
-        format!("-({value})")
-    } else {
-        format!("-{value}")
     }
 }
 

@@ -7,6 +7,7 @@ use std::mem;
 
 use super::body::CWriter;
 use super::declarations::number;
+use crate::print::expression::Spelling;
 use crate::print::walk::walk;
 use crate::schedule::{Cells, Routine};
 

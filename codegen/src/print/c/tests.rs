@@ -146,8 +146,7 @@ HOMOGEN_FN HOMOGEN_CLONES void pendulum_gravity(const pendulum_robot *robot, con
     const float c_1 = turn_1.cosine;
     const pendulum_turn turn_1_2 = pendulum_sin_cos(q_1_2);
     const float c_1_2 = turn_1_2.cosine;
-    const float t_1 = payload * 2.4525f;
-    const float d_2 = t_1 * c_1_2;
+    const float d_2 = payload * 2.4525f * c_1_2;
     const float d_1 = 9.81f * c_1 + d_2;
     gravity[0] = d_1;
     gravity[1] = d_2;
@@ -186,17 +185,14 @@ fn a_sign_before_a_sign_is_not_a_decrement() {
     assert_eq!(
         body(&written(&module)),
         "    (void)q;
-    const double t_1 = -(-0.4);
-    const double t_2 = t_1 - -0.4;
-    const double t_3 = t_2 * -0.4 - -0.4;
-    const double t_4 = -0.4 - -0.4 * t_3;
-    gravity[0] = t_4;
+    const double t_1 = -0.4 - -0.4 * ((-(-0.4) - -0.4) * -0.4 - -0.4);
+    gravity[0] = t_1;
     gravity[1] = -0.5;
 "
     );
     let fused = print(&module, &FUSED);
     assert!(
-        body(&fused).contains("PENDULUM_MUL_ADD(-(-0.4), t_3, -0.4)"),
+        body(&fused).contains("= PENDULUM_MUL_ADD(-(-0.4), PENDULUM_MUL_ADD("),
         "{}",
         fused.text
     );
@@ -260,8 +256,7 @@ fn long_functions_have_sections() {
     let section = "
 HOMOGEN_FN HOMOGEN_CLONES static PENDULUM_APART void pendulum_gravity_section_3(float work[3])
 {
-    const float t_1 = work[1] * work[2];
-    work[0] = t_1;
+    work[0] = work[1] * work[2];
 }
 ";
     assert!(text.contains(section), "{text}");

@@ -125,6 +125,10 @@ impl LlvmWriter {
                 let address = self.row(row);
                 self.load(&address)
             }
+            Value::Operation(operation) => {
+                let instruction = self.instruction(operation);
+                self.between(&instruction)
+            }
         }
     }
 
@@ -154,8 +158,30 @@ impl LlvmWriter {
         self.between(&format!("getelementptr {value}, ptr {table}, i64 {column}"))
     }
 
+    /// Instruction with the result of an operation, after those for its parts.
+    fn instruction(&mut self, operation: &Operation<Value>) -> String {
+        let value = self.lanes.value();
+        match operation.clone().map(|of| self.read(&of)) {
+            Operation::Add(a, b) => format!("fadd {value} {a}, {b}"),
+            Operation::Sub(a, b) => format!("fsub {value} {a}, {b}"),
+            Operation::Mul(a, b) => format!("fmul {value} {a}, {b}"),
+            Operation::Div(a, b) => format!("fdiv {value} {a}, {b}"),
+            Operation::Neg(a) => format!("fneg {value} {a}"),
+            Operation::Sqrt(a) => {
+                let sqrt = self.lanes.intrinsic("sqrt");
+                format!("call {value} {sqrt}({value} {a})")
+            }
+            Operation::Sign(a) => self.sign(&a),
+            Operation::MulAdd(a, b, c) => self.product_and_sum([&a, &b, &c], Signs::Plus),
+            Operation::MulSub(a, b, c) => self.product_and_sum([&a, &b, &c], Signs::MinusTerm),
+            Operation::NegMulAdd(a, b, c) => {
+                self.product_and_sum([&a, &b, &c], Signs::MinusProduct)
+            }
+        }
+    }
+
     /// Product and sum, fused or not.
-    fn product_and_sum(&mut self, name: &str, [a, b, c]: [&str; 3], signs: Signs) {
+    fn product_and_sum(&mut self, [a, b, c]: [&str; 3], signs: Signs) -> String {
         let value = self.lanes.value();
         if self.fused {
             let negative =
@@ -166,22 +192,18 @@ impl LlvmWriter {
                 Signs::MinusProduct => (negative(self, a), c.to_owned()),
             };
             let fma = self.lanes.intrinsic("fma");
-            return self.bind(
-                name,
-                &format!("call {value} {fma}({value} {a}, {value} {b}, {value} {c})"),
-            );
+            return format!("call {value} {fma}({value} {a}, {value} {b}, {value} {c})");
         }
         let product = self.between(&format!("fmul {value} {a}, {b}"));
-        let sum = match signs {
+        match signs {
             Signs::Plus => format!("fadd {value} {product}, {c}"),
             Signs::MinusTerm => format!("fsub {value} {product}, {c}"),
             Signs::MinusProduct => format!("fsub {value} {c}, {product}"),
-        };
-        self.bind(name, &sum);
+        }
     }
 
     /// −1, 0 or 1: (a > 0) − (a < 0).
-    fn sign(&mut self, name: &str, a: &str) {
+    fn sign(&mut self, a: &str) -> String {
         let (value, truth) = (self.lanes.value(), self.lanes.truth());
         let [zero, one] = [0.0, 1.0].map(|number| self.lanes.literal(number));
         let [above, below] = ["ogt", "olt"].map(|order| {
@@ -190,7 +212,7 @@ impl LlvmWriter {
                 "select {truth} {holds}, {value} {one}, {value} {zero}"
             ))
         });
-        self.bind(name, &format!("fsub {value} {above}, {below}"));
+        format!("fsub {value} {above}, {below}")
     }
 }
 
@@ -204,27 +226,8 @@ enum Signs {
 
 impl Language for LlvmWriter {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
-        let value = self.lanes.value();
-        let operation = operation.clone().map(|of| self.read(&of));
-        match operation {
-            Operation::Add(a, b) => self.bind(name, &format!("fadd {value} {a}, {b}")),
-            Operation::Sub(a, b) => self.bind(name, &format!("fsub {value} {a}, {b}")),
-            Operation::Mul(a, b) => self.bind(name, &format!("fmul {value} {a}, {b}")),
-            Operation::Div(a, b) => self.bind(name, &format!("fdiv {value} {a}, {b}")),
-            Operation::Neg(a) => self.bind(name, &format!("fneg {value} {a}")),
-            Operation::Sqrt(a) => {
-                let sqrt = self.lanes.intrinsic("sqrt");
-                self.bind(name, &format!("call {value} {sqrt}({value} {a})"));
-            }
-            Operation::Sign(a) => self.sign(name, &a),
-            Operation::MulAdd(a, b, c) => self.product_and_sum(name, [&a, &b, &c], Signs::Plus),
-            Operation::MulSub(a, b, c) => {
-                self.product_and_sum(name, [&a, &b, &c], Signs::MinusTerm);
-            }
-            Operation::NegMulAdd(a, b, c) => {
-                self.product_and_sum(name, [&a, &b, &c], Signs::MinusProduct);
-            }
-        }
+        let instruction = self.instruction(operation);
+        self.bind(name, &instruction);
     }
 
     fn sines_and_cosines(&mut self, angles: &[Angle]) {
@@ -253,6 +256,12 @@ impl Language for LlvmWriter {
     fn put(&mut self, place: usize, value: &Value) {
         let value = self.read(value);
         let address = self.work_entry(place);
+        self.store_at(&address, &value);
+    }
+
+    fn put_cell(&mut self, row: &Cells, _: &str, value: &Value) {
+        let value = self.read(value);
+        let address = self.row(row);
         self.store_at(&address, &value);
     }
 
@@ -307,10 +316,6 @@ impl Language for LlvmWriter {
 
     fn end_loop(&mut self, each: &RoutineLoop) {
         let index = self.index.clone();
-        for (name, row) in &each.stores {
-            let address = self.row(row);
-            self.store_at(&address, &local(name));
-        }
         let counter = local(&format!("{index}.at"));
         let next = self.between(&format!("add i64 {}, 1", local(&index)));
         self.line(&format!("store i64 {next}, ptr {counter}, align 8"));

@@ -5,6 +5,7 @@
 use std::fmt::Write;
 
 use super::names::{LIBRARY, SIGN};
+use crate::print::expression::{Infix, Spelling, negative, spelled};
 use crate::print::review::filled;
 use crate::print::walk::Language;
 use crate::schedule::{Angle, Cells, LoopTable, Operation, RoutineLoop, Value};
@@ -16,8 +17,6 @@ const LEVEL: &str = "    ";
 #[derive(Default)]
 pub(super) struct PythonWriter {
     pub(super) text: String,
-    /// True if a sign was printed.
-    pub(super) has_signs: bool,
     /// Number of loops around the statement.
     loops: usize,
 }
@@ -36,29 +35,9 @@ impl PythonWriter {
     }
 }
 
-/// Value as an expression that binds tighter than any operator but the sign.
-pub(super) fn read(value: &Value) -> String {
-    match value {
-        Value::Literal(value) => literal(*value),
-        Value::Name(name) => name.clone(),
-        Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
-        Value::Cell(row, column) => cell(row, column),
-        Value::Work(_) => unreachable!("functions of Python have no sections"),
-    }
-}
-
 /// The shortest decimal of a number.
 pub(super) fn literal(value: f64) -> String {
     format!("{value:?}")
-}
-
-/// −a, in parentheses where two signs would follow each other.
-fn negative(value: &str) -> String {
-    if value.starts_with('-') {
-        format!("-({value})")
-    } else {
-        format!("-{value}")
-    }
 }
 
 /// Items in brackets, as many on a line as fit.
@@ -66,29 +45,50 @@ pub(super) fn list(items: &[String]) -> String {
     filled(("[", " "), items, "]")
 }
 
+impl Spelling for PythonWriter {
+    type Text = String;
+
+    fn read(&self, value: &Value) -> String {
+        match value {
+            Value::Literal(value) => literal(*value),
+            Value::Name(name) => name.clone(),
+            Value::Entry(table, row, column) => format!("{table}[{row}][{column}]"),
+            Value::Cell(row, column) => cell(row, column),
+            Value::Operation(operation) => spelled(self, operation),
+            Value::Work(_) => unreachable!("functions of Python have no sections"),
+        }
+    }
+
+    fn infix(&self, a: &String, symbol: Infix, b: &String) -> String {
+        format!("{a} {} {b}", symbol.letter())
+    }
+
+    fn negative(&self, a: &String) -> String {
+        negative(a)
+    }
+
+    fn in_parentheses(&self, a: &String) -> String {
+        format!("({a})")
+    }
+
+    fn root(&self, a: &String) -> String {
+        format!("{LIBRARY}.sqrt({a})")
+    }
+
+    fn sign(&self, a: &String) -> String {
+        format!("{SIGN}({a}, {LIBRARY})")
+    }
+}
+
 impl Language for PythonWriter {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
-        let value = match operation.clone().map(|value| read(&value)) {
-            Operation::Add(a, b) => format!("{a} + {b}"),
-            Operation::Sub(a, b) => format!("{a} - {b}"),
-            Operation::Mul(a, b) => format!("{a} * {b}"),
-            Operation::Div(a, b) => format!("{a} / {b}"),
-            Operation::Sqrt(a) => format!("{LIBRARY}.sqrt({a})"),
-            Operation::Sign(a) => {
-                self.has_signs = true;
-                format!("{SIGN}({a}, {LIBRARY})")
-            }
-            Operation::Neg(a) => negative(&a),
-            Operation::MulAdd(a, b, c) => format!("{a} * {b} + {c}"),
-            Operation::MulSub(a, b, c) => format!("{a} * {b} - {c}"),
-            Operation::NegMulAdd(a, b, c) => format!("{c} - {a} * {b}"),
-        };
+        let value = spelled(self, operation);
         self.bind(name, &value);
     }
 
     fn sines_and_cosines(&mut self, angles: &[Angle]) {
         for angle in angles {
-            let of = read(&angle.value);
+            let of = self.read(&angle.value);
             for (name, function) in [(&angle.sine, "sin"), (&angle.cosine, "cos")] {
                 if let Some(name) = name {
                     self.bind(name, &format!("{LIBRARY}.{function}({of})"));
@@ -101,6 +101,11 @@ impl Language for PythonWriter {
         unreachable!("functions of Python have no sections");
     }
 
+    fn put_cell(&mut self, row: &Cells, index: &str, value: &Value) {
+        let value = self.read(value);
+        self.bind(&cell(row, index), &value);
+    }
+
     fn store(&mut self, _: usize, _: &Value) {
         unreachable!("results of Python are returned at the end");
     }
@@ -109,7 +114,7 @@ impl Language for PythonWriter {
         let (index, count) = (&each.index, each.count);
         if !each.rows.is_empty() {
             let rows = each.rows.iter().map(|row| {
-                let row: Vec<String> = row.iter().map(read).collect();
+                let row: Vec<String> = row.iter().map(|value| self.read(value)).collect();
                 list(&row)
             });
             let text = nested(&rows.collect::<Vec<_>>());
@@ -128,10 +133,7 @@ impl Language for PythonWriter {
         }
     }
 
-    fn end_loop(&mut self, each: &RoutineLoop) {
-        for (name, row) in &each.stores {
-            self.bind(&cell(row, &each.index), name);
-        }
+    fn end_loop(&mut self, _: &RoutineLoop) {
         self.loops -= 1;
     }
 }

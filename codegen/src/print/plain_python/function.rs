@@ -2,10 +2,11 @@
 //!
 //! In: a function of a [`Module`]. Out: its definition. Arguments are read once, by their indices along the first axis.
 
-use super::body::{PythonWriter, list, literal, nested, read};
+use super::body::{PythonWriter, list, literal, nested};
 use super::names::{LIBRARY, STANDARD, of_fields, of_function};
 use crate::module::{GeneratedFunction, Module};
 use crate::print::arrays::{self, Array, Order, Signature};
+use crate::print::expression::Spelling;
 use crate::print::python::docstring;
 use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::walk;
@@ -14,19 +15,12 @@ use crate::schedule::{Entries, Length, Readable, Routine, Stored};
 use crate::space::{ACTION, Variable};
 use crate::wording::code;
 
-/// A printed definition.
-pub(super) struct Printed {
-    pub text: String,
-    /// True if it uses the sign of a number.
-    pub has_signs: bool,
-}
-
 /// A function of the state with its name.
 pub(super) fn of_state(
     module: &Module,
     (name, generated): (&str, &GeneratedFunction),
     order: Order,
-) -> Printed {
+) -> String {
     let spaces = &module.spaces;
     let mut generated = generated.clone();
     arrays::arrange_results(&mut generated, spaces, order);
@@ -94,7 +88,7 @@ pub(super) fn of_state(
 }
 
 /// A function of configurations.
-pub(super) fn of_step(module: &Module, step: ConfigurationFunction) -> Printed {
+pub(super) fn of_step(module: &Module, step: ConfigurationFunction) -> String {
     let mut names = of_function();
     let arguments = step.arguments().iter().map(|(name, _)| *name);
     arguments.clone().for_each(|argument| names.take(argument));
@@ -135,9 +129,9 @@ fn definition(
     about: &[String],
     mut writer: PythonWriter,
     (routine, results): (&Routine, &[Array]),
-) -> Printed {
+) -> String {
     walk(&mut writer, &routine.statements);
-    let mut values = routine.results.iter().map(read);
+    let mut values = routine.results.iter().map(|value| writer.read(value));
     let results = results.iter().map(|of| {
         let below = of.below.iter().flatten();
         let below = below.map(|&entry| literal(entry));
@@ -150,13 +144,8 @@ fn definition(
         several => format!("return {}", tuple(several)),
     });
     let about = docstring(about, "    ");
-    let PythonWriter {
-        text, has_signs, ..
-    } = writer;
-    Printed {
-        text: format!("def {name}({parameters}):\n    {about}\n{text}"),
-        has_signs,
-    }
+    let text = writer.text;
+    format!("def {name}({parameters}):\n    {about}\n{text}")
 }
 
 /// Results in parentheses, each on lines of its own.

@@ -47,8 +47,7 @@ fn a_function_reads_its_arguments_once_and_returns_a_list() {
     q_1_2 = q_1 + q_2
     c_1 = library.cos(q_1)
     c_1_2 = library.cos(q_1_2)
-    t_1 = 0.5 * 2.4525
-    d_2 = t_1 * c_1_2
+    d_2 = 0.5 * 2.4525 * c_1_2
     d_1 = 9.81 * c_1 + d_2
     return [d_1, d_2]
 ";

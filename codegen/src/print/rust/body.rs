@@ -5,7 +5,7 @@
 
 use std::mem;
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
 use super::arguments::{pattern, unpack};
@@ -17,13 +17,14 @@ use super::names::ident;
 #[cfg(feature = "files")]
 use crate::module::Module;
 use crate::print::Fields;
+use crate::print::expression::{Infix, Spelling, spelled};
 #[cfg(feature = "files")]
 use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable, Routine,
-    RoutineLoop, Statement, Stored, Value,
+    Angle, Cells, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable,
+    Routine, RoutineLoop, Statement, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
 
@@ -172,7 +173,7 @@ pub(super) fn body(
     let results = routine.results.iter();
     let results = results.map(|result| writer.read(result));
     let results: Vec<_> = match returned {
-        Some(operation) => vec![writer.spelled(&operation)],
+        Some(operation) => vec![spelled(&writer, &operation)],
         None => results.collect(),
     };
     let first = routine.statements.iter().position(stores);
@@ -254,6 +255,7 @@ fn stores(statement: &Statement) -> bool {
         Statement::Operation(..)
         | Statement::SinesAndCosines(_)
         | Statement::StoreWork(..)
+        | Statement::StoreCell(..)
         | Statement::Loop(_) => false,
     }
 }
@@ -296,21 +298,6 @@ impl RustWriter<'_> {
         mem::replace(&mut self.text, before)
     }
 
-    /// Value as an expression that binds tighter than any infix operator.
-    pub(super) fn read(&self, value: &Value) -> TokenStream {
-        match value {
-            Value::Literal(value) => self.numerals.write(*value),
-            Value::Name(name) => ident(name).into_token_stream(),
-            Value::Work(place) => self.place(*place),
-            Value::Cell(row, column) => self.cell(row, column),
-            Value::Entry(table, row, column) => {
-                let table = ident(table);
-                let [row, column] = [*row, *column].map(Literal::usize_unsuffixed);
-                quote! { #table[#row][#column] }
-            }
-        }
-    }
-
     /// These values with their expressions, and names for loops that copy them.
     fn numbers(&mut self, texts: Vec<TokenStream>, values: Vec<Value>) -> Numbers {
         let entries = texts.into_iter().zip(values);
@@ -332,26 +319,6 @@ impl RustWriter<'_> {
     fn inside(&mut self) -> TokenStream {
         let outer = self.outer.pop().expect("a scope that began");
         mem::replace(&mut self.text, outer)
-    }
-
-    /// Operation, with fused products if there is a function for them.
-    fn spelled(&self, operation: &Operation<Value>) -> TokenStream {
-        let operation = operation.clone().map(|value| self.read(&value));
-        match (operation, &self.fused) {
-            (Operation::Add(a, b), _) => quote! { #a + #b },
-            (Operation::Sub(a, b), _) => quote! { #a - #b },
-            (Operation::Mul(a, b), _) => quote! { #a * #b },
-            (Operation::Div(a, b), _) => quote! { #a / #b },
-            (Operation::Sqrt(a), _) => self.dialect.sqrt(&a),
-            (Operation::Sign(a), _) => self.dialect.sign(&a),
-            (Operation::Neg(a), _) => quote! { -#a },
-            (Operation::MulAdd(a, b, c), Some(fused)) => quote! { #fused(#a, #b, #c) },
-            (Operation::MulSub(a, b, c), Some(fused)) => quote! { #fused(#a, #b, -#c) },
-            (Operation::NegMulAdd(a, b, c), Some(fused)) => quote! { #fused(-#a, #b, #c) },
-            (Operation::MulAdd(a, b, c), None) => quote! { #a * #b + #c },
-            (Operation::MulSub(a, b, c), None) => quote! { #a * #b - #c },
-            (Operation::NegMulAdd(a, b, c), None) => quote! { #c - #a * #b },
-        }
     }
 
     /// `let payload = self.payload;` or `let [gravity_x, _, gravity_z] = self.gravity;`, converted.
@@ -384,9 +351,55 @@ impl RustWriter<'_> {
     }
 }
 
+impl Spelling for RustWriter<'_> {
+    type Text = TokenStream;
+
+    fn read(&self, value: &Value) -> TokenStream {
+        match value {
+            Value::Literal(value) => self.numerals.write(*value),
+            Value::Name(name) => ident(name).into_token_stream(),
+            Value::Work(place) => self.place(*place),
+            Value::Cell(row, column) => self.cell(row, column),
+            Value::Entry(table, row, column) => {
+                let table = ident(table);
+                let [row, column] = [*row, *column].map(Literal::usize_unsuffixed);
+                quote! { #table[#row][#column] }
+            }
+            Value::Operation(operation) => spelled(self, operation),
+        }
+    }
+
+    fn infix(&self, a: &TokenStream, symbol: Infix, b: &TokenStream) -> TokenStream {
+        let symbol = Punct::new(symbol.letter(), Spacing::Alone);
+        quote! { #a #symbol #b }
+    }
+
+    fn negative(&self, a: &TokenStream) -> TokenStream {
+        quote! { -#a }
+    }
+
+    fn in_parentheses(&self, a: &TokenStream) -> TokenStream {
+        quote! { (#a) }
+    }
+
+    fn root(&self, a: &TokenStream) -> TokenStream {
+        self.dialect.sqrt(a)
+    }
+
+    fn sign(&self, a: &TokenStream) -> TokenStream {
+        self.dialect.sign(a)
+    }
+
+    fn fused(&self, operands: impl FnOnce() -> [TokenStream; 3]) -> Option<TokenStream> {
+        let function = self.fused.as_ref()?;
+        let [a, b, c] = operands();
+        Some(quote! { #function(#a, #b, #c) })
+    }
+}
+
 impl Language for RustWriter<'_> {
     fn operation(&mut self, name: &str, operation: &Operation<Value>) {
-        let (name, value) = (ident(name), self.spelled(operation));
+        let (name, value) = (ident(name), spelled(self, operation));
         self.text.extend(quote! { let #name = #value; });
     }
 
@@ -403,6 +416,11 @@ impl Language for RustWriter<'_> {
     fn put(&mut self, place: usize, value: &Value) {
         let value = self.read(value);
         self.text.extend(self.put_at(place, &value));
+    }
+
+    fn put_cell(&mut self, row: &Cells, index: &str, value: &Value) {
+        let (cell, value) = (self.cell(row, index), self.read(value));
+        self.text.extend(quote! { #cell = #value; });
     }
 
     fn store(&mut self, result: usize, value: &Value) {
@@ -439,12 +457,6 @@ impl Language for RustWriter<'_> {
     fn end_loop(&mut self, each: &RoutineLoop) {
         let index = ident(&each.index);
         let count = Literal::usize_unsuffixed(each.count);
-        let leaves = each.stores.iter().map(|(name, row)| {
-            let (name, cell) = (ident(name), self.cell(row, &each.index));
-            quote! { #cell = #name; }
-        });
-        let leaves: TokenStream = leaves.collect();
-        self.text.extend(leaves);
         let inside = self.inside();
         // LLVM computes two iterations in a vector only if they are counted down.
         let range = if each.count == 2 {

@@ -12,6 +12,7 @@ use super::dispatch::{EquationArgument, dispatched};
 use super::lengths::{array, literal};
 use super::literals::Numerals;
 use super::names::ident;
+use crate::print::expression::Spelling;
 use crate::schedule::{Cells, LONGEST_SCOPE, SectionBody, Value, Work};
 
 impl RustWriter<'_> {

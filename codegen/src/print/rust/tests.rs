@@ -256,8 +256,7 @@ impl Pendulum {
                 let [q_1, q_2] = *q;
                 let q_1_2 = q_1 + q_2;
                 let ([_, _], [c_1, c_1_2]) = R::sin_cos_all([q_1, q_1_2]);
-                let t_1 = k(0.5) * k(2.4525);
-                let d_2 = t_1 * c_1_2;
+                let d_2 = k(0.5) * k(2.4525) * c_1_2;
                 let d_1 = mul_add(k(9.81), c_1, d_2);
                 [d_1, d_2]
             }

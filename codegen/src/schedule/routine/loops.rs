@@ -7,7 +7,7 @@
 #[cfg(test)]
 mod tests;
 
-use super::{Meaning, Naming, Statement, Value};
+use super::{Meaning, Naming, Statement, StorePlace, Value};
 use crate::schedule::Operand;
 use crate::schedule::blocks::within;
 use crate::schedule::repeats::{Over, Repeat};
@@ -28,10 +28,8 @@ pub struct RoutineLoop {
     pub index: String,
     /// Names of the values that an iteration reads several times, and the row of each.
     pub loads: Vec<(String, Cells)>,
-    /// Statements of an iteration.
+    /// Statements of an iteration, with stores to rows.
     pub statements: Vec<Statement>,
-    /// Names of the values that an iteration stores, and the row of each.
-    pub stores: Vec<(String, Cells)>,
 }
 
 /// Table that the iterations of a loop write.
@@ -96,24 +94,25 @@ impl Naming<'_> {
         let reads = reads.map(|(&place, &row)| (place, values[row].clone()));
         self.loads = reads.collect();
         self.is_named = repeat.over == Over::Limbs;
-        let parts = within(self.program, repeat.first.clone(), &repeat.stores);
-        let statements = self.statements(&parts);
-        self.loads.clear();
-        self.is_named = true;
-        let count = repeat.iterations as usize;
         let first = section.map(|section| section.stores.first().map_or(0, |&(_, place)| place));
+        let count = repeat.iterations as usize;
         let stores = repeat.stores.iter().enumerate().map(|(at, &step)| {
             let row = first.map(|first| Cells::Work(first + at * count));
             let row = row.unwrap_or_else(|| Cells::Table(found.clone(), at));
-            (self.name(step), row)
+            (step, StorePlace::Cell(row, index.clone()))
         });
-        let stores: Vec<(String, Cells)> = stores.collect();
+        self.stores = stores.collect();
+        let entries = within(self.program, repeat.first.clone(), self.inlined);
+        let statements = self.statements(&entries);
+        self.stores.clear();
+        self.loads.clear();
+        self.is_named = true;
         self.leave(repeat, &found);
         let before = repeat.loads.first().and_then(|row| row.first());
         let before = before.map(|&operand| self.value(operand));
         let of_stores = |before| LoopTable {
             table: found,
-            height: stores.len(),
+            height: repeat.stores.len(),
             before,
         };
         let found = before.filter(|_| section.is_none()).map(of_stores);
@@ -125,7 +124,6 @@ impl Naming<'_> {
             index,
             loads,
             statements,
-            stores,
         }
     }
 
@@ -157,6 +155,5 @@ impl Naming<'_> {
                 self.steps.push(Value::Entry(table.to_owned(), row, column));
             }
         }
-        self.sums.resize(self.steps.len(), None);
     }
 }

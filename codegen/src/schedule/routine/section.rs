@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::{Entries, Naming, Routine, Statement, Value};
+use super::{Entries, Naming, Routine, Statement, StorePlace, Value};
 use crate::schedule::blocks::{before, within};
 use crate::schedule::repeats::Repeat;
 use crate::schedule::sections::{Section, Sections, Shared};
@@ -50,7 +50,7 @@ impl Naming<'_> {
     ) -> Routine {
         let program = self.program;
         let name = self.names.fresh("work");
-        let mut statements = self.statements(&before(program));
+        let mut statements = self.statements(&before(program, self.inlined));
         statements.extend(self.sines_and_cosines());
         let initial = sections.initial.iter();
         let initial = initial.map(|&(value, place)| (place, self.value(value.operand())));
@@ -102,8 +102,11 @@ impl Naming<'_> {
         let statements = if let Some(repeat) = &section.repeat {
             self.loop_section(repeat, section)
         } else {
-            self.stores = section.stores.iter().copied().collect();
-            self.statements(&within(self.program, steps.clone(), &[]))
+            let stores = section.stores.iter();
+            let stores = stores.map(|&(step, place)| (step, StorePlace::Work(place)));
+            self.stores = stores.collect();
+            let entries = within(self.program, steps.clone(), self.inlined);
+            self.statements(&entries)
         };
         self.waiting.clear();
         let steps = &self.program.steps[steps.start as usize..steps.end as usize];
@@ -125,6 +128,11 @@ impl Naming<'_> {
                 self.steps[step as usize] = Value::Name(name.clone());
                 name
             }
+            (Shared::Step(step), Value::Work(_)) => {
+                let name = self.unnamed();
+                self.steps[step as usize] = Value::Name(name.clone());
+                name
+            }
             (_, Value::Name(name)) => name,
             (_, value) => unreachable!("{value:?} has no name"),
         }
@@ -133,9 +141,8 @@ impl Naming<'_> {
     /// A loop that stores its results in the work array.
     fn loop_section(&mut self, repeat: &Repeat, section: &Section) -> Vec<Statement> {
         let each = self.loop_of(repeat, Some(section));
-        for &(step, _) in &section.stores {
-            // Other sections bind it to a name.
-            self.steps[step as usize] = Value::Name(self.unnamed());
+        for &(step, place) in &section.stores {
+            self.steps[step as usize] = Value::Work(place);
         }
         let copies = section.copies.iter();
         let copies = copies.map(|&(from, to)| Statement::StoreWork(to, Value::Work(from)));

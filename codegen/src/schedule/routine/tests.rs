@@ -78,15 +78,16 @@ fn only_values_that_are_read_have_names() {
         sine,
         cosine,
     };
-    let half = Value::Literal(0.5);
+    // A value without a meaning that is read once is written where it is read.
+    let part = Operation::MulAdd(Value::Literal(0.5), name("s_1"), name("qd_"));
+    let part = Value::Operation(Box::new(part));
     let statements = [
         operation("q_1_2", Operation::Add(name("q_2_"), name("q_1"))),
         Statement::SinesAndCosines(vec![
             angle(name("q_1"), some("s_1"), None),
             angle(name("q_1_2"), None, some("c_1_2")),
         ]),
-        operation("t_1", Operation::MulAdd(half, name("s_1"), name("qd_"))),
-        operation("d_2_", Operation::Mul(name("c_1_2"), name("t_1"))),
+        operation("d_2_", Operation::Mul(name("c_1_2"), part)),
     ];
     assert_eq!(routine.statements, statements);
     assert_eq!(routine.results, [name("d_2_"), Value::Literal(0.0)]);
@@ -102,7 +103,6 @@ fn only_values_that_are_read_have_names() {
         ("q_1_2", Meaning::Sum(vec![0, 1])),
         ("s_1", Meaning::Sine(turn("q_1", &[0]))),
         ("c_1_2", Meaning::Cosine(turn("q_1_2", &[0, 1]))),
-        ("t_1", Meaning::Part(1)),
         ("d_2_", Meaning::Entry(pivot.entry(Component::Scalar))),
     ];
     let meanings = meanings.map(|(name, meaning)| (name.to_owned(), meaning));
@@ -110,8 +110,8 @@ fn only_values_that_are_read_have_names() {
     // Further names of a language are unique.
     let mut names = routine.names;
     assert_eq!(
-        ["t_1", "t_2"].map(|wish| names.fresh(wish)),
-        ["t_1_", "t_2"]
+        ["c_1_2", "c_1"].map(|wish| names.fresh(wish)),
+        ["c_1_2_", "c_1"]
     );
 }
 

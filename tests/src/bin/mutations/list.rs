@@ -40,7 +40,7 @@ pub fn all() -> impl Iterator<Item = &'static Mutation> {
 }
 
 /// Mutations of the engine and of the runtime's geometry, grouped by the crate that is built again.
-const MUTATIONS: [Mutation; 46] = [
+const MUTATIONS: [Mutation; 48] = [
     Mutation {
         name: "Newton-Euler: ω × u q̇ with the other sign",
         file: "codegen/src/model/newton_euler.rs",
@@ -304,7 +304,9 @@ const MUTATIONS: [Mutation; 46] = [
         file: "codegen/src/schedule/routine/loops.rs",
         from: "let row = row.unwrap_or_default();",
         to: "let row = row.map_or(0, |row| row ^ 1);",
-        noticed_by: engine("schedule::routine::rounds::tests::loops_compute_the_same_as_all_steps"),
+        noticed_by: engine(
+            "schedule::routine::loops::tests::loops_over_columns_compute_the_same_as_all_steps",
+        ),
     },
     Mutation {
         name: "sine: the last digits of a coefficient",
@@ -319,10 +321,24 @@ const MUTATIONS: [Mutation; 46] = [
     },
     Mutation {
         name: "C: the operands of a fused difference exchanged",
-        file: "codegen/src/print/c/body.rs",
-        from: r#"None) => format!("{c} - {a} * {b}")"#,
-        to: r#"None) => format!("{a} * {b} - {c}")"#,
+        file: "codegen/src/print/expression.rs",
+        from: "language.infix(&c, Infix::Sub, &product)",
+        to: "language.infix(&product, Infix::Sub, &c)",
         noticed_by: c99("c99::scara"),
+    },
+    Mutation {
+        name: "expressions: no parentheses around what is subtracted",
+        file: "codegen/src/print/expression.rs",
+        from: "[operand(a, Binding::Sum), operand(b, Binding::Product)]",
+        to: "[operand(a, Binding::Sum), operand(b, Binding::Sum)]",
+        noticed_by: engine("print::expression::tests::an_expression_is_read_as_it_was_written"),
+    },
+    Mutation {
+        name: "expressions: a value computed behind a later statement",
+        file: "codegen/src/schedule/inlined.rs",
+        from: "if waiting.iter().any(is_part) {",
+        to: "if waiting.is_empty() {",
+        noticed_by: engine("schedule::inlined::tests::statements_hold_consecutive_steps"),
     },
     Mutation {
         name: "C: the last digit of a coefficient of the sine",

@@ -35,8 +35,7 @@ pub struct Pendulum {
         let q_1_2 = q_1 + q_2;
         let (_, c_1) = Self::sin_cos(q_1);
         let (_, c_1_2) = Self::sin_cos(q_1_2);
-        let t_1 = payload * 2.4525_f32;
-        let d_2 = t_1 * c_1_2;
+        let d_2 = payload * 2.4525_f32 * c_1_2;
         let d_1 = 9.81_f32 * c_1 + d_2;
         [d_1, d_2]";
     assert_eq!(function(&text, "gravity"), gravity);

@@ -18,20 +18,20 @@ const JOINTS: u16 = 160;
 const FIELDS: u16 = 40;
 const STEPS: u32 = 1000;
 
-/// Sums of the products of every sine and every number of every field.
+/// A chain of products with every sine and with every number of every field. Each value is read twice, so that it has a
+/// name.
 fn program() -> Program {
     let angles = (0..JOINTS).map(|joint| Operand::Input(Input::Variable(Variable::Q, joint)));
-    let steps = (0..STEPS).zip((0..FIELDS).cycle()).map(|(k, field)| {
-        let entry = u16::try_from(k % 3).expect("an axis");
-        let number = Operand::Input(Input::Parameter(field, entry));
+    let numbers = (0..FIELDS).cycle().zip((0..3).cycle());
+    let numbers = numbers.map(|(field, entry)| Operand::Input(Input::Parameter(field, entry)));
+    let sines = (0..u32::from(JOINTS)).cycle().map(Operand::Sin);
+    let factors = numbers.zip(sines).flat_map(|(number, sine)| [number, sine]);
+    let steps = (0..STEPS).zip(factors).map(|(k, factor)| {
         let before = k.checked_sub(1);
+        let before = before.map_or(Operand::Cos(0), Operand::Step);
         Step {
             label: None,
-            operation: Operation::MulAdd(
-                number,
-                Operand::Sin(k % u32::from(JOINTS)),
-                before.map_or(Operand::Cos(0), Operand::Step),
-            ),
+            operation: Operation::MulAdd(factor, before, before),
         }
     });
     Program {

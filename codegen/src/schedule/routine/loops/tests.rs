@@ -46,6 +46,7 @@ impl Written {
             Value::Work(place) => self.work[*place],
             Value::Entry(table, row, column) => self.tables[table][*row][*column],
             Value::Cell(row, column) => self.cell(row, self.indices[column]),
+            Value::Operation(operation) => self.value(operation),
         }
     }
 
@@ -86,9 +87,6 @@ impl Written {
                 self.bound.insert(name.clone(), value);
             }
             self.run(&each.statements);
-            for (name, row) in &each.stores {
-                self.store(row, column, self.bound[name]);
-            }
         }
     }
 
@@ -125,6 +123,9 @@ impl Written {
                 Statement::Block { statements, .. } => self.run(statements),
                 Statement::Loop(each) => self.repeat(each),
                 Statement::StoreWork(place, value) => self.work[*place] = self.read(value),
+                Statement::StoreCell(row, index, value) => {
+                    self.store(row, self.indices[index], self.read(value));
+                }
                 Statement::StoreResult(..) => unreachable!("{statement:?}"),
             }
         }

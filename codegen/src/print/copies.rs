@@ -1,28 +1,37 @@
 //! Matrices of results that loops copy.
 //!
-//! In: the values of a matrix, by rows. Out: blocks of it whose values stand at equal distances in the work array, both
-//! along rows and along columns, and all other values. Loops over columns of a program store such blocks.
+//! In: the values of a matrix, by rows. Out: loops over rows, for columns whose values stand at equal distances in the
+//! work array, and for those that have the same literal in these rows; and all other entries. Loops over columns of a
+//! program store such values, and limbs that do not act on each other have blocks of zeros.
 //!
 //! Compilers compare all copies of a function with each other, and thousands take them seconds.
 
+use std::ops::Range;
+
 use crate::schedule::Value;
 
-/// Minimum number of rows.
-const ROWS: usize = 8;
+/// Minimum number of rows of a loop.
+const ROWS: usize = 4;
 
-/// Copies that make up a matrix.
-pub(super) struct Copies<'v> {
-    /// Number of rows.
-    pub rows: usize,
-    /// Blocks of all rows.
-    pub blocks: Vec<CopiedBlock>,
-    /// Columns that have the same literal in all rows.
-    pub constant: Vec<(usize, f64)>,
-    /// All other values, with row and column.
-    pub others: Vec<([usize; 2], &'v Value)>,
+/// A matrix in loops.
+pub(super) struct Copies {
+    /// Loops.
+    pub loops: Vec<CopyLoop>,
+    /// Indices of all entries that are in no loop, in ascending order.
+    pub rest: Vec<usize>,
 }
 
-/// Columns whose values stand at equal distances in the work array, in all rows.
+/// Loop over consecutive rows.
+pub(super) struct CopyLoop {
+    /// The rows.
+    pub rows: Range<usize>,
+    /// Columns that are copied.
+    pub blocks: Vec<CopiedBlock>,
+    /// Columns that have the same literal in all of the rows.
+    pub constant: Vec<(usize, f64)>,
+}
+
+/// Columns whose values stand at equal distances in the work array, in all rows of a loop.
 pub(super) struct CopiedBlock {
     /// First column.
     pub column: usize,
@@ -36,53 +45,76 @@ pub(super) struct CopiedBlock {
     pub along: usize,
 }
 
-impl<'v> Copies<'v> {
-    /// Copies of a matrix with rows of this length, if there are blocks.
-    pub fn of(values: &'v [Value], columns: usize) -> Option<Self> {
+/// Values of consecutive rows of a column.
+#[derive(Clone, Copy)]
+enum InAColumn {
+    /// The same literal.
+    Literal(f64),
+    /// Values in the work array: the index of the first, and the distance of neighbours.
+    Work(usize, usize),
+}
+
+impl Copies {
+    /// Loops of a matrix with rows of this length, without the entries that are stored already.
+    pub fn of(values: &[Value], columns: usize, is_stored: impl Fn(usize) -> bool) -> Self {
         let rows = values.len() / columns.max(1);
-        if rows < ROWS {
-            return None;
-        }
         let mut copies = Self {
-            rows,
-            blocks: Vec::new(),
-            constant: Vec::new(),
-            others: Vec::new(),
+            loops: Vec::new(),
+            rest: Vec::new(),
         };
         for column in 0..columns {
-            let entries = values.iter().skip(column).step_by(columns);
-            if let Some([first, down]) = in_a_row(entries.clone()) {
-                copies.place(column, first, down);
-                continue;
-            }
-            match values[column] {
-                Value::Literal(value) if entries.clone().all(|entry| *entry == values[column]) => {
-                    copies.constant.push((column, value));
-                }
-                _ => {
-                    let entries = entries.enumerate();
-                    let entries = entries.map(|(row, value)| ([row, column], value));
-                    copies.others.extend(entries);
+            let entry = |row: usize| {
+                let index = row * columns + column;
+                (!is_stored(index)).then(|| &values[index])
+            };
+            let mut row = 0;
+            while row < rows {
+                if let Some((values, count)) = InAColumn::of((row..rows).map_while(entry)) {
+                    copies.take(row..row + count, column, values);
+                    row += count;
+                } else {
+                    copies.rest.push(row * columns + column);
+                    row += 1;
                 }
             }
         }
-        // Neighbours in both arrays are none: compilers would call `memcpy`, which firmware may lack.
-        let is_apart = |block: &CopiedBlock| block.along != 1 || block.count == 1;
-        let any = !copies.blocks.is_empty() && columns > 1;
-        (any && copies.blocks.iter().all(is_apart)).then_some(copies)
+        copies.rest.retain(|&index| !is_stored(index));
+        copies.rest.sort_unstable();
+        copies
     }
 
-    /// Adds a column, to the last block if it continues that.
-    fn place(&mut self, column: usize, first: usize, down: usize) {
+    /// Adds a column to the loop over these rows.
+    fn take(&mut self, rows: Range<usize>, column: usize, values: InAColumn) {
+        let known = self.loops.iter().position(|known| known.rows == rows);
+        let place = known.unwrap_or_else(|| {
+            self.loops.push(CopyLoop {
+                rows,
+                blocks: Vec::new(),
+                constant: Vec::new(),
+            });
+            self.loops.len() - 1
+        });
+        let of_rows = &mut self.loops[place];
+        match values {
+            InAColumn::Literal(value) => of_rows.constant.push((column, value)),
+            InAColumn::Work(first, down) => of_rows.block(column, first, down),
+        }
+    }
+}
+
+impl CopyLoop {
+    /// Adds a column of copied values, to the last block if it continues that.
+    fn block(&mut self, column: usize, first: usize, down: usize) {
         if let Some(last) = self.blocks.last_mut()
             && last.column + last.count == column
             && last.down == down
             && let Some(distance) = first.checked_sub(last.first)
         {
-            if last.count == 1 {
+            // Neighbours in both arrays are no block: compilers would call `memcpy`, which firmware may lack.
+            if last.count == 1 && distance > 1 {
                 last.along = distance;
             }
-            if distance == last.count * last.along {
+            if last.along > 0 && distance == last.count * last.along {
                 last.count += 1;
                 return;
             }
@@ -97,77 +129,124 @@ impl<'v> Copies<'v> {
     }
 }
 
-/// First index and distance of values that stand at equal distances in the work array.
-fn in_a_row<'v>(values: impl Iterator<Item = &'v Value>) -> Option<[usize; 2]> {
-    let mut places = values.map(|value| match value {
-        Value::Work(place) => Some(*place),
-        _ => None,
+impl InAColumn {
+    /// The longest stretch from the first value on, with the number of its rows, if a loop is shorter.
+    fn of<'v>(values: impl Iterator<Item = &'v Value> + Clone) -> Option<(Self, usize)> {
+        let place = |value: &Value| match value {
+            Value::Work(place) => Some(*place),
+            _ => None,
+        };
+        let (found, count) = match values.clone().next()? {
+            literal @ Value::Literal(value) => {
+                let count = values.take_while(|of| *of == literal).count();
+                (Self::Literal(*value), count)
+            }
+            Value::Work(first) => {
+                let second = values.clone().nth(1).and_then(place)?;
+                let down = second.checked_sub(*first).filter(|&down| down > 0)?;
+                let expected = (0..).map(|row| Some(first + row * down));
+                let pairs = values.map(place).zip(expected);
+                let count = pairs
+                    .take_while(|(found, expected)| found == expected)
+                    .count();
+                (Self::Work(*first, down), count)
+            }
+            _ => return None,
+        };
+        (count >= ROWS).then_some((found, count))
+    }
+}
+
+/// `3 + row + 6 * k`: a sum of a number and multiples of indices, without zeros and ones.
+pub(super) fn index(first: usize, terms: &[(usize, &str)]) -> String {
+    let multiples = terms.iter().map(|&(factor, name)| match factor {
+        1 => name.to_owned(),
+        _ => format!("{factor} * {name}"),
     });
-    let first = places.next()??;
-    let distance = places.next()??.checked_sub(first)?;
-    let mut places = places.zip(2..);
-    let all = places.all(|(place, row)| place == Some(first + row * distance));
-    (all && distance > 0).then_some([first, distance])
+    let first = (first > 0).then(|| first.to_string());
+    let sum: Vec<String> = first.into_iter().chain(multiples).collect();
+    sum.join(" + ")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Copies;
+    use super::{Copies, index};
     use crate::schedule::Value;
 
-    /// 8 rows: zeros, an entry each of two blocks, and one that is apart in one row.
+    const COLUMNS: usize = 6;
+
+    /// 8 rows: zeros in the upper half, an entry each of two blocks, neighbours of the second, and values that are apart
+    /// in one row.
     fn matrix() -> Vec<Value> {
         let row = |row: usize| {
+            let upper = if row < 4 {
+                Value::Literal(0.0)
+            } else {
+                Value::Name(format!("t_{row}"))
+            };
             let apart = if row == 3 { 999 } else { 300 + row };
-            let [a, b, c] = [100 + row, 120 + row, 200 + 2 * row].map(Value::Work);
-            [Value::Literal(0.0), a, b, c, Value::Work(apart)]
+            let [a, b, c, d] = [100 + row, 120 + row, 200 + 2 * row, 201 + 2 * row];
+            let [a, b, c, d, apart] = [a, b, c, d, apart].map(Value::Work);
+            [upper, a, b, c, d, apart]
         };
         (0..8).flat_map(row).collect()
     }
 
     #[test]
-    fn blocks_have_equal_distances_in_all_rows() {
-        let values = matrix();
-        let copies = Copies::of(&values, 5).expect("blocks");
-        let blocks = copies.blocks.iter();
-        let blocks = blocks.map(|it| [it.column, it.count, it.first, it.down, it.along]);
-        let blocks: Vec<_> = blocks.collect();
-        assert_eq!(blocks, [[1, 2, 100, 1, 20], [3, 1, 200, 2, 0]]);
-        assert_eq!(copies.constant, [(0, 0.0)]);
-        let others: Vec<_> = copies.others.iter().map(|(place, _)| *place).collect();
-        assert_eq!(others, [0, 1, 2, 3, 4, 5, 6, 7].map(|row| [row, 4]));
+    fn blocks_have_equal_distances_in_consecutive_rows() {
+        let copies = Copies::of(&matrix(), COLUMNS, |_| false);
+        let loops = copies.loops.iter().map(|each| {
+            let blocks = each.blocks.iter();
+            let blocks = blocks.map(|it| [it.column, it.count, it.first, it.down, it.along]);
+            (each.rows.clone(), each.constant.clone(), blocks.collect())
+        });
+        let loops: Vec<(_, _, Vec<_>)> = loops.collect();
+        let all = vec![[1, 2, 100, 1, 20], [3, 1, 200, 2, 0], [4, 1, 201, 2, 0]];
+        let expected = [
+            (0..4, vec![(0, 0.0)], Vec::new()),
+            (0..8, Vec::new(), all),
+            (4..8, Vec::new(), vec![[5, 1, 304, 1, 0]]),
+        ];
+        assert_eq!(loops, expected);
+        let rest = [5, 11, 17, 23, 24, 30, 36, 42];
+        assert_eq!(copies.rest, rest);
     }
 
     #[test]
-    fn every_entry_is_copied_once() {
+    fn indices_are_sums_without_zeros_and_ones() {
+        assert_eq!(index(0, &[(1, "k")]), "k");
+        assert_eq!(index(3, &[(1, "row"), (6, "k")]), "3 + row + 6 * k");
+    }
+
+    #[test]
+    fn every_entry_is_copied_once_unless_it_is_stored() {
         let values = matrix();
-        let copies = Copies::of(&values, 5).expect("blocks");
-        let mut found = vec![None; values.len()];
-        let mut set = |row: usize, column: usize, value: Value| {
-            assert_eq!(found[5 * row + column].replace(value), None);
-        };
-        for row in 0..copies.rows {
-            for block in &copies.blocks {
-                for k in 0..block.count {
-                    let place = block.first + block.down * row + block.along * k;
-                    set(row, block.column + k, Value::Work(place));
+        for stored in [None, Some(13), Some(24)] {
+            let copies = Copies::of(&values, COLUMNS, |index| Some(index) == stored);
+            let mut found = vec![None; values.len()];
+            let mut set = |row: usize, column: usize, value: Value| {
+                assert_eq!(found[COLUMNS * row + column].replace(value), None);
+            };
+            for each in &copies.loops {
+                for (row, of) in each.rows.clone().enumerate() {
+                    for block in &each.blocks {
+                        for k in 0..block.count {
+                            let place = block.first + block.down * row + block.along * k;
+                            set(of, block.column + k, Value::Work(place));
+                        }
+                    }
+                    for &(column, value) in &each.constant {
+                        set(of, column, Value::Literal(value));
+                    }
                 }
             }
-            for &(column, value) in &copies.constant {
-                set(row, column, Value::Literal(value));
+            for index in copies.rest {
+                set(index / COLUMNS, index % COLUMNS, values[index].clone());
+            }
+            for (index, value) in found.into_iter().enumerate() {
+                let expected = (Some(index) != stored).then(|| values[index].clone());
+                assert_eq!(value, expected);
             }
         }
-        for ([row, column], value) in copies.others {
-            set(row, column, value.clone());
-        }
-        let found: Vec<_> = found.into_iter().flatten().collect();
-        assert_eq!(found, values);
-    }
-
-    #[test]
-    fn few_rows_and_neighbours_are_no_blocks() {
-        assert!(Copies::of(&matrix()[..35], 5).is_none());
-        let neighbours: Vec<_> = (0..40).map(Value::Work).collect();
-        assert!(Copies::of(&neighbours, 5).is_none());
     }
 }

@@ -472,7 +472,7 @@ impl Language for CWriter<'_> {
 }
 
 /// Entry with this index of an argument or a result: `gravity[3]`, `mass_matrix[1][2]`, `*kinetic_energy`.
-fn place(name: &str, index: usize, lengths: &[usize]) -> String {
+pub(super) fn place(name: &str, index: usize, lengths: &[usize]) -> String {
     if lengths.is_empty() {
         return format!("*{name}");
     }

@@ -16,7 +16,7 @@ use super::library::Library;
 use super::names::ident;
 use crate::function::Function;
 use crate::module::Module;
-use crate::print::copies::Copies;
+use crate::print::copies::{self, Copies};
 use crate::schedule::Value;
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
@@ -237,42 +237,62 @@ fn copied(values: &[Number], columns: usize, numbers: &Numbers) -> Option<TokenS
     } = numbers;
     let work = work.as_ref()?;
     let places: Vec<Value> = values.iter().map(|number| number.value.clone()).collect();
-    let copies = Copies::of(&places, columns)?;
+    let copies = Copies::of(&places, columns, |_| false);
+    if copies.loops.iter().all(|each| each.blocks.is_empty()) {
+        return None;
+    }
     let number = Literal::usize_unsuffixed;
-    let blocks = copies.blocks.iter().map(|block| {
-        let [column, count] = [block.column, block.count].map(number);
-        let [first, down, along] = [block.first, block.down, block.along].map(number);
-        if block.count == 1 {
-            return quote! { #matrix[#row][#column] = #work[#first + #down * #row]; };
-        }
-        quote! {
-            for #index in 0..#count {
-                #matrix[#row][#column + #index] = #work[#first + #down * #row + #along * #index];
+    let is_zero = |value: &Value| *value == Value::Literal(0.0);
+    let [row_name, index_name] = [row, index].map(Ident::to_string);
+    let loops = copies.loops.iter().filter_map(|each| {
+        let of_row = subscript(each.rows.start, &[(1, &row_name)]);
+        let blocks = each.blocks.iter().map(|block| {
+            let down = (block.down, &*row_name);
+            if block.count == 1 {
+                let (column, from) = (number(block.column), subscript(block.first, &[down]));
+                return quote! { #matrix[#of_row][#column] = #work[#from]; };
             }
-        }
+            let column = subscript(block.column, &[(1, &index_name)]);
+            let from = subscript(block.first, &[down, (block.along, &index_name)]);
+            let count = number(block.count);
+            quote! { for #index in 0..#count { #matrix[#of_row][#column] = #work[#from]; } }
+        });
+        let constant = each.constant.iter().filter(|(_, value)| *value != 0.0);
+        let constant = constant.map(|&(column, _)| {
+            let value = &values[each.rows.start * columns + column];
+            let column = number(column);
+            quote! { #matrix[#of_row][#column] = #value; }
+        });
+        let stores: TokenStream = blocks.chain(constant).collect();
+        let count = number(each.rows.len());
+        (!stores.is_empty()).then(|| {
+            quote! {
+                #[allow(clippy::needless_range_loop)]
+                for #row in 0..#count { #stores }
+            }
+        })
     });
-    let constant = copies.constant.iter().filter(|(_, value)| *value != 0.0);
-    let constant = constant.map(|&(column, _)| {
-        let (value, column) = (&values[column], number(column));
-        quote! { #matrix[#row][#column] = #value; }
-    });
-    let others = copies.others.iter();
-    let others = others.filter(|(_, value)| **value != Value::Literal(0.0));
-    let others = others.map(|&([of_row, column], _)| {
-        let value = &values[of_row * columns + column];
-        let [of_row, column] = [of_row, column].map(number);
+    let others = copies.rest.iter().filter(|&&k| !is_zero(&values[k].value));
+    let others = others.map(|&k| {
+        let value = &values[k];
+        let [of_row, column] = [k / columns, k % columns].map(number);
         quote! { #matrix[#of_row][#column] = #value; }
     });
-    let [rows, columns] = [copies.rows, columns].map(number);
+    let [rows, columns] = [values.len() / columns, columns].map(number);
     Some(quote! {
         {
             let mut #matrix = [[#zero; #columns]; #rows];
-            #[allow(clippy::needless_range_loop)]
-            for #row in 0..#rows { #(#blocks)* #(#constant)* }
+            #(#loops)*
             #(#others)*
             #matrix
         }
     })
+}
+
+/// A sum of a number and multiples of indices.
+fn subscript(first: usize, terms: &[(usize, &str)]) -> TokenStream {
+    let text = copies::index(first, terms);
+    text.parse().expect("numbers and names")
 }
 
 impl ToTokens for Number {

@@ -9,7 +9,7 @@ mod section;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 pub use self::loops::{Cells, LoopTable, RoutineLoop};
 pub use self::meaning::{Meaning, RotationAngle};
@@ -145,9 +145,7 @@ impl Routine {
         let arranged = Arranged::of(program, readable.limbs, length);
         let program = &*arranged.program;
         let sums = Sums::of(program);
-        let inlined = Inlined::of(&arranged, |step| {
-            program.steps[step as usize].label.is_some() || sums.of_step(step).is_some()
-        });
+        let inlined = Inlined::of(&arranged, |step| meaning(program, &sums, step).is_some());
         let mut naming = Naming {
             program,
             sums: &sums,
@@ -158,7 +156,6 @@ impl Routine {
             angles: Vec::new(),
             steps: Vec::with_capacity(program.steps.len()),
             parts: Vec::new(),
-            all_parts: HashSet::new(),
             unnamed: 0,
             loops: 0,
             index: None,
@@ -221,6 +218,12 @@ impl Routine {
     }
 }
 
+/// Meaning of the result of a step, if it has one.
+fn meaning(program: &Program, sums: &Sums, step: u32) -> Option<Meaning> {
+    let label = program.steps[step as usize].label.map(Meaning::Entry);
+    label.or_else(|| Some(Meaning::Sum(sums.of_step(step)?.to_vec())))
+}
+
 /// For each angle: is its sine read, is its cosine read.
 fn turns(program: &Program) -> Vec<[bool; 2]> {
     let mut turns = vec![[false; 2]; program.angles.len()];
@@ -274,8 +277,6 @@ struct Naming<'p> {
     steps: Vec<Value>,
     /// Names of values without a meaning. Each section has them anew, since it is a function of its own.
     parts: Vec<String>,
-    /// The same names.
-    all_parts: HashSet<String>,
     /// Number of these names that the current function has.
     unnamed: usize,
     /// Number of loops.
@@ -405,16 +406,16 @@ impl Naming<'_> {
 
     /// Name for the result of the next step: that of its matrix entry, of the coordinates that it sums, or a number.
     fn name_of_next(&mut self) -> String {
-        let step = self.next();
-        if self.is_named {
-            if let Some(label) = self.program.steps[step as usize].label {
-                return self.named(Meaning::Entry(label));
-            }
-            if let Some(coordinates) = self.sums.of_step(step) {
-                return self.named(Meaning::Sum(coordinates.to_vec()));
-            }
+        let meaning = self.meaning(self.next()).filter(|_| self.is_named);
+        match meaning {
+            Some(meaning) => self.named(meaning),
+            None => self.unnamed(),
         }
-        self.unnamed()
+    }
+
+    /// Meaning of the result of a step, if it has one.
+    fn meaning(&self, step: u32) -> Option<Meaning> {
+        meaning(self.program, self.sums, step)
     }
 
     /// Name of the result of a step.
@@ -437,7 +438,6 @@ impl Naming<'_> {
         known.unwrap_or_else(|| {
             let name = self.named(Meaning::Part(self.unnamed));
             self.parts.push(name.clone());
-            self.all_parts.insert(name.clone());
             name
         })
     }

@@ -290,7 +290,7 @@ fn copied(values: &[Number], columns: usize, numbers: &Numbers) -> Option<TokenS
 }
 
 /// A sum of a number and multiples of indices.
-fn subscript(first: usize, terms: &[(usize, &str)]) -> TokenStream {
+pub(super) fn subscript(first: usize, terms: &[(usize, &str)]) -> TokenStream {
     let text = copies::index(first, terms);
     text.parse().expect("numbers and names")
 }

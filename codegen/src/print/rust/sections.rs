@@ -12,6 +12,7 @@ use super::dispatch::{EquationArgument, dispatched};
 use super::lengths::{array, literal};
 use super::literals::Numerals;
 use super::names::ident;
+use super::results::subscript;
 use crate::print::expression::Spelling;
 use crate::schedule::{Cells, LONGEST_SCOPE, SectionBody, Value, Work};
 
@@ -100,15 +101,15 @@ impl RustWriter<'_> {
 
     /// `columns[3][column]` or `work[7 + column]`.
     pub(super) fn cell(&self, row: &Cells, column: &str) -> TokenStream {
-        let column = ident(column);
         match row {
             Cells::Table(table, row) => {
+                let column = ident(column);
                 let (table, row) = (ident(table), Literal::usize_unsuffixed(*row));
                 quote! { #table[#row][#column] }
             }
             Cells::Work(first) => {
-                let (work, first) = (&self.work, Literal::usize_unsuffixed(*first));
-                quote! { #work[#first + #column] }
+                let (work, place) = (&self.work, subscript(*first, &[(1, column)]));
+                quote! { #work[#place] }
             }
         }
     }

@@ -55,15 +55,20 @@ impl Naming<'_> {
         let initial = sections.initial.iter();
         let initial = initial.map(|&(value, place)| (place, self.value(value.operand())));
         let initial = initial.collect();
-        let each = sections.sections.iter().zip(1..);
-        let each = each.map(|(section, number)| self.section_body(section, number));
-        let each = each.collect();
         let results = program.results.iter().zip(&sections.results);
         let results = results.map(|(&result, place)| match place {
             Some(place) => Value::Work(*place),
             None => self.value(result),
         });
         let results: Vec<Value> = results.collect();
+        for &(value, place) in &sections.initial {
+            if let Shared::Step(step) = value {
+                self.leave_unnamed(step, place);
+            }
+        }
+        let each = sections.sections.iter().zip(1..);
+        let each = each.map(|(section, number)| self.section_body(section, number));
+        let each = each.collect();
         Routine {
             arguments,
             fields,
@@ -88,13 +93,25 @@ impl Naming<'_> {
         let name = self.names.fresh(&format!("section_{number}"));
         self.unnamed = 0;
         let mut loads = Vec::new();
+        // Values that have names in this section alone.
+        let mut anew = Vec::new();
         let mut waiting = HashMap::new();
         let readers = readers(self.program, section);
         for &(value, place) in &section.loads {
             if readers[&value] == 1 {
                 waiting.insert(value, place);
             } else {
-                loads.push((place, self.loaded(value)));
+                let name = match (value, self.value(value.operand())) {
+                    (_, Value::Name(name)) => name,
+                    (Shared::Step(step), _) => {
+                        let name = self.unnamed();
+                        self.steps[step as usize] = Value::Name(name.clone());
+                        anew.push((step, place));
+                        name
+                    }
+                    (_, value) => unreachable!("{value:?} has no name"),
+                };
+                loads.push((place, name));
             }
         }
         self.waiting = waiting;
@@ -106,9 +123,16 @@ impl Naming<'_> {
             let stores = stores.map(|&(step, place)| (step, StorePlace::Work(place)));
             self.stores = stores.collect();
             let entries = within(self.program, steps.clone(), self.inlined);
-            self.statements(&entries)
+            let statements = self.statements(&entries);
+            for &(step, place) in &section.stores {
+                self.leave_unnamed(step, place);
+            }
+            statements
         };
         self.waiting.clear();
+        for (step, place) in anew {
+            self.steps[step as usize] = Value::Work(place);
+        }
         let steps = &self.program.steps[steps.start as usize..steps.end as usize];
         let mut read = steps.iter().flat_map(|step| step.operation.operands());
         SectionBody {
@@ -120,21 +144,10 @@ impl Naming<'_> {
         }
     }
 
-    /// Name of a value that the current section loads.
-    fn loaded(&mut self, value: Shared) -> String {
-        match (value, self.value(value.operand())) {
-            (Shared::Step(step), Value::Name(name)) if self.all_parts.contains(&name) => {
-                let name = self.unnamed();
-                self.steps[step as usize] = Value::Name(name.clone());
-                name
-            }
-            (Shared::Step(step), Value::Work(_)) => {
-                let name = self.unnamed();
-                self.steps[step as usize] = Value::Name(name.clone());
-                name
-            }
-            (_, Value::Name(name)) => name,
-            (_, value) => unreachable!("{value:?} has no name"),
+    /// Leaves a value in the work array if it has no meaning: other sections name it anew.
+    fn leave_unnamed(&mut self, step: u32, place: usize) {
+        if self.meaning(step).is_none() {
+            self.steps[step as usize] = Value::Work(place);
         }
     }
 

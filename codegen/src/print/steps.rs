@@ -68,11 +68,12 @@ pub(super) fn has_roots(module: &Module) -> bool {
     programs.any(Program::has_roots) || !ConfigurationFunction::of(module).is_empty()
 }
 
-/// True if the functions of a state take the sign of a number.
+/// True if the generated code takes the sign of a number.
 #[cfg(feature = "files")]
 pub(super) fn has_signs(module: &Module) -> bool {
     let mut programs = module.functions.iter().map(|generated| &generated.program);
-    programs.any(Program::has_signs)
+    let mut steps = ConfigurationFunction::of(module).iter();
+    programs.any(Program::has_signs) || steps.any(|step| step.program(module).has_signs())
 }
 
 /// Configuration spaces of the joints with planar or quaternion coordinates.

@@ -11,6 +11,8 @@ import threading
 import weakref
 from collections import deque
 
+from ._compile import hold, release
+
 _queue = deque()
 _is_running = False
 _lock = threading.Lock()
@@ -45,13 +47,24 @@ def _work():
         del robot
 
 
+def _before_fork():
+    # In this order: a thread that has the lock of the queue may wait for LLVM.
+    _lock.acquire()
+    hold()
+
+
+def _in_parent():
+    release()
+    _lock.release()
+
+
 def _in_child():
     """A child of a process has no such thread; it compiles functions when they are called."""
     global _is_running
     _queue.clear()
     _is_running = False
-    _lock.release()
+    _in_parent()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_in_child)
+    os.register_at_fork(before=_before_fork, after_in_parent=_in_parent, after_in_child=_in_child)

@@ -1,12 +1,11 @@
 """LLVM IR to machine code, once in a process, and from the cache on disk where it has been compiled before.
 
 An entry is named after a hash of everything that decides the code: IR, versions, processor and its features. A thread that
-needs a function which another thread compiles waits for that one. A process forks between functions, so that no lock of LLVM
-is held in its child.
+needs a function which another thread compiles waits for that one. While LLVM compiles or frees code it holds a lock of its
+own; a process that forks waits for that, since its child would keep the lock for ever.
 """
 
 import hashlib
-import os
 import threading
 import weakref
 
@@ -37,10 +36,10 @@ _VECTOR = 64 if _FEATURES.get("avx512f") else 32 if _FEATURES.get("avx2") else 1
 _loaded = weakref.WeakValueDictionary()
 
 
-# Functions that are being compiled, by recipe and kind of call; guarded by the lock of `_idle`, which is notified when
-# there are none.
+# Functions that are being compiled, by recipe and kind of call, and codes that are being freed, by a key of their own;
+# guarded by the lock of `_idle`, which is notified when there are fewer. A thread that has the lock may free code.
 _pending = {}
-_idle = threading.Condition(threading.Lock())
+_idle = threading.Condition(threading.RLock())
 
 
 class _Pending:
@@ -84,14 +83,16 @@ def _from_recipe(recipe, name, frame, order, single, many):
     return code.address, operations, code
 
 
-def _before_fork():
+def hold():
+    """Waits until LLVM works for no thread, and keeps it so until `release`."""
     _idle.acquire()
     while _pending:
         _idle.wait()
 
 
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=_before_fork, after_in_parent=_idle.release, after_in_child=_idle.release)
+def release():
+    """LLVM may work again."""
+    _idle.release()
 
 
 class _Code:
@@ -107,6 +108,16 @@ class _Code:
         self.address = self._engine.get_function_address(entry)
         if not self.address:
             raise RuntimeError(f"the code of {entry} cannot be linked")
+
+    def __del__(self, idle=_idle, pending=_pending):
+        own = object()
+        with idle:
+            pending[own] = None
+        # Frees the code; as the interpreter ends, llvmlite leaves it.
+        vars(self).clear()
+        with idle:
+            del pending[own]
+            idle.notify_all()
 
 
 def loaded(entry, ir):

@@ -287,6 +287,41 @@ def test_a_process_forks_while_functions_compile():
     assert np.isfinite(float(alone(FORK)))
 
 
+FREED = """
+import gc, multiprocessing, sys, threading, time
+import numpy as np
+import homogen
+import llvmlite.binding as llvm
+freeing, dispose = threading.Event(), llvm.ExecutionEngine._dispose
+def slowly(engine):
+    # As LLVM does: with its lock, while other threads go on.
+    with llvm.ffi.lib._lock:
+        freeing.set()
+        time.sleep(1)
+        dispose(engine)
+def call():
+    homogen.load(sys.argv[1]).gravity(np.ones(2))
+if __name__ == "__main__":
+    robots = [homogen.load(sys.argv[1])]
+    robots[0].gravity(np.ones(2))
+    llvm.ExecutionEngine._dispose = slowly
+    thread = threading.Thread(target=lambda: (robots.clear(), gc.collect()))
+    thread.start()
+    assert freeing.wait(10)
+    process = multiprocessing.get_context("fork").Process(target=call)
+    process.start()
+    thread.join()
+    process.join(60)
+    process.kill()
+    print(process.exitcode)
+"""
+
+
+@pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="there is no fork")
+def test_a_process_forks_while_code_is_freed():
+    assert alone(FREED, "two_link.urdf") == "0\n"
+
+
 ENDING = """
 import sys, time
 import homogen

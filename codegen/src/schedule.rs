@@ -34,7 +34,7 @@ pub use operation_count::OperationCount;
 pub use order::{schedule, schedule_unfused};
 pub use routine::{
     Angle, Cells, Entries, LoopTable, Meaning, Readable, RotationAngle, Routine, RoutineLoop,
-    SectionBody, Statement, Stored, Value, Work,
+    SectionBody, Statement, StorePlace, Stored, Value, Work,
 };
 pub use run::run;
 pub use sections::{Length, Sections};

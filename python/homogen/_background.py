@@ -53,7 +53,7 @@ def _before_fork():
     hold()
 
 
-def _in_parent():
+def _after_fork():
     release()
     _lock.release()
 
@@ -63,8 +63,8 @@ def _in_child():
     global _is_running
     _queue.clear()
     _is_running = False
-    _in_parent()
+    _after_fork()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=_before_fork, after_in_parent=_in_parent, after_in_child=_in_child)
+    os.register_at_fork(before=_before_fork, after_in_parent=_after_fork, after_in_child=_in_child)

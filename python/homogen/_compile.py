@@ -63,16 +63,22 @@ def compiled(recipe, name, frame, order, single, many):
             own.found = _from_recipe(*key)
         return own.found
     finally:
-        with _idle:
-            del _pending[key]
-            _idle.notify_all()
+        _ended(key)
         own.done.set()
 
 
-def _claimed(key, own):
+# Code is freed as the interpreter ends, too, when names of modules may be gone: hence the defaults.
+def _claimed(key, own, idle=_idle, pending=_pending):
     """What stands for a function that is being compiled: that of another thread, or one's own."""
-    with _idle:
-        return _pending.setdefault(key, own)
+    with idle:
+        return pending.setdefault(key, own)
+
+
+def _ended(key, idle=_idle, pending=_pending):
+    """LLVM works for this no longer."""
+    with idle:
+        del pending[key]
+        idle.notify_all()
 
 
 def _from_recipe(recipe, name, frame, order, single, many):
@@ -109,15 +115,12 @@ class _Code:
         if not self.address:
             raise RuntimeError(f"the code of {entry} cannot be linked")
 
-    def __del__(self, idle=_idle, pending=_pending):
+    def __del__(self, claimed=_claimed, ended=_ended):
         own = object()
-        with idle:
-            pending[own] = None
+        claimed(own, own)
         # Frees the code; as the interpreter ends, llvmlite leaves it.
         vars(self).clear()
-        with idle:
-            del pending[own]
-            idle.notify_all()
+        ended(own)
 
 
 def loaded(entry, ir):

@@ -55,30 +55,26 @@ enum InAColumn {
 }
 
 impl Copies {
-    /// Loops of a matrix with rows of this length, without the entries that are stored already.
-    pub fn of(values: &[Value], columns: usize, is_stored: impl Fn(usize) -> bool) -> Self {
-        let rows = values.len() / columns.max(1);
+    /// Loops of a matrix with these numbers of rows and columns; no value is known of an entry that is stored already.
+    pub fn of<'v>([rows, columns]: [usize; 2], value: impl Fn(usize) -> Option<&'v Value>) -> Self {
         let mut copies = Self {
             loops: Vec::new(),
             rest: Vec::new(),
         };
         for column in 0..columns {
-            let entry = |row: usize| {
-                let index = row * columns + column;
-                (!is_stored(index)).then(|| &values[index])
-            };
+            let index = |row: usize| row * columns + column;
+            let entry = |row: usize| value(index(row));
             let mut row = 0;
             while row < rows {
                 if let Some((values, count)) = InAColumn::of((row..rows).map_while(entry)) {
                     copies.take(row..row + count, column, values);
                     row += count;
                 } else {
-                    copies.rest.push(row * columns + column);
+                    copies.rest.extend(entry(row).map(|_| index(row)));
                     row += 1;
                 }
             }
         }
-        copies.rest.retain(|&index| !is_stored(index));
         copies.rest.sort_unstable();
         copies
     }
@@ -141,15 +137,9 @@ impl InAColumn {
                 let count = values.take_while(|of| *of == literal).count();
                 (Self::Literal(*value), count)
             }
-            Value::Work(first) => {
-                let second = values.clone().nth(1).and_then(place)?;
-                let down = second.checked_sub(*first).filter(|&down| down > 0)?;
-                let expected = (0..).map(|row| Some(first + row * down));
-                let pairs = values.map(place).zip(expected);
-                let count = pairs
-                    .take_while(|(found, expected)| found == expected)
-                    .count();
-                (Self::Work(*first, down), count)
+            Value::Work(_) => {
+                let ([first, down], count) = at_equal_distances(values.map_while(place))?;
+                (Self::Work(first, down), count)
             }
             _ => return None,
         };
@@ -157,20 +147,23 @@ impl InAColumn {
     }
 }
 
-/// `3 + row + 6 * k`: a sum of a number and multiples of indices, without zeros and ones.
-pub(super) fn index(first: usize, terms: &[(usize, &str)]) -> String {
-    let multiples = terms.iter().map(|&(factor, name)| match factor {
-        1 => name.to_owned(),
-        _ => format!("{factor} * {name}"),
-    });
-    let first = (first > 0).then(|| first.to_string());
-    let sum: Vec<String> = first.into_iter().chain(multiples).collect();
-    sum.join(" + ")
+/// The first of some places and the distance of neighbours, at least 1, with the number of places up to the first that
+/// is elsewhere.
+pub(super) fn at_equal_distances(
+    places: impl Iterator<Item = usize> + Clone,
+) -> Option<([usize; 2], usize)> {
+    let mut two = places.clone();
+    let first = two.next()?;
+    let distance = two.next()?.checked_sub(first).filter(|&apart| apart > 0)?;
+    let expected = (0..).map(|k| first + k * distance);
+    let pairs = places.zip(expected);
+    let count = pairs.take_while(|(found, expected)| found == expected);
+    Some(([first, distance], count.count()))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Copies, index};
+    use super::Copies;
     use crate::schedule::Value;
 
     const COLUMNS: usize = 6;
@@ -194,7 +187,8 @@ mod tests {
 
     #[test]
     fn blocks_have_equal_distances_in_consecutive_rows() {
-        let copies = Copies::of(&matrix(), COLUMNS, |_| false);
+        let values = matrix();
+        let copies = Copies::of([8, COLUMNS], |index| Some(&values[index]));
         let loops = copies.loops.iter().map(|each| {
             let blocks = each.blocks.iter();
             let blocks = blocks.map(|it| [it.column, it.count, it.first, it.down, it.along]);
@@ -213,16 +207,12 @@ mod tests {
     }
 
     #[test]
-    fn indices_are_sums_without_zeros_and_ones() {
-        assert_eq!(index(0, &[(1, "k")]), "k");
-        assert_eq!(index(3, &[(1, "row"), (6, "k")]), "3 + row + 6 * k");
-    }
-
-    #[test]
     fn every_entry_is_copied_once_unless_it_is_stored() {
         let values = matrix();
         for stored in [None, Some(13), Some(24)] {
-            let copies = Copies::of(&values, COLUMNS, |index| Some(index) == stored);
+            let copies = Copies::of([8, COLUMNS], |index| {
+                (Some(index) != stored).then(|| &values[index])
+            });
             let mut found = vec![None; values.len()];
             let mut set = |row: usize, column: usize, value: Value| {
                 assert_eq!(found[COLUMNS * row + column].replace(value), None);

@@ -5,22 +5,28 @@
 
 use crate::schedule::{Operation, Value};
 
+/// Text with infix notation.
+pub(super) trait Text: Clone {
+    /// A natural number.
+    fn natural(number: usize) -> Self;
+
+    /// a ∘ b.
+    fn infix(&self, symbol: Infix, b: &Self) -> Self;
+
+    /// −a.
+    fn negative(&self) -> Self;
+
+    /// (a).
+    fn in_parentheses(&self) -> Self;
+}
+
 /// Spelling of operations in a language.
 pub(super) trait Spelling {
     /// Text of an expression.
-    type Text;
+    type Text: Text;
 
     /// A value; an operation as a whole expression.
     fn read(&self, value: &Value) -> Self::Text;
-
-    /// a ∘ b.
-    fn infix(&self, a: &Self::Text, symbol: Infix, b: &Self::Text) -> Self::Text;
-
-    /// −a.
-    fn negative(&self, a: &Self::Text) -> Self::Text;
-
-    /// (a).
-    fn in_parentheses(&self, a: &Self::Text) -> Self::Text;
 
     /// √a, of a whole expression.
     fn root(&self, a: &Self::Text) -> Self::Text;
@@ -55,17 +61,42 @@ impl Infix {
     }
 }
 
-#[cfg(feature = "files")]
-/// −a, in parentheses where two signs would follow each other.
-pub(super) fn negative(a: &str) -> String {
-    if a.starts_with('-') {
-        format!("-({a})")
-    } else {
-        format!("-{a}")
+impl Text for String {
+    fn natural(number: usize) -> Self {
+        number.to_string()
+    }
+
+    fn infix(&self, symbol: Infix, b: &Self) -> Self {
+        format!("{self} {} {b}", symbol.letter())
+    }
+
+    /// In parentheses where two signs would follow each other.
+    fn negative(&self) -> Self {
+        if self.starts_with('-') {
+            format!("-({self})")
+        } else {
+            format!("-{self}")
+        }
+    }
+
+    fn in_parentheses(&self) -> Self {
+        format!("({self})")
     }
 }
 
-/// How tightly the symbols of an expression bind, from the loosest.
+/// `3 + row + 6 * k`: a sum of a number and multiples of indices, at least one, without zeros and ones.
+pub(super) fn subscript<T: Text>(first: usize, terms: &[(usize, &T)]) -> T {
+    let multiples = terms.iter().map(|&(factor, index)| match factor {
+        1 => index.clone(),
+        _ => T::natural(factor).infix(Infix::Mul, index),
+    });
+    let first = (first > 0).then(|| T::natural(first));
+    let sum = first.into_iter().chain(multiples);
+    sum.reduce(|a, b| a.infix(Infix::Add, &b))
+        .expect("at least one index")
+}
+
+/// Precedence of the symbols of an expression, from the loosest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     Sum,
@@ -83,19 +114,19 @@ pub(super) fn spelled<S: Spelling>(language: &S, operation: &Operation<Value>) -
 fn expression<S: Spelling>(language: &S, operation: &Operation<Value>) -> (S::Text, Binding) {
     let whole = |value| language.read(value);
     let operand = |value, least| operand(language, value, least);
-    let negative = |a| language.negative(&operand(a, Binding::Atom));
+    let negative = |a| operand(a, Binding::Atom).negative();
     let sum = |a, symbol, b| {
         let [a, b] = [operand(a, Binding::Sum), operand(b, Binding::Product)];
-        (language.infix(&a, symbol, &b), Binding::Sum)
+        (a.infix(symbol, &b), Binding::Sum)
     };
     let product = |a, symbol, b| {
         let [a, b] = [operand(a, Binding::Product), operand(b, Binding::Sign)];
-        (language.infix(&a, symbol, &b), Binding::Product)
+        (a.infix(symbol, &b), Binding::Product)
     };
     // a b ± c
     let product_and_sum = |a, b, symbol, c| {
         let (product, c) = (product(a, Infix::Mul, b).0, operand(c, Binding::Product));
-        (language.infix(&product, symbol, &c), Binding::Sum)
+        (product.infix(symbol, &c), Binding::Sum)
     };
     let atom = |text| (text, Binding::Atom);
     match operation {
@@ -119,7 +150,7 @@ fn expression<S: Spelling>(language: &S, operation: &Operation<Value>) -> (S::Te
             let fused = language.fused(|| [negative(a), whole(b), whole(c)]);
             let unfused = || {
                 let (product, c) = (product(a, Infix::Mul, b).0, operand(c, Binding::Sum));
-                (language.infix(&c, Infix::Sub, &product), Binding::Sum)
+                (c.infix(Infix::Sub, &product), Binding::Sum)
             };
             fused.map_or_else(unfused, atom)
         }
@@ -133,7 +164,7 @@ fn operand<S: Spelling>(language: &S, value: &Value, least: Binding) -> S::Text 
     };
     let (text, binding) = expression(language, operation);
     if binding < least {
-        language.in_parentheses(&text)
+        text.in_parentheses()
     } else {
         text
     }
@@ -144,7 +175,7 @@ mod tests {
     use homogen_random::Random;
     use syn::{BinOp, Expr, Lit, UnOp};
 
-    use super::{Infix, Spelling, spelled};
+    use super::{Spelling, spelled, subscript};
     use crate::schedule::{Operation, Value};
 
     /// Spelling of Rust with names of numbers, and with a function for fused products or without.
@@ -161,18 +192,6 @@ mod tests {
                 Value::Operation(operation) => spelled(self, operation),
                 _ => unreachable!("no other values"),
             }
-        }
-
-        fn infix(&self, a: &String, symbol: Infix, b: &String) -> String {
-            format!("{a} {} {b}", symbol.letter())
-        }
-
-        fn negative(&self, a: &String) -> String {
-            format!("-{a}")
-        }
-
-        fn in_parentheses(&self, a: &String) -> String {
-            format!("({a})")
         }
 
         fn root(&self, a: &String) -> String {
@@ -276,6 +295,13 @@ mod tests {
                 assert!(is_same || found.is_nan() && expected.is_nan(), "{text}");
             }
         }
+    }
+
+    #[test]
+    fn subscripts_are_sums_without_zeros_and_ones() {
+        let [row, k] = ["row", "k"].map(str::to_owned);
+        assert_eq!(subscript(0, &[(1, &k)]), "k");
+        assert_eq!(subscript(3, &[(1, &row), (6, &k)]), "3 + row + 6 * k");
     }
 
     #[test]

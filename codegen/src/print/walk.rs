@@ -2,7 +2,7 @@
 //!
 //! In: the statements of a [`Routine`](crate::schedule::Routine). Out: calls of a [`Language`], in their order.
 
-use crate::schedule::{Angle, Cells, Operation, RoutineLoop, Statement, Value};
+use crate::schedule::{Angle, Operation, RoutineLoop, Statement, StorePlace, Value};
 
 /// Printer of statements, which collects its text.
 pub(super) trait Language {
@@ -12,11 +12,8 @@ pub(super) trait Language {
     /// Binds names to the sines and cosines of all angles.
     fn sines_and_cosines(&mut self, angles: &[Angle]);
 
-    /// Stores a value in the work array.
-    fn put(&mut self, place: usize, value: &Value);
-
-    /// Stores a value in a row, for the iteration that is the value of an index.
-    fn put_cell(&mut self, row: &Cells, index: &str, value: &Value);
+    /// Stores a value in the work array or in a table of a loop.
+    fn put(&mut self, place: &StorePlace, value: &Value);
 
     /// Stores the result with an index.
     fn store(&mut self, result: usize, value: &Value);
@@ -48,8 +45,7 @@ pub(super) fn walk(language: &mut impl Language, statements: &[Statement]) {
                 walk(language, statements);
                 language.end_scope(outputs);
             }
-            Statement::StoreWork(place, value) => language.put(*place, value),
-            Statement::StoreCell(row, index, value) => language.put_cell(row, index, value),
+            Statement::Store(place, value) => language.put(place, value),
             Statement::StoreResult(result, value) => language.store(*result, value),
             Statement::Loop(each) => {
                 language.begin_loop(each);

@@ -78,14 +78,32 @@ pub enum Statement {
         /// Names that are read after the scope.
         outputs: Vec<String>,
     },
-    /// Stores a value in the work array at an index.
-    StoreWork(usize, Value),
-    /// Stores a value in a row, for the iteration that is the value of this index.
-    StoreCell(Cells, String, Value),
+    /// Stores a value in the work array or in a table of a loop.
+    Store(StorePlace, Value),
     /// Stores a value as the result with an index.
     StoreResult(usize, Value),
     /// Loop.
     Loop(RoutineLoop),
+}
+
+/// Place in which a section or an iteration of a loop stores a value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StorePlace {
+    /// Entry of the work array.
+    Work(usize),
+    /// Entry of a row for the iteration that is the value of this index.
+    Cell(Cells, String),
+}
+
+impl StorePlace {
+    /// The stored value.
+    #[must_use]
+    pub fn value(&self) -> Value {
+        match self {
+            Self::Work(place) => Value::Work(*place),
+            Self::Cell(row, index) => Value::Cell(row.clone(), index.clone()),
+        }
+    }
 }
 
 /// Time at which results are stored.
@@ -237,32 +255,6 @@ fn turns(program: &Program) -> Vec<[bool; 2]> {
     turns
 }
 
-/// Place in which a section or an iteration of a loop stores a value.
-#[derive(Clone, Debug)]
-enum StorePlace {
-    /// Entry of the work array.
-    Work(usize),
-    /// Entry of a row for the iteration that is the value of this index.
-    Cell(Cells, String),
-}
-
-impl StorePlace {
-    fn store(&self, value: Value) -> Statement {
-        match self {
-            Self::Work(place) => Statement::StoreWork(*place, value),
-            Self::Cell(row, index) => Statement::StoreCell(row.clone(), index.clone(), value),
-        }
-    }
-
-    /// The stored value.
-    fn value(&self) -> Value {
-        match self {
-            Self::Work(place) => Value::Work(*place),
-            Self::Cell(row, index) => Value::Cell(row.clone(), index.clone()),
-        }
-    }
-}
-
 /// State of the naming of a routine.
 struct Naming<'p> {
     program: &'p Program,
@@ -378,14 +370,14 @@ impl Naming<'_> {
         let place = self.stores.get(&step).cloned();
         if let (Some(place), true) = (&place, self.inlined.in_store(step)) {
             let value = Value::Operation(Box::new(operation));
-            statements.push(place.store(value));
             self.steps.push(place.value());
+            statements.push(Statement::Store(place.clone(), value));
             return;
         }
         let name = self.name_of_next();
         let value = Value::Name(name.clone());
         statements.push(Statement::Operation(name, operation));
-        statements.extend(place.map(|place| place.store(value.clone())));
+        statements.extend(place.map(|place| Statement::Store(place, value.clone())));
         let results = self.found.get(&step).into_iter().flatten();
         let store = |&result| Statement::StoreResult(result, value.clone());
         statements.extend(results.map(store));

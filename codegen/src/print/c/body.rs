@@ -15,15 +15,15 @@ use super::roots::SQRT;
 use crate::formulation::Sines;
 use crate::module::{GeneratedFunction, Module, Prepared};
 use crate::print::Fields;
-use crate::print::expression::{Infix, Spelling, negative, spelled};
+use crate::print::expression::{Spelling, spelled};
 use crate::print::large::columns;
 use crate::print::review::filled;
 use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::real::Real;
 use crate::schedule::{
-    Angle, Cells, Length, LoopTable, Names, Operation, Program, Readable, Routine, RoutineLoop,
-    Stored, Value,
+    Angle, Length, LoopTable, Names, Operation, Program, Readable, Routine, RoutineLoop,
+    StorePlace, Stored, Value,
 };
 use crate::space::Variable;
 
@@ -363,18 +363,6 @@ impl Spelling for CWriter<'_> {
         }
     }
 
-    fn infix(&self, a: &String, symbol: Infix, b: &String) -> String {
-        format!("{a} {} {b}", symbol.letter())
-    }
-
-    fn negative(&self, a: &String) -> String {
-        negative(a)
-    }
-
-    fn in_parentheses(&self, a: &String) -> String {
-        format!("({a})")
-    }
-
     fn root(&self, a: &String) -> String {
         if self.options.templates {
             // An expression may have a type of its own.
@@ -415,14 +403,9 @@ impl Language for CWriter<'_> {
         }
     }
 
-    fn put(&mut self, place: usize, value: &Value) {
-        let value = self.read(value);
-        self.put_at(place, &value);
-    }
-
-    fn put_cell(&mut self, row: &Cells, index: &str, value: &Value) {
-        let (cell, value) = (self.cell(row, index), self.stored(value));
-        self.line(&format!("{cell} = {value};"));
+    fn put(&mut self, place: &StorePlace, value: &Value) {
+        let (place, value) = (self.read(&place.value()), self.stored(value));
+        self.line(&format!("{place} = {value};"));
     }
 
     fn store(&mut self, result: usize, value: &Value) {

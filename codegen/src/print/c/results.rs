@@ -2,12 +2,11 @@
 //!
 //! In: a routine and the names of its results. Out: a statement for each result, or a loop for those that are in a row.
 
-use std::collections::BTreeSet;
-
 use super::body::{CWriter, place};
 use super::declarations::lengths;
 use crate::module::Module;
-use crate::print::copies::{CopiedBlock, Copies, CopyLoop, index as sum};
+use crate::print::copies::{CopiedBlock, Copies, CopyLoop, at_equal_distances};
+use crate::print::expression::subscript;
 use crate::schedule::{LONGEST_SCOPE, Routine, Value};
 use crate::space::Quantity;
 
@@ -15,10 +14,8 @@ use crate::space::Quantity;
 struct ResultArray<'r> {
     name: &'r str,
     lengths: &'r [usize],
-    /// Its values in the order of the array.
-    values: &'r [Value],
-    /// Indices of those that are stored already.
-    stored: &'r BTreeSet<usize>,
+    /// Its values in the order of the array; none of those that are stored already.
+    values: &'r [Option<&'r Value>],
 }
 
 impl ResultArray<'_> {
@@ -43,22 +40,21 @@ impl CWriter<'_> {
         let mut first = 0;
         for (name, quantity) in results {
             let lengths = lengths(quantity, &module.spaces);
-            let mut values = routine.results[first..].to_vec();
-            values.truncate(lengths.iter().product());
-            let stored = routine.stored.range(first..first + values.len());
-            let stored = stored.map(|stored| stored - first).collect();
-            first += values.len();
-            if quantity.entity.halves().is_some() {
-                let order = self.options.order;
-                let from = (0..values.len()).map(|place| values[order.place(place)].clone());
-                values = from.collect();
-            }
+            let own = &routine.results[first..];
+            let size = lengths.iter().product::<usize>().min(own.len());
+            let values = (0..size).map(|k| {
+                let k = match quantity.entity.halves() {
+                    Some(_) => self.options.order.place(k),
+                    None => k,
+                };
+                (!routine.stored.contains(&(first + k))).then_some(&own[k])
+            });
             let result = ResultArray {
                 name,
                 lengths: &lengths,
-                values: &values,
-                stored: &stored,
+                values: &values.collect::<Vec<_>>(),
             };
+            first += size;
             self.store_result(&result, &indices);
         }
     }
@@ -70,17 +66,17 @@ impl CWriter<'_> {
         let matrix = match result.lengths {
             [.., rows, columns] if is_array && size > LONGEST_SCOPE => [*rows, *columns],
             _ => {
-                let rest: Vec<_> = (0..size).filter(|k| !result.stored.contains(k)).collect();
+                let rest: Vec<_> = (0..size).filter(|&k| result.values[k].is_some()).collect();
                 return self.store_each(result, &rest, &indices[1]);
             }
         };
         let [rows, columns] = matrix;
         for (number, values) in result.values.chunks(rows * columns).enumerate() {
             let start = number * rows * columns;
-            let copies = Copies::of(values, columns, |k| result.stored.contains(&(start + k)));
-            let matrix = result.array(number, 2);
+            let copies = Copies::of(matrix, |k| values[k]);
+            let name = result.array(number, 2);
             for each in &copies.loops {
-                self.copy_rows(each, &matrix, indices);
+                self.copy_rows(each, &name, indices);
             }
             let rest: Vec<_> = copies.rest.iter().map(|k| start + k).collect();
             self.store_each(result, &rest, &indices[1]);
@@ -88,30 +84,32 @@ impl CWriter<'_> {
     }
 
     /// Stores values one after the other, or those of a row by a loop that is shorter.
-    fn store_each(&mut self, result: &ResultArray<'_>, mut rest: &[usize], index: &str) {
+    fn store_each(&mut self, result: &ResultArray<'_>, mut rest: &[usize], index: &String) {
         let row = result.lengths.last().unwrap_or(&1);
         while let Some((&k, others)) = rest.split_first() {
             let end = (k / row + 1) * row;
             let of_row = rest.iter().zip(k..end);
-            let count = of_row.take_while(|(k, next)| *k == next).count();
-            let copied = InARow::of(&result.values[k..k + count]);
+            let of_row = of_row.take_while(|(k, next)| *k == next);
+            let copied = InARow::of(of_row.filter_map(|(&k, _)| result.values[k]));
             if let Some(copied) = copied.filter(|_| !self.options.templates) {
                 self.copy(&copied, (&result.array(k / row, 1), k % row), index);
                 rest = &rest[copied.count..];
                 continue;
             }
-            let value = self.stored(&result.values[k]);
-            let place = self.entry(result.name, k, result.lengths);
-            self.line(&format!("{place} = {value};"));
+            if let Some(value) = result.values[k] {
+                let value = self.stored(value);
+                let place = self.entry(result.name, k, result.lengths);
+                self.line(&format!("{place} = {value};"));
+            }
             rest = others;
         }
     }
 
     /// Copies values to rows of a matrix.
     fn copy_rows(&mut self, each: &CopyLoop, matrix: &str, [row, index]: &[String; 2]) {
-        let (work, count) = (&self.work, each.rows.len());
-        let of = format!("{matrix}[{}]", sum(each.rows.start, &[(1, row)]));
-        let mut lines = vec![format!("for (int {row} = 0; {row} < {count}; {row}++) {{")];
+        let (work, count) = (self.work.clone(), each.rows.len());
+        let of = format!("{matrix}[{}]", subscript(each.rows.start, &[(1, row)]));
+        self.line(&format!("for (int {row} = 0; {row} < {count}; {row}++) {{"));
         for block in &each.blocks {
             let CopiedBlock {
                 column,
@@ -121,20 +119,17 @@ impl CWriter<'_> {
                 along,
             } = *block;
             if count == 1 {
-                let from = sum(first, &[(down, row)]);
-                lines.push(format!("    {of}[{column}] = {work}[{from}];"));
+                let from = subscript(first, &[(down, row)]);
+                self.line(&format!("    {of}[{column}] = {work}[{from}];"));
                 continue;
             }
-            let to = sum(column, &[(1, index)]);
-            let from = sum(first, &[(down, row), (along, index)]);
-            lines.extend([
-                format!("    for (int {index} = 0; {index} < {count}; {index}++) {{"),
-                format!("        {of}[{to}] = {work}[{from}];"),
-                "    }".to_owned(),
-            ]);
-        }
-        for line in lines {
-            self.line(&line);
+            let to = subscript(column, &[(1, index)]);
+            let from = subscript(first, &[(down, row), (along, index)]);
+            self.line(&format!(
+                "    for (int {index} = 0; {index} < {count}; {index}++) {{"
+            ));
+            self.line(&format!("        {of}[{to}] = {work}[{from}];"));
+            self.line("    }");
         }
         for &(column, value) in &each.constant {
             let value = self.stored(&Value::Literal(value));
@@ -144,9 +139,9 @@ impl CWriter<'_> {
     }
 
     /// Copies values to an array, from an entry on.
-    fn copy(&mut self, copied: &InARow, (array, start): (&str, usize), index: &str) {
+    fn copy(&mut self, copied: &InARow, (array, start): (&str, usize), index: &String) {
         let count = copied.count;
-        let from = sum(copied.first, &[(copied.stride, index)]);
+        let from = subscript(copied.first, &[(copied.stride, index)]);
         let from = match &copied.from {
             SourceArray::Work => format!("{}[{from}]", self.work),
             SourceArray::Column(table, column) => format!("{table}[{from}][{column}]"),
@@ -154,7 +149,7 @@ impl CWriter<'_> {
         self.line(&format!(
             "for (int {index} = 0; {index} < {count}; {index}++) {{"
         ));
-        let to = sum(start, &[(1, index)]);
+        let to = subscript(start, &[(1, index)]);
         self.line(&format!("    {array}[{to}] = {from};"));
         self.line("}");
     }
@@ -180,8 +175,8 @@ enum SourceArray {
 
 impl InARow {
     /// The longest stretch from the first value on, if a loop is shorter.
-    fn of(values: &[Value]) -> Option<Self> {
-        let from = match values.first()? {
+    fn of<'v>(values: impl Iterator<Item = &'v Value> + Clone) -> Option<Self> {
+        let from = match values.clone().next()? {
             Value::Work(_) => SourceArray::Work,
             Value::Entry(table, _, column) => SourceArray::Column(table.clone(), *column),
             _ => return None,
@@ -193,13 +188,7 @@ impl InARow {
             }
             _ => None,
         };
-        let mut places = values.iter().map_while(place);
-        let first = places.next()?;
-        let stride = places.next()?.checked_sub(first)?;
-        let places = values.iter().map_while(place).enumerate();
-        let count = places
-            .take_while(|(k, place)| *place == first + k * stride)
-            .count();
+        let ([first, stride], count) = at_equal_distances(values.map_while(place))?;
         let is_apart = stride > 1 || matches!(from, SourceArray::Column(..));
         (count >= COPIED && is_apart).then_some(Self {
             from,

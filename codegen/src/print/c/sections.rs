@@ -7,8 +7,7 @@ use std::mem;
 
 use super::body::CWriter;
 use super::declarations::number;
-use crate::print::copies::index;
-use crate::print::expression::Spelling;
+use crate::print::expression::{Spelling, subscript};
 use crate::print::walk::walk;
 use crate::schedule::{Cells, Routine};
 
@@ -74,7 +73,11 @@ impl CWriter<'_> {
     pub(super) fn cell(&self, row: &Cells, column: &str) -> String {
         match row {
             Cells::Table(table, row) => format!("{table}[{row}][{column}]"),
-            Cells::Work(first) => format!("{}[{}]", self.work, index(*first, &[(1, column)])),
+            Cells::Work(first) => format!(
+                "{}[{}]",
+                self.work,
+                subscript(*first, &[(1, &column.to_owned())])
+            ),
         }
     }
 

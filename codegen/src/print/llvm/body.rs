@@ -8,7 +8,7 @@ use std::fmt::Write;
 use super::lanes::Lanes;
 use crate::formulation::Sines;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Cells, LoopTable, Operation, RoutineLoop, Value};
+use crate::schedule::{Angle, Cells, LoopTable, Operation, RoutineLoop, StorePlace, Value};
 
 /// Name within a function, in quotes if LLVM needs them.
 pub(super) fn local(name: &str) -> String {
@@ -253,15 +253,12 @@ impl Language for LlvmWriter {
         }
     }
 
-    fn put(&mut self, place: usize, value: &Value) {
+    fn put(&mut self, place: &StorePlace, value: &Value) {
         let value = self.read(value);
-        let address = self.work_entry(place);
-        self.store_at(&address, &value);
-    }
-
-    fn put_cell(&mut self, row: &Cells, _: &str, value: &Value) {
-        let value = self.read(value);
-        let address = self.row(row);
+        let address = match place {
+            StorePlace::Work(place) => self.work_entry(*place),
+            StorePlace::Cell(row, _) => self.row(row),
+        };
         self.store_at(&address, &value);
     }
 

@@ -5,10 +5,10 @@
 use std::fmt::Write;
 
 use super::names::{LIBRARY, SIGN};
-use crate::print::expression::{Infix, Spelling, negative, spelled};
+use crate::print::expression::{Spelling, spelled};
 use crate::print::review::filled;
 use crate::print::walk::Language;
-use crate::schedule::{Angle, Cells, LoopTable, Operation, RoutineLoop, Value};
+use crate::schedule::{Angle, Cells, LoopTable, Operation, RoutineLoop, StorePlace, Value};
 
 /// Indentation of a level.
 const LEVEL: &str = "    ";
@@ -59,18 +59,6 @@ impl Spelling for PythonWriter {
         }
     }
 
-    fn infix(&self, a: &String, symbol: Infix, b: &String) -> String {
-        format!("{a} {} {b}", symbol.letter())
-    }
-
-    fn negative(&self, a: &String) -> String {
-        negative(a)
-    }
-
-    fn in_parentheses(&self, a: &String) -> String {
-        format!("({a})")
-    }
-
     fn root(&self, a: &String) -> String {
         format!("{LIBRARY}.sqrt({a})")
     }
@@ -97,13 +85,9 @@ impl Language for PythonWriter {
         }
     }
 
-    fn put(&mut self, _: usize, _: &Value) {
-        unreachable!("functions of Python have no sections");
-    }
-
-    fn put_cell(&mut self, row: &Cells, index: &str, value: &Value) {
-        let value = self.read(value);
-        self.bind(&cell(row, index), &value);
+    fn put(&mut self, place: &StorePlace, value: &Value) {
+        let [place, value] = [&place.value(), value].map(|of| self.read(of));
+        self.bind(&place, &value);
     }
 
     fn store(&mut self, _: usize, _: &Value) {

@@ -17,14 +17,14 @@ use super::names::ident;
 #[cfg(feature = "files")]
 use crate::module::Module;
 use crate::print::Fields;
-use crate::print::expression::{Infix, Spelling, spelled};
+use crate::print::expression::{Infix, Spelling, Text, spelled};
 #[cfg(feature = "files")]
 use crate::print::steps::ConfigurationFunction;
 use crate::print::walk::{Language, walk};
 use crate::request::Parameter;
 use crate::schedule::{
-    Angle, Cells, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable,
-    Routine, RoutineLoop, Statement, Stored, Value,
+    Angle, Entries, LONGEST_SCOPE, Length, Meaning, Names, Operation, Program, Readable, Routine,
+    RoutineLoop, Statement, StorePlace, Stored, Value,
 };
 use crate::space::{Spaces, Variable};
 
@@ -254,8 +254,7 @@ fn stores(statement: &Statement) -> bool {
         Statement::Block { statements, .. } => statements.iter().any(stores),
         Statement::Operation(..)
         | Statement::SinesAndCosines(_)
-        | Statement::StoreWork(..)
-        | Statement::StoreCell(..)
+        | Statement::Store(..)
         | Statement::Loop(_) => false,
     }
 }
@@ -351,6 +350,25 @@ impl RustWriter<'_> {
     }
 }
 
+impl Text for TokenStream {
+    fn natural(number: usize) -> Self {
+        Literal::usize_unsuffixed(number).into_token_stream()
+    }
+
+    fn infix(&self, symbol: Infix, b: &Self) -> Self {
+        let symbol = Punct::new(symbol.letter(), Spacing::Alone);
+        quote! { #self #symbol #b }
+    }
+
+    fn negative(&self) -> Self {
+        quote! { -#self }
+    }
+
+    fn in_parentheses(&self) -> Self {
+        quote! { (#self) }
+    }
+}
+
 impl Spelling for RustWriter<'_> {
     type Text = TokenStream;
 
@@ -367,19 +385,6 @@ impl Spelling for RustWriter<'_> {
             }
             Value::Operation(operation) => spelled(self, operation),
         }
-    }
-
-    fn infix(&self, a: &TokenStream, symbol: Infix, b: &TokenStream) -> TokenStream {
-        let symbol = Punct::new(symbol.letter(), Spacing::Alone);
-        quote! { #a #symbol #b }
-    }
-
-    fn negative(&self, a: &TokenStream) -> TokenStream {
-        quote! { -#a }
-    }
-
-    fn in_parentheses(&self, a: &TokenStream) -> TokenStream {
-        quote! { (#a) }
     }
 
     fn root(&self, a: &TokenStream) -> TokenStream {
@@ -413,14 +418,9 @@ impl Language for RustWriter<'_> {
         self.text.extend(bound);
     }
 
-    fn put(&mut self, place: usize, value: &Value) {
-        let value = self.read(value);
-        self.text.extend(self.put_at(place, &value));
-    }
-
-    fn put_cell(&mut self, row: &Cells, index: &str, value: &Value) {
-        let (cell, value) = (self.cell(row, index), self.read(value));
-        self.text.extend(quote! { #cell = #value; });
+    fn put(&mut self, place: &StorePlace, value: &Value) {
+        let [place, value] = [&place.value(), value].map(|of| self.read(of));
+        self.text.extend(quote! { #place = #value; });
     }
 
     fn store(&mut self, result: usize, value: &Value) {

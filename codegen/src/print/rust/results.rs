@@ -16,7 +16,8 @@ use super::library::Library;
 use super::names::ident;
 use crate::function::Function;
 use crate::module::Module;
-use crate::print::copies::{self, Copies};
+use crate::print::copies::Copies;
+use crate::print::expression::subscript;
 use crate::schedule::Value;
 use crate::space::{Entity, Outcome, Quantity, Space, Spaces};
 
@@ -236,24 +237,25 @@ fn copied(values: &[Number], columns: usize, numbers: &Numbers) -> Option<TokenS
         ..
     } = numbers;
     let work = work.as_ref()?;
-    let places: Vec<Value> = values.iter().map(|number| number.value.clone()).collect();
-    let copies = Copies::of(&places, columns, |_| false);
+    let rows = values.len() / columns.max(1);
+    let copies = Copies::of([rows, columns], |k| Some(&values[k].value));
     if copies.loops.iter().all(|each| each.blocks.is_empty()) {
         return None;
     }
     let number = Literal::usize_unsuffixed;
     let is_zero = |value: &Value| *value == Value::Literal(0.0);
-    let [row_name, index_name] = [row, index].map(Ident::to_string);
+    let indices = [row, index].map(ToTokens::to_token_stream);
+    let [of_rows, of_columns] = &indices;
     let loops = copies.loops.iter().filter_map(|each| {
-        let of_row = subscript(each.rows.start, &[(1, &row_name)]);
+        let of_row = subscript(each.rows.start, &[(1, of_rows)]);
         let blocks = each.blocks.iter().map(|block| {
-            let down = (block.down, &*row_name);
+            let down = (block.down, of_rows);
             if block.count == 1 {
                 let (column, from) = (number(block.column), subscript(block.first, &[down]));
                 return quote! { #matrix[#of_row][#column] = #work[#from]; };
             }
-            let column = subscript(block.column, &[(1, &index_name)]);
-            let from = subscript(block.first, &[down, (block.along, &index_name)]);
+            let column = subscript(block.column, &[(1, of_columns)]);
+            let from = subscript(block.first, &[down, (block.along, of_columns)]);
             let count = number(block.count);
             quote! { for #index in 0..#count { #matrix[#of_row][#column] = #work[#from]; } }
         });
@@ -278,7 +280,7 @@ fn copied(values: &[Number], columns: usize, numbers: &Numbers) -> Option<TokenS
         let [of_row, column] = [k / columns, k % columns].map(number);
         quote! { #matrix[#of_row][#column] = #value; }
     });
-    let [rows, columns] = [values.len() / columns, columns].map(number);
+    let [rows, columns] = [rows, columns].map(number);
     Some(quote! {
         {
             let mut #matrix = [[#zero; #columns]; #rows];
@@ -287,12 +289,6 @@ fn copied(values: &[Number], columns: usize, numbers: &Numbers) -> Option<TokenS
             #matrix
         }
     })
-}
-
-/// A sum of a number and multiples of indices.
-pub(super) fn subscript(first: usize, terms: &[(usize, &str)]) -> TokenStream {
-    let text = copies::index(first, terms);
-    text.parse().expect("numbers and names")
 }
 
 impl ToTokens for Number {

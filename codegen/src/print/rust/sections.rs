@@ -12,8 +12,7 @@ use super::dispatch::{EquationArgument, dispatched};
 use super::lengths::{array, literal};
 use super::literals::Numerals;
 use super::names::ident;
-use super::results::subscript;
-use crate::print::expression::Spelling;
+use crate::print::expression::{Spelling, subscript};
 use crate::schedule::{Cells, LONGEST_SCOPE, SectionBody, Value, Work};
 
 impl RustWriter<'_> {
@@ -108,7 +107,8 @@ impl RustWriter<'_> {
                 quote! { #table[#row][#column] }
             }
             Cells::Work(first) => {
-                let (work, place) = (&self.work, subscript(*first, &[(1, column)]));
+                let column = ident(column).into_token_stream();
+                let (work, place) = (&self.work, subscript(*first, &[(1, &column)]));
                 quote! { #work[#place] }
             }
         }

@@ -158,7 +158,8 @@ impl Naming<'_> {
             self.steps[step as usize] = Value::Work(place);
         }
         let copies = section.copies.iter();
-        let copies = copies.map(|&(from, to)| Statement::StoreWork(to, Value::Work(from)));
+        let copies =
+            copies.map(|&(from, to)| Statement::Store(StorePlace::Work(to), Value::Work(from)));
         copies.chain([Statement::Loop(each)]).collect()
     }
 }

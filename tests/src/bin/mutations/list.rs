@@ -322,8 +322,8 @@ const MUTATIONS: [Mutation; 48] = [
     Mutation {
         name: "C: the operands of a fused difference exchanged",
         file: "codegen/src/print/expression.rs",
-        from: "language.infix(&c, Infix::Sub, &product)",
-        to: "language.infix(&product, Infix::Sub, &c)",
+        from: "c.infix(Infix::Sub, &product)",
+        to: "product.infix(Infix::Sub, &c)",
         noticed_by: c99("c99::scara"),
     },
     Mutation {

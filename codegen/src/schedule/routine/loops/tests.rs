@@ -7,7 +7,7 @@ use super::{Cells, LoopTable, RoutineLoop};
 use crate::expression::{Arithmetic, Input};
 use crate::schedule::limbs::tests::{COMMON, limbs, program as of_limbs};
 use crate::schedule::repeats::tests::{HEAD, LENGTH, program as of_columns};
-use crate::schedule::routine::{Routine, Statement, Stored, Value};
+use crate::schedule::routine::{Routine, Statement, StorePlace, Stored, Value};
 use crate::schedule::{Length, Names, Operand, Operation, Program, Readable, Step, run};
 use crate::space::{Entry, Kind, Limbs, Spaces, Variable};
 
@@ -122,8 +122,10 @@ impl Written {
                 }
                 Statement::Block { statements, .. } => self.run(statements),
                 Statement::Loop(each) => self.repeat(each),
-                Statement::StoreWork(place, value) => self.work[*place] = self.read(value),
-                Statement::StoreCell(row, index, value) => {
+                Statement::Store(StorePlace::Work(place), value) => {
+                    self.work[*place] = self.read(value);
+                }
+                Statement::Store(StorePlace::Cell(row, index), value) => {
                     self.store(row, self.indices[index], self.read(value));
                 }
                 Statement::StoreResult(..) => unreachable!("{statement:?}"),

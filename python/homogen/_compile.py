@@ -108,18 +108,26 @@ class _Code:
         machine = _machine()
         module = llvm.parse_assembly("")
         module.triple = _TRIPLE
-        self._engine = llvm.create_mcjit_compiler(module, machine)
-        self._engine.add_object_file(llvm.ObjectFileRef.from_data(image))
-        self._engine.finalize_object()
-        self.address = self._engine.get_function_address(entry)
+        engine = llvm.create_mcjit_compiler(module, machine)
+        engine.add_object_file(llvm.ObjectFileRef.from_data(image))
+        engine.finalize_object()
+        self.address = engine.get_function_address(entry)
         if not self.address:
             raise RuntimeError(f"the code of {entry} cannot be linked")
+        self._engine = _Engine(engine)
+
+
+class _Engine:
+    """LLVM's part of a code. It is an object of its own, since a weak reference still leads to one whose `__del__` runs."""
+
+    def __init__(self, engine):
+        self._engine = engine
 
     def __del__(self, claimed=_claimed, ended=_ended):
         own = object()
         claimed(own, own)
         # Frees the code; as the interpreter ends, llvmlite leaves it.
-        vars(self).clear()
+        del self._engine
         ended(own)
 
 

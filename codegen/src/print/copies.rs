@@ -2,7 +2,8 @@
 //!
 //! In: the values of a matrix, by rows. Out: loops over rows, for columns whose values stand at equal distances in the
 //! work array, and for those that have the same literal in these rows; and all other entries. Loops over columns of a
-//! program store such values, and limbs that do not act on each other have blocks of zeros.
+//! program store such values, and limbs that do not act on each other have blocks of zeros. What a symmetric matrix has
+//! above its diagonal is copied from below it.
 //!
 //! Compilers compare all copies of a function with each other, and thousands take them seconds.
 
@@ -19,6 +20,8 @@ pub(super) struct Copies {
     pub loops: Vec<CopyLoop>,
     /// Indices of all entries that are in no loop, in ascending order.
     pub rest: Vec<usize>,
+    /// True if the entries above the diagonal are none of these, and equal those below it.
+    pub is_symmetric: bool,
 }
 
 /// Loop over consecutive rows.
@@ -57,14 +60,21 @@ enum InAColumn {
 impl Copies {
     /// Loops of a matrix with these numbers of rows and columns; no value is known of an entry that is stored already.
     pub fn of<'v>([rows, columns]: [usize; 2], value: impl Fn(usize) -> Option<&'v Value>) -> Self {
+        let entry = |row: usize, column: usize| value(row * columns + column);
+        let is_symmetric = rows == columns
+            && (0..rows).all(|row| {
+                let mut pairs = (0..=row).map(|k| [entry(row, k), entry(k, row)]);
+                pairs.all(|[below, above]| below.is_some() && below == above)
+            });
         let mut copies = Self {
             loops: Vec::new(),
             rest: Vec::new(),
+            is_symmetric,
         };
         for column in 0..columns {
             let index = |row: usize| row * columns + column;
-            let entry = |row: usize| value(index(row));
-            let mut row = 0;
+            let entry = |row: usize| entry(row, column);
+            let mut row = if is_symmetric { column } else { 0 };
             while row < rows {
                 if let Some((values, count)) = InAColumn::of((row..rows).map_while(entry)) {
                     copies.take(row..row + count, column, values);
@@ -204,6 +214,26 @@ mod tests {
         assert_eq!(loops, expected);
         let rest = [5, 11, 17, 23, 24, 30, 36, 42];
         assert_eq!(copies.rest, rest);
+    }
+
+    #[test]
+    fn a_symmetric_matrix_is_copied_below_its_diagonal() {
+        let symmetric = |index: usize| {
+            let [row, column] = [index / COLUMNS, index % COLUMNS];
+            Value::Work(10 * row.max(column) + row.min(column))
+        };
+        let mut values: Vec<Value> = (0..COLUMNS * COLUMNS).map(symmetric).collect();
+        let of = |values: &[Value]| Copies::of([COLUMNS; 2], |index| Some(&values[index]));
+        let copies = of(&values);
+        assert!(copies.is_symmetric);
+        let rows = copies.loops.iter().map(|each| each.rows.clone());
+        assert_eq!(rows.collect::<Vec<_>>(), [0..6, 1..6, 2..6]);
+        assert_eq!(copies.rest, [21, 27, 28, 33, 34, 35]);
+
+        values[3] = Value::Work(0);
+        assert!(!of(&values).is_symmetric);
+        let stored = Copies::of([COLUMNS; 2], |index| (index != 7).then(|| &values[index]));
+        assert!(!stored.is_symmetric);
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Inlined values: those that are written inside of what reads them, so that they need no name.
 //!
 //! In: an [`Arranged`] program. Out: for each step, the place where its operation is written. A value without a meaning
-//! that is read once, by the next statement, is a part of that statement's expression; one that its own section or loop
-//! does not read is computed where it is stored. Operations and their operands stay as they are, so results are the same bits.
+//! that is read once, by the next statement, is a part of that statement's expression; one that a section stores is
+//! computed there, and so is one of a loop that does not read it itself. Operations and their operands stay as they are,
+//! so results are the same bits.
 
 #[cfg(test)]
 mod tests;
@@ -87,6 +88,8 @@ struct Stretch {
     has_meanings: bool,
     /// Steps that are stored, in the work array or a table, as soon as they are computed.
     stored: BTreeSet<u32>,
+    /// True if its own steps read what they have stored. In loops, compilers compare all addresses before they vectorize.
+    reads_stored: bool,
 }
 
 impl Stretch {
@@ -95,6 +98,7 @@ impl Stretch {
             steps,
             has_meanings: true,
             stored: BTreeSet::new(),
+            reads_stored: false,
         }
     }
 
@@ -104,6 +108,7 @@ impl Stretch {
             steps: repeat.first.clone(),
             has_meanings: repeat.over == Over::Limbs,
             stored: repeat.stores.iter().copied().collect(),
+            reads_stored: false,
         }
     }
 
@@ -159,7 +164,7 @@ impl Stretch {
                 continue;
             }
             waiting.clear();
-            if is_open && !has_reader && self.stored.contains(&at) {
+            if is_open && (!has_reader || self.reads_stored) && self.stored.contains(&at) {
                 places[at as usize] = Place::Store;
             }
         }
@@ -180,6 +185,7 @@ fn stretches(arranged: &Arranged<'_>) -> Vec<Stretch> {
                     Some(repeat) => Stretch::iteration(repeat),
                     None => Stretch {
                         stored: section.stores.iter().map(|&(step, _)| step).collect(),
+                        reads_stored: true,
                         ..Stretch::straight(section.steps.clone())
                     },
                 }),

@@ -349,7 +349,7 @@ impl Naming<'_> {
                 ScopeEntry::Step(step) => self.step(*step, &mut statements),
                 ScopeEntry::Block(Block { entries, outputs }) => {
                     let inside = self.statements(entries);
-                    let outputs = outputs.iter().map(|&step| self.name(step));
+                    let outputs = outputs.iter().filter_map(|&step| self.name(step));
                     statements.push(Statement::Block {
                         statements: inside,
                         outputs: outputs.collect(),
@@ -410,11 +410,11 @@ impl Naming<'_> {
         meaning(self.program, self.sums, step)
     }
 
-    /// Name of the result of a step.
-    fn name(&self, step: u32) -> String {
+    /// Name of the result of a step, unless it is in the work array alone.
+    fn name(&self, step: u32) -> Option<String> {
         match &self.steps[step as usize] {
-            Value::Name(name) => name.clone(),
-            value => unreachable!("{value:?} is bound to no name"),
+            Value::Name(name) => Some(name.clone()),
+            _ => None,
         }
     }
 

@@ -80,6 +80,9 @@ impl CWriter<'_> {
             }
             let rest: Vec<_> = copies.rest.iter().map(|k| start + k).collect();
             self.store_each(result, &rest, &indices[1]);
+            if copies.is_symmetric {
+                self.mirror(&name, rows, indices);
+            }
         }
     }
 
@@ -135,6 +138,19 @@ impl CWriter<'_> {
             let value = self.stored(&Value::Literal(value));
             self.line(&format!("    {of}[{column}] = {value};"));
         }
+        self.line("}");
+    }
+
+    /// Copies what a matrix has below its diagonal to the entries above it.
+    fn mirror(&mut self, matrix: &str, rows: usize, [row, index]: &[String; 2]) {
+        self.line(&format!("for (int {row} = 1; {row} < {rows}; {row}++) {{"));
+        self.line(&format!(
+            "    for (int {index} = 0; {index} < {row}; {index}++) {{"
+        ));
+        self.line(&format!(
+            "        {matrix}[{index}][{row}] = {matrix}[{row}][{index}];"
+        ));
+        self.line("    }");
         self.line("}");
     }
 

@@ -281,11 +281,20 @@ fn copied(values: &[Number], columns: usize, numbers: &Numbers) -> Option<TokenS
         quote! { #matrix[#of_row][#column] = #value; }
     });
     let [rows, columns] = [rows, columns].map(number);
+    let mirrored = copies.is_symmetric.then(|| {
+        quote! {
+            #[allow(clippy::needless_range_loop)]
+            for #row in 1..#rows {
+                for #index in 0..#row { #matrix[#index][#row] = #matrix[#row][#index]; }
+            }
+        }
+    });
     Some(quote! {
         {
             let mut #matrix = [[#zero; #columns]; #rows];
             #(#loops)*
             #(#others)*
+            #mirrored
             #matrix
         }
     })

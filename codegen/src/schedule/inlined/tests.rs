@@ -15,7 +15,7 @@ fn step(step: u32) -> Operand {
 }
 
 /// A program whose last step is its result.
-fn program(operations: &[Operation]) -> Program {
+fn of_steps(operations: &[Operation]) -> Program {
     let last = u32::try_from(operations.len() - 1).expect("few steps");
     let steps = operations.iter().map(|&operation| Step {
         label: None,
@@ -36,7 +36,7 @@ fn places(program: &Program, length: Length, named: &[u32]) -> Vec<Place> {
 
 /// Steps that are written in their reader.
 fn inlined(operations: &[Operation], named: &[u32]) -> Vec<usize> {
-    let places = places(&program(operations), Length::UNBOUNDED, named).into_iter();
+    let places = places(&of_steps(operations), Length::UNBOUNDED, named).into_iter();
     let places = places
         .enumerate()
         .filter(|(_, place)| *place == Place::Reader);
@@ -97,9 +97,14 @@ fn expressions_have_few_operands() {
 
 #[test]
 fn what_others_read_is_computed_where_it_is_stored() {
-    let square = Operation::Mul(step(0), step(0));
+    let square_of = |of| Operation::Mul(step(of), step(of));
     let last = Operation::Add(step(2), step(1));
-    let program = program(&[Operation::Neg(Q), square, Operation::Neg(step(1)), last]);
+    let program = of_steps(&[
+        Operation::Neg(Q),
+        square_of(0),
+        Operation::Neg(step(1)),
+        last,
+    ]);
     let stored = places(&program, Length::at_most(1), &[1]);
     assert_eq!(
         stored,
@@ -110,6 +115,14 @@ fn what_others_read_is_computed_where_it_is_stored() {
     assert_eq!(
         stored,
         [Place::Statement, Place::Store, Place::Reader, Place::Store]
+    );
+    // A section of three steps reads what it has stored.
+    let [sum, last] = [(0, Q), (2, step(0))].map(|(a, b)| Operation::Add(step(a), b));
+    let program = of_steps(&[Operation::Neg(Q), sum, square_of(1), last]);
+    let stored = places(&program, Length::at_most(3), &[]);
+    assert_eq!(
+        stored,
+        [Place::Store, Place::Statement, Place::Store, Place::Store]
     );
 }
 
@@ -126,7 +139,7 @@ fn statements_hold_consecutive_steps() {
             };
             Operation::MulAdd(operand(), operand(), operand())
         });
-        let program = program(&operations.collect::<Vec<_>>());
+        let program = of_steps(&operations.collect::<Vec<_>>());
         let places = places(&program, Length::UNBOUNDED, &[]);
         // Operands of each step, with those of the steps inside.
         let mut sizes = vec![0; 60];

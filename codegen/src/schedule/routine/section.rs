@@ -93,26 +93,30 @@ impl Naming<'_> {
         let name = self.names.fresh(&format!("section_{number}"));
         self.unnamed = 0;
         let mut loads = Vec::new();
-        // Values that have names in this section alone.
+        // Values that have names in this loop alone.
         let mut anew = Vec::new();
         let mut waiting = HashMap::new();
         let readers = readers(self.program, section);
         for &(value, place) in &section.loads {
-            if readers[&value] == 1 {
+            let known = match self.value(value.operand()) {
+                Value::Name(name) => Some(name),
+                _ => None,
+            };
+            // A name of its own would say nothing, but a loop reads what all iterations share before it.
+            let needs_none = known.is_none() && section.repeat.is_none();
+            if needs_none || readers[&value] == 1 {
                 waiting.insert(value, place);
-            } else {
-                let name = match (value, self.value(value.operand())) {
-                    (_, Value::Name(name)) => name,
-                    (Shared::Step(step), _) => {
-                        let name = self.unnamed();
-                        self.steps[step as usize] = Value::Name(name.clone());
-                        anew.push((step, place));
-                        name
-                    }
-                    (_, value) => unreachable!("{value:?} has no name"),
-                };
-                loads.push((place, name));
+                continue;
             }
+            let name = known.unwrap_or_else(|| {
+                let name = self.unnamed();
+                if let Shared::Step(step) = value {
+                    self.steps[step as usize] = Value::Name(name.clone());
+                    anew.push((step, place));
+                }
+                name
+            });
+            loads.push((place, name));
         }
         self.waiting = waiting;
         let steps = section.steps.clone();
